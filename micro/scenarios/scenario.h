@@ -1,0 +1,37 @@
+// A scene the user can run: `set Scenario = name`. One file per scene and one line in
+// that folder's scenarios.def: TURGOR_SCENARIO(name, factory) where
+// std::unique_ptr<turgor::Scenario> factory();
+#pragma once
+
+#include <memory>
+#include <string>
+
+namespace dealii
+{
+class ParameterHandler;
+}
+
+namespace turgor
+{
+class RunContext;
+
+class Scenario
+{
+public:
+  virtual ~Scenario() = default;
+
+  /// One or two sentences for `turgor list`.
+  virtual std::string description() const = 0;
+
+  /// Declares all entries (add_parameter: pattern, default, "Units: ..." in the text).
+  virtual void declare_parameters(dealii::ParameterHandler &prm) = 0;
+
+  /// Called after parsing: what patterns cannot say. Throws InputError with entry, value, allowed range.
+  virtual void check() const {}
+
+  /// True if the scene shares its work over MPI ranks.
+  virtual bool uses_ranks() const { return false; }
+
+  virtual void run(RunContext &context) = 0;
+};
+} // namespace turgor

@@ -1,0 +1,88 @@
+// One representative volume element: a periodic piece of cell structure that is
+// deformed by F and F_dot and answers with its stress.
+//
+//   evaluate(state, F, F_dot, request, workspace) -> stress, trial state, diagnostics, cost
+//
+// An Rve is shared by all points and const; all history is in RveState, which only the
+// caller's commit replaces. Stress is the virial stress (thesis Eq. 3.17) in the current volume.
+#pragma once
+
+#include "micro/engine/tensor.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace turgor
+{
+/// Everything that affects the answer of a later evaluate(). Plain data: copied,
+/// written to checkpoints and sent between ranks as it is.
+template <int dim>
+struct RveState
+{
+  Tensor2<dim> F = Tensor2<dim>::Identity();  ///< at which the unknowns below were reached
+  Tensor2<dim> F_dot = Tensor2<dim>::Zero();  ///< 1/s
+  std::vector<double> unknowns;               ///< positions (m), then velocities (m/s) where the rule has them
+};
+
+struct RveRequest
+{
+  double time_since_commit = 0.; ///< s
+  bool tangent = false;          ///< also dP/dF
+};
+
+/// How an answer was reached.
+struct RveDiagnostics
+{
+  bool converged = true;
+  std::string message;       ///< a sentence when !converged, else empty
+  int iterations = 0;        ///< Newton iterations or micro steps
+  double residual = 0.;      ///< largest unbalanced force / (turgor * spacing * depth)
+  double energy_drift = 0.;  ///< relative, over a rule's dynamics; 0 without dynamics
+  double stress_spread = 0.; ///< Pa, rms of the stress over the window tau_0; 0 without window
+  double cpu_seconds = 0.;
+};
+
+template <int dim>
+struct RveAnswer
+{
+  Tensor2<dim> sigma = Tensor2<dim>::Zero(); ///< Pa, Cauchy
+  Tensor2<dim> P = Tensor2<dim>::Zero();     ///< Pa, first Piola-Kirchhoff J sigma F^-T
+  Tensor4<dim> tangent = Tensor4<dim>::Zero(); ///< Pa, dP/dF at fixed F_dot; only if asked
+  double energy = 0.;                        ///< J/m^3 of reference volume, elastic, 0 at F = I
+  double pressure = 0.;                      ///< Pa, mean fluid pressure
+  RveState<dim> trial;
+  RveDiagnostics diagnostics;
+};
+
+template <int dim>
+class Rve
+{
+public:
+  /// Scratch memory of one thread; reused between calls, carries no state.
+  struct Workspace
+  {
+    virtual ~Workspace() = default;
+  };
+
+  virtual ~Rve() = default;
+  virtual std::unique_ptr<Workspace> make_workspace() const = 0;
+
+  /// The turgid, stress-balanced reference (F = I).
+  virtual RveState<dim> initial_state() const = 0;
+
+  /// Const in the committed state; never throws for a state that cannot be reached
+  /// (diagnostics.converged = false and a sentence), throws std::invalid_argument for non-finite or det F <= 0 input.
+  virtual RveAnswer<dim> evaluate(const RveState<dim> &committed, const Tensor2<dim> &F,
+                                  const Tensor2<dim> &F_dot, const RveRequest &request,
+                                  Workspace &workspace) const = 0;
+
+  virtual double density() const = 0;         ///< kg/m^3 of reference volume, fluid + walls
+  virtual double stiffness_bound() const = 0; ///< Pa, upper bound of the tangent dP/dF
+  virtual double viscosity_bound() const = 0; ///< Pa s
+  virtual Tensor2<dim> lattice() const = 0;   ///< m, columns = periods of the reference (H0)
+
+  /// Outlines of the cells in a state, for pictures: per cell a closed ring of points (m).
+  virtual std::vector<std::vector<Vector<dim>>> outlines(const RveState<dim> &state) const = 0;
+};
+} // namespace turgor
