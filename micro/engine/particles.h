@@ -1,0 +1,97 @@
+// Particles as a structure of arrays, in groups.
+//
+// A group is a closed unit whose particles are contiguous (a cell: its wall nodes first,
+// its fluid behind them) and between whose members nearly all interactions happen. Groups
+// are what threads share out: a group's forces are computed by one thread in one order, so
+// results do not depend on the number of threads.
+//
+// Beyond position, velocity and force (x[d][i], SI units) a particle has only the fields
+// that a term or integrator declared when the scene was put together.
+#pragma once
+
+#include "micro/engine/tensor.h"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace turgor
+{
+struct Group
+{
+  std::uint32_t begin = 0; ///< first particle: first wall node
+  std::uint32_t fluid = 0; ///< first fluid particle
+  std::uint32_t end = 0;
+
+  std::uint32_t wall_count() const { return fluid - begin; }
+  std::uint32_t fluid_count() const { return end - fluid; }
+};
+
+template <int dim>
+class Particles
+{
+public:
+  using Components = std::array<std::vector<double>, dim>;
+
+  Components x;                     ///< m
+  Components v;                     ///< m/s
+  Components f;                     ///< N
+  std::vector<double> inverse_mass; ///< 1/kg; 0 for a clamped particle
+  std::vector<Group> groups;
+
+  void resize(std::size_t n)
+  {
+    for (int d = 0; d < dim; ++d)
+      {
+        x[d].resize(n, 0.);
+        v[d].resize(n, 0.);
+        f[d].resize(n, 0.);
+      }
+    inverse_mass.resize(n, 0.);
+    for (auto &field : fields)
+      field.second.resize(n, 0.);
+  }
+
+  std::size_t size() const { return inverse_mass.size(); }
+
+  Vector<dim> position(std::size_t i) const
+  {
+    Vector<dim> p;
+    for (int d = 0; d < dim; ++d)
+      p[d] = x[d][i];
+    return p;
+  }
+
+  /// Makes a scalar field (once); called by whoever needs it, at set-up.
+  void declare(const std::string &name) { fields[name].resize(size(), 0.); }
+
+  bool has(const std::string &name) const { return fields.count(name) > 0; }
+
+  /// Throws std::logic_error for a field that nobody declared.
+  std::vector<double> &field(const std::string &name)
+  {
+    const auto found = fields.find(name);
+    if (found == fields.end())
+      throw std::logic_error("particle field '" + name + "' was not declared by any term");
+    return found->second;
+  }
+  const std::vector<double> &field(const std::string &name) const
+  {
+    return const_cast<Particles *>(this)->field(name);
+  }
+
+  std::vector<std::string> field_names() const
+  {
+    std::vector<std::string> names;
+    for (const auto &field : fields)
+      names.push_back(field.first);
+    return names;
+  }
+
+private:
+  std::map<std::string, std::vector<double>> fields;
+};
+} // namespace turgor

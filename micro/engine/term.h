@@ -1,0 +1,50 @@
+// One force law acting on particles. A term is called group by group, possibly from
+// several threads at once, and writes only to the particles of the group it is called for.
+// A law between groups (lamella) is evaluated from both sides.
+#pragma once
+
+#include "micro/engine/box.h"
+#include "micro/engine/particles.h"
+
+#include <iosfwd>
+#include <limits>
+#include <string>
+
+namespace turgor
+{
+template <int dim>
+class Term
+{
+public:
+  virtual ~Term() = default;
+
+  virtual std::string name() const = 0;
+
+  /// Declares the fields this term needs; called once, when groups are final.
+  virtual void declare(Particles<dim> &particles) = 0;
+
+  /// f += forces on the particles of the group.
+  virtual void add_forces(Particles<dim> &particles, const Box<dim> &box, std::size_t group) = 0;
+
+  /// J; the part of the term's energy that belongs to the group. 0 for dissipative laws.
+  /// Valid after add_forces at the same positions.
+  virtual double energy(const Particles<dim> &particles, const Box<dim> &box, std::size_t group) const = 0;
+
+  /// N m; what periodic images add to the virial -sum_k f_k (x) x_k of the group's own forces
+  /// (see virial.h). Zero for laws within a group.
+  virtual Tensor2<dim> image_virial(const Particles<dim> &, const Box<dim> &, std::size_t) const
+  {
+    return Tensor2<dim>::Zero();
+  }
+
+  /// s; the largest step at which this law alone is stable under kick-drift-kick.
+  virtual double stable_time_step(const Particles<dim> &) const
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+
+  /// History that affects later bits (the positions at which lists were built).
+  virtual void save(std::ostream &) const {}
+  virtual void load(std::istream &, Particles<dim> &) {}
+};
+} // namespace turgor
