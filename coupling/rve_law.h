@@ -1,0 +1,94 @@
+// The material law whose stress comes from representative volume elements (thesis 3.4):
+// one RVE at every quadrature point, P(F, F_dot, state).
+//
+// In:  F, F_dot (1/s) of all points, as one batch.
+// Out: P (Pa), energy (J/m^3 of reference volume), tangents if asked, failed points.
+//
+// The Rve is shared and const; a point owns a committed RveState and the trial of the last
+// evaluate(). An RVE that fails, or throws, is a FailedPoint with place and reason; nothing
+// is thrown out of a batch. Points are shared out over MPI ranks (point_shares.h) and, inside a rank,
+// over threads; a point's answer depends on its own state and input only, sums run in the
+// order of the points: the same bits on any number of threads and ranks.
+//
+// With ranks, evaluate(), commit(), save(), load() and states() are collective.
+#pragma once
+
+#include "coupling/point_shares.h"
+#include "macro/material_law.h"
+#include "rve/rve.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace turgor
+{
+struct RveLawSettings
+{
+  unsigned int threads = 1;          ///< inside a rank
+  unsigned int rebalance_every = 50; ///< commits; 0 = never
+  double skip_tolerance = 0.;        ///< Pa, error allowed to a skipped call (skip_gate.h); 0 = every call is made
+  unsigned int skip_sample = 50;     ///< every n-th skipped call is made all the same, to measure the error
+};
+
+/// What the batches have cost so far. Sums over all points and ranks.
+struct RveLawStatistics
+{
+  std::uint64_t batches = 0;
+  std::uint64_t calls = 0;          ///< RVE evaluations
+  std::uint64_t failed_calls = 0;
+  std::uint64_t failed_batches = 0; ///< batches with at least one failed call
+  std::uint64_t iterations = 0;     ///< sum over calls
+  int max_iterations = 0;
+  std::uint64_t skipped_calls = 0;
+  std::uint64_t sampled_calls = 0;  ///< skipped calls that were made to measure the error
+  double skip_error_square = 0.;    ///< Pa^2, sum over the sampled calls of |P_predicted - P|^2
+  double max_skip_error = 0.;       ///< Pa
+  double max_residual = 0.;         ///< largest RveDiagnostics::residual of a converged call
+  double max_stress_spread = 0.;    ///< Pa
+  double rve_cpu_seconds = 0.;      ///< inside RVEs, all threads and ranks
+  double wall_seconds = 0.;         ///< inside evaluate(), this rank
+  std::uint64_t rebalances = 0;
+  double imbalance = 1.;            ///< busiest rank over mean, by smoothed cost
+};
+
+template <int dim>
+class RveLaw : public MaterialLaw<dim>
+{
+public:
+  RveLaw(std::shared_ptr<const Rve<dim>> rve, const RveLawSettings &settings);
+  ~RveLaw() override;
+
+  void set_points(const std::vector<dealii::Point<dim>> &points) override;
+  void evaluate(const std::vector<dealii::Tensor<2, dim>> &F, const std::vector<dealii::Tensor<2, dim>> &F_dot,
+                const LawRequest &request, LawAnswer<dim> &answer) override;
+
+  /// Throws std::logic_error when the last batch had failed points: there is nothing to commit.
+  void commit() override;
+
+  double density() const override;
+  double stiffness_bound() const override;
+  double viscosity_bound() const override;
+
+  /// All points in order, whoever owns them: the bytes do not depend on the ranks.
+  void save(std::ostream &out) const override;
+  void load(std::istream &in) override;
+
+  const RveLawStatistics &statistics() const;
+  const PointShares &shares() const;
+
+  /// Pa, mean fluid pressure of every point in the last batch (unset before: signalling NaN).
+  const std::vector<double> &pressure() const;
+
+  /// Pa, Cauchy stress of every point in the last batch.
+  const std::vector<Tensor2<dim>> &cauchy_stress() const;
+
+  /// The committed states of some points, whoever owns them.
+  std::vector<RveState<dim>> states(const std::vector<std::size_t> &points) const;
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl;
+};
+} // namespace turgor

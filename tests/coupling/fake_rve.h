@@ -1,0 +1,82 @@
+// An RVE on paper: P = 2 G (F - I) + eta F_dot, energy G |F - I|^2, and a history that counts:
+// unknowns[0] of the trial is that of the committed state + 1, unknowns[1] = 10 * that of the
+// committed state + F_00. It can be told to fail or throw where F_00 exceeds a bound.
+#pragma once
+
+#include "rve/rve.h"
+
+#include <atomic>
+#include <limits>
+#include <stdexcept>
+
+namespace turgor::test
+{
+template <int dim>
+class FakeRve : public Rve<dim>
+{
+public:
+  double G = 1e6;   // Pa
+  double eta = 10.; // Pa s
+  double rho = 1000.;
+  double fails_above = std::numeric_limits<double>::infinity();
+  double throws_above = std::numeric_limits<double>::infinity();
+  double nan_above = std::numeric_limits<double>::infinity();
+  double fails_longer_than = std::numeric_limits<double>::infinity(); // s since commit
+  bool stretch_fails = false;                                         // fail for any F but I
+  mutable std::atomic<int> calls{0};
+
+  std::unique_ptr<typename Rve<dim>::Workspace> make_workspace() const override
+  {
+    return std::make_unique<typename Rve<dim>::Workspace>();
+  }
+
+  RveState<dim> initial_state() const override
+  {
+    RveState<dim> s;
+    s.unknowns = {0., 0.};
+    return s;
+  }
+
+  RveAnswer<dim> evaluate(const RveState<dim> &committed, const Tensor2<dim> &F, const Tensor2<dim> &F_dot,
+                          const RveRequest &request, typename Rve<dim>::Workspace &) const override
+  {
+    ++calls;
+    if (!F.allFinite() || F.determinant() <= 0. || F(0, 0) > throws_above)
+      throw std::invalid_argument("det F is not positive.");
+    RveAnswer<dim> a;
+    const Tensor2<dim> E = F - Tensor2<dim>::Identity();
+    a.P = 2. * G * E + eta * F_dot;
+    a.sigma = a.P * F.transpose() / F.determinant();
+    a.energy = G * E.squaredNorm();
+    a.pressure = -a.sigma.trace() / dim;
+    if (request.tangent)
+      a.tangent = 2. * G * Tensor4<dim>::Identity();
+    a.trial.F = F;
+    a.trial.F_dot = F_dot;
+    a.trial.unknowns = {committed.unknowns[0] + 1., 10. * committed.unknowns[1] + F(0, 0)};
+    a.diagnostics.iterations = 3;
+    a.diagnostics.cpu_seconds = 1e-6 * (1. + F(0, 0));
+    if (F(0, 0) > fails_above || request.time_since_commit > fails_longer_than || (stretch_fails && E.norm() > 1e-12))
+    {
+      a.diagnostics.converged = false;
+      a.diagnostics.message = "Newton did not converge.";
+    }
+    if (F(0, 0) > nan_above)
+      a.P(0, 0) = std::numeric_limits<double>::quiet_NaN();
+    return a;
+  }
+
+  double density() const override { return rho; }
+  double stiffness_bound() const override { return 2. * G; }
+  double viscosity_bound() const override { return eta; }
+  Tensor2<dim> lattice() const override { return 1e-4 * Tensor2<dim>::Identity(); }
+
+  std::vector<std::vector<Vector<dim>>> outlines(const RveState<dim> &state) const override
+  {
+    std::vector<Vector<dim>> ring;
+    for (int d = 0; d < dim; ++d)
+      ring.push_back(state.F * Vector<dim>::Unit(d) * 1e-4);
+    return {ring};
+  }
+};
+} // namespace turgor::test
