@@ -1,0 +1,72 @@
+// Bending of the cell wall: a hinge at the middle one of three consecutive wall nodes.
+//
+//   E = B (theta - theta_0)^2 / (2 l),  theta = atan2(a x b, a . b),  a = x1 - x0, b = x2 - x1
+//
+// errata B.7: the turning angle keeps its sign (counter-clockwise positive) and the forces
+// conserve momentum and angular momentum exactly, because theta depends on a and b only and
+// is invariant under rotation. theta_0 = 0 on flat sides, pi/2 at the corners of a square.
+//
+// In: positions (m), B/l (N m), theta_0 (rad). Out: energy (J), forces (N).
+#pragma once
+
+#include "micro/engine/tensor.h"
+
+#include <cmath>
+
+namespace turgor
+{
+struct WallBending
+{
+  double stiffness; ///< B / l, N m
+
+  static double angle(const Vector<2> &a, const Vector<2> &b)
+  {
+    return std::atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]);
+  }
+
+  double energy(const Vector<2> &a, const Vector<2> &b, const double theta_0) const
+  {
+    const double t = angle(a, b) - theta_0;
+    return 0.5 * stiffness * t * t;
+  }
+
+  /// d angle(v) / dv = perp(v)/|v|^2 of the direction angle of an edge v.
+  static Vector<2> angle_gradient(const Vector<2> &v)
+  {
+    const double s = 1. / (v[0] * v[0] + v[1] * v[1]);
+    return {-s * v[1], s * v[0]};
+  }
+
+  /// Second derivative of the direction angle of an edge v.
+  static Tensor2<2> angle_hessian(const Vector<2> &v)
+  {
+    const double n = v[0] * v[0] + v[1] * v[1], s = 1. / (n * n);
+    const double xy = 2. * s * v[0] * v[1], yy = s * (v[1] * v[1] - v[0] * v[0]);
+    Tensor2<2> h;
+    h << xy, yy, yy, -xy;
+    return h;
+  }
+
+  /// dE/da and dE/db; theta = angle(b) - angle(a). Forces: f0 = dE/da, f1 = dE/db - dE/da, f2 = -dE/db.
+  /// Returns the moment dE/dtheta (N m).
+  double edge_gradients(const Vector<2> &a, const Vector<2> &b, const double theta_0, Vector<2> &dE_da,
+                        Vector<2> &dE_db) const
+  {
+    const double moment = stiffness * (angle(a, b) - theta_0);
+    dE_da = -moment * angle_gradient(a);
+    dE_db = moment * angle_gradient(b);
+    return moment;
+  }
+
+  /// Adds the forces on the three nodes.
+  void add_forces(const Vector<2> &x0, const Vector<2> &x1, const Vector<2> &x2, const double theta_0,
+                  Vector<2> &f0, Vector<2> &f1, Vector<2> &f2) const
+  {
+    Vector<2> ga, gb;
+    edge_gradients(x1 - x0, x2 - x1, theta_0, ga, gb);
+    f0 += ga;
+    f1 += gb - ga;
+    f2 -= gb;
+  }
+};
+} // namespace turgor
