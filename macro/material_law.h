@@ -36,7 +36,7 @@ struct LawAnswer
 {
   std::vector<dealii::Tensor<2, dim>> P;       ///< Pa, P_aB = dW/dF_aB (+ viscous part)
   std::vector<double> energy;                  ///< J/m^3 of reference volume, elastic part; may be empty
-  std::vector<dealii::Tensor<4, dim>> tangent; ///< Pa, dP_aB/dF_cD; empty unless asked
+  std::vector<dealii::Tensor<4, dim>> tangent; ///< Pa, dP_aB/dF_cD; empty unless asked and known
   std::vector<FailedPoint> failed;             ///< in order of point
 };
 
@@ -61,7 +61,9 @@ public:
   /// Reference density, kg/m^3.
   virtual double density() const = 0;
 
-  /// Upper bounds for the step: stiffest tangent modulus (Pa) and viscosity (Pa s).
+  /// Upper bounds for the step, at the committed states: stiffness (Pa) with dP : dF <= stiffness |dF|^2 for every
+  /// dF, viscosity (Pa s) with dP : dF_dot <= viscosity |dF_dot|^2. E.g. an isotropic solid: dim lambda + 2 mu; a
+  /// Newtonian fluid 2 eta D: 2 eta; mu (L + L^T + tr(L) I): (2 + dim) mu.
   virtual double stiffness_bound() const = 0;
   virtual double viscosity_bound() const = 0;
 

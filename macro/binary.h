@@ -1,0 +1,48 @@
+// Plain numbers and vectors of them to and from a checkpoint's stream, bit by bit.
+#pragma once
+
+#include <cstdint>
+#include <istream>
+#include <ostream>
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+namespace turgor
+{
+template <typename T>
+void write_binary(std::ostream &out, const T &value)
+{
+  static_assert(std::is_trivially_copyable_v<T>);
+  out.write(reinterpret_cast<const char *>(&value), sizeof(T));
+}
+
+template <typename T>
+void read_binary(std::istream &in, T &value)
+{
+  static_assert(std::is_trivially_copyable_v<T>);
+  if (!in.read(reinterpret_cast<char *>(&value), sizeof(T)))
+    throw std::runtime_error("The checkpoint ends too early: it is damaged.");
+}
+
+/// The vector's size must be known to the reader: a different one means another mesh.
+template <typename T>
+void write_binary(std::ostream &out, const std::vector<T> &values)
+{
+  write_binary(out, static_cast<std::uint64_t>(values.size()));
+  for (const T &value : values)
+    write_binary(out, value);
+}
+
+template <typename T>
+void read_binary(std::istream &in, std::vector<T> &values)
+{
+  std::uint64_t size = 0;
+  read_binary(in, size);
+  if (size != values.size())
+    throw std::runtime_error("The checkpoint belongs to another mesh: it holds " + std::to_string(size) +
+                             " entries where this run has " + std::to_string(values.size()) + ".");
+  for (T &value : values)
+    read_binary(in, value);
+}
+} // namespace turgor

@@ -1,0 +1,138 @@
+#include "macro/integrator.h"
+
+#include "macro/binary.h"
+#include "macro/central_differences.h"
+
+namespace turgor
+{
+namespace
+{
+template <int dim>
+std::vector<double> flat(const std::vector<dealii::Tensor<2, dim>> &tensors)
+{
+  std::vector<double> result;
+  for (const auto &tensor : tensors)
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        result.push_back(tensor[i][j]);
+  return result;
+}
+
+template <int dim>
+void unflatten(const std::vector<double> &values, std::vector<dealii::Tensor<2, dim>> &tensors)
+{
+  std::size_t k = 0;
+  for (auto &tensor : tensors)
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        tensor[i][j] = values[k++];
+}
+} // namespace
+
+template <int dim>
+void TissueState<dim>::save(std::ostream &out) const
+{
+  write_binary(out, time);
+  for (const auto *vector : {&u, &v, &a})
+    write_binary(out, *vector);
+  write_binary(out, flat<dim>(F));
+  write_binary(out, flat<dim>(P));
+  write_binary(out, static_cast<char>(!energy.empty()));
+  if (!energy.empty())
+    write_binary(out, energy);
+}
+
+template <int dim>
+void TissueState<dim>::load(std::istream &in)
+{
+  read_binary(in, time);
+  for (auto *vector : {&u, &v, &a})
+    read_binary(in, *vector);
+  std::vector<double> values(F.size() * dim * dim);
+  for (auto *tensors : {&F, &P})
+    {
+      read_binary(in, values);
+      unflatten<dim>(values, *tensors);
+    }
+  char with_energy = 0;
+  read_binary(in, with_energy);
+  energy.resize(with_energy ? F.size() : 0);
+  if (with_energy)
+    read_binary(in, energy);
+}
+
+template <int dim>
+Integrator<dim>::Integrator(TissueOperator<dim> &op_, const TissueParameters<dim> &parameters_)
+  : op(op_)
+  , parameters(parameters_)
+  , stability(op_)
+{
+  state.u.assign(op.size(), 0.);
+  state.v.assign(op.size(), 0.);
+  state.a.assign(op.size(), 0.);
+  state.F.resize(op.F_bar().size());
+  state.P.resize(op.F_bar().size());
+}
+
+template <int dim>
+void Integrator<dim>::start()
+{
+  if (!op.evaluate(state.time, 0., state.u, state.v))
+    throw TissueFailed(op.failure(), state.time, 0., 0);
+  accept(state.time);
+  if (parameters.estimate_every > 0)
+    stability.estimate(state.time, state.u, state.v);
+}
+
+template <int dim>
+void Integrator<dim>::accept(double time)
+{
+  op.acceleration(state.a);
+  state.time = time;
+  state.F = op.F_bar();
+  state.P = op.answer().P;
+  state.energy = op.answer().energy;
+}
+
+template <int dim>
+void Integrator<dim>::refresh()
+{
+  if (parameters.estimate_every == 0 || since_estimate < parameters.estimate_every)
+    return;
+  stability.estimate(state.time, state.u, state.v);
+  since_estimate = 0;
+}
+
+template <int dim>
+void Integrator<dim>::save(std::ostream &out) const
+{
+  state.save(out);
+  write_binary(out, counters);
+  write_binary(out, last_step);
+  write_binary(out, since_estimate);
+  stability.save(out);
+}
+
+template <int dim>
+void Integrator<dim>::load(std::istream &in)
+{
+  state.load(in);
+  read_binary(in, counters);
+  read_binary(in, last_step);
+  read_binary(in, since_estimate);
+  stability.load(in);
+}
+
+template <int dim>
+std::unique_ptr<Integrator<dim>> make_integrator(TissueOperator<dim> &op, const TissueParameters<dim> &parameters)
+{
+  return std::make_unique<CentralDifferences<dim>>(op, parameters);
+}
+
+template struct TissueState<2>;
+template struct TissueState<3>;
+template class Integrator<2>;
+template class Integrator<3>;
+template std::unique_ptr<Integrator<2>> make_integrator(TissueOperator<2> &, const TissueParameters<2> &);
+template std::unique_ptr<Integrator<3>> make_integrator(TissueOperator<3> &, const TissueParameters<3> &);
+} // namespace turgor

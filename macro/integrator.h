@@ -1,0 +1,72 @@
+// What both time integrators share: the state of the tissue at a committed time, and one step from it.
+#pragma once
+
+#include "macro/stable_step.h"
+#include "macro/tissue_operator.h"
+
+#include <iosfwd>
+#include <memory>
+#include <vector>
+
+namespace turgor
+{
+template <int dim>
+struct TissueState
+{
+  double time = 0.;                          ///< s
+  std::vector<double> u, v, a;               ///< m, m/s, m/s^2; [node][dim]
+  std::vector<dealii::Tensor<2, dim>> F, P;  ///< F_bar and Pa, at all quadrature points
+  std::vector<double> energy;                ///< J/m^3 per point; empty if the law gives none
+
+  void save(std::ostream &out) const;
+  void load(std::istream &in);
+};
+
+struct StepCounters
+{
+  unsigned long steps = 0;    ///< accepted
+  unsigned long rejected = 0; ///< by error control or a failed point
+  unsigned long failures = 0; ///< batches in which a point failed
+};
+
+template <int dim>
+class Integrator
+{
+public:
+  virtual ~Integrator() = default;
+
+  /// Stress and acceleration of the state at rest at t = 0; throws TissueFailed.
+  void start();
+
+  /// One accepted step, committed, not beyond `limit` (s). Throws TissueFailed; the state is then as before.
+  virtual void step(double limit) = 0;
+
+  TissueState<dim> state;
+  StepCounters counters;
+  double last_step = 0.; ///< s
+
+  /// The step (s) that would be tried now, apart from the limit.
+  virtual double stable_step() const = 0;
+
+  /// Everything the coming steps depend on, the law excepted. The mesh and the parameters must be the same.
+  virtual void save(std::ostream &out) const;
+  virtual void load(std::istream &in);
+
+protected:
+  Integrator(TissueOperator<dim> &op, const TissueParameters<dim> &parameters);
+
+  /// The operator's last answer, reached at the given state, becomes the state.
+  void accept(double time);
+  /// Finds the stable step anew when it is due.
+  void refresh();
+
+  TissueOperator<dim> &op;
+  const TissueParameters<dim> parameters;
+  StableStep<dim> stability;
+  unsigned long since_estimate = 0;
+};
+
+/// By the name in the parameters.
+template <int dim>
+std::unique_ptr<Integrator<dim>> make_integrator(TissueOperator<dim> &op, const TissueParameters<dim> &parameters);
+} // namespace turgor

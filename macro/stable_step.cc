@@ -1,0 +1,127 @@
+#include "macro/stable_step.h"
+
+#include "macro/binary.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace turgor
+{
+template <int dim>
+StableStep<dim>::StableStep(TissueOperator<dim> &op_)
+  : op(op_)
+{
+  const TissueMesh<dim> &mesh = op.mesh();
+  const unsigned int n = mesh.nodes_per_cell;
+  std::vector<double> matrices(std::size_t(mesh.cells) * n * n, 0.);
+  for (unsigned int cell = 0; cell < mesh.cells; ++cell)
+    for (unsigned int q = 0; q < mesh.gauss_points; ++q)
+      for (unsigned int a = 0; a < n; ++a)
+        for (unsigned int b = 0; b < n; ++b)
+          matrices[(std::size_t(cell) * n + a) * n + b] +=
+            mesh.gauss_weight[cell * mesh.gauss_points + q] *
+            (mesh.gradient[(std::size_t(cell) * mesh.points + q) * n + a] *
+             mesh.gradient[(std::size_t(cell) * mesh.points + q) * n + b]);
+  laplacian = power_iteration(matrices, 1);
+}
+
+template <int dim>
+double StableStep<dim>::power_iteration(const std::vector<double> &matrices, unsigned int components) const
+{
+  const TissueMesh<dim> &mesh = op.mesh();
+  const unsigned int n = mesh.nodes_per_cell * components;
+  const std::size_t size = std::size_t(mesh.nodes) * components;
+  const auto free = [&](std::size_t i) { return !mesh.clamped[i / components]; };
+  const auto mass = [&](std::size_t i) { return op.mass()[i / components * dim]; };
+
+  // a start with all wave lengths in it, the same everywhere
+  std::vector<double> x(size), y(size);
+  std::uint64_t random = 0x9e3779b97f4a7c15ull;
+  for (double &value : x)
+    {
+      random = random * 6364136223846793005ull + 1442695040888963407ull;
+      value = static_cast<double>(random >> 11) / 9007199254740992. - 0.5;
+    }
+  double eigenvalue = 0.;
+  for (unsigned int iteration = 0; iteration < 2000; ++iteration)
+    {
+      std::fill(y.begin(), y.end(), 0.);
+      for (unsigned int cell = 0; cell < mesh.cells; ++cell)
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            double sum = 0.;
+            for (unsigned int j = 0; j < n; ++j)
+              {
+                const std::size_t column =
+                  std::size_t(mesh.cell_node[cell * mesh.nodes_per_cell + j / components]) * components + j % components;
+                sum += matrices[(std::size_t(cell) * n + i) * n + j] * x[column];
+              }
+            y[std::size_t(mesh.cell_node[cell * mesh.nodes_per_cell + i / components]) * components + i % components] += sum;
+          }
+      double xKx = 0., xMx = 0., norm = 0.;
+      for (std::size_t i = 0; i < size; ++i)
+        if (free(i))
+          {
+            xKx += x[i] * y[i];
+            xMx += x[i] * mass(i) * x[i];
+            y[i] /= mass(i);
+            norm += y[i] * mass(i) * y[i];
+          }
+        else
+          y[i] = 0.;
+      // sqrt(norm/xMx) is never below the Rayleigh quotient: the safer of the two estimates from below
+      const double next = std::sqrt(norm / std::max(xMx, 1e-300));
+      for (std::size_t i = 0; i < size; ++i)
+        x[i] = norm > 0. ? y[i] / std::sqrt(norm) : 0.;
+      const bool settled = iteration > 30 && std::abs(next - eigenvalue) < 1e-5 * next;
+      eigenvalue = std::max(next, xKx / std::max(xMx, 1e-300));
+      if (settled || norm == 0.)
+        break;
+    }
+  return 1.01 * eigenvalue;
+}
+
+template <int dim>
+void StableStep<dim>::estimate(double time, const std::vector<double> &u, const std::vector<double> &v)
+{
+  frequency2 = 0.;
+  stiffness_then = op.law().stiffness_bound();
+  std::vector<double> matrices;
+  if (op.evaluate(time, 0., u, v, true))
+    op.element_stiffness(matrices);
+  if (!matrices.empty())
+    frequency2 = power_iteration(matrices, dim);
+}
+
+template <int dim>
+double StableStep<dim>::frequency() const
+{
+  const double now = op.law().stiffness_bound(), bound = now * laplacian;
+  if (frequency2 <= 0.)
+    return std::sqrt(bound);
+  return std::sqrt(std::min(bound, frequency2 * std::max(1., now / stiffness_then)));
+}
+
+template <int dim>
+double StableStep<dim>::damping() const
+{
+  return op.law().viscosity_bound() * laplacian;
+}
+
+template <int dim>
+void StableStep<dim>::save(std::ostream &out) const
+{
+  write_binary(out, frequency2);
+  write_binary(out, stiffness_then);
+}
+
+template <int dim>
+void StableStep<dim>::load(std::istream &in)
+{
+  read_binary(in, frequency2);
+  read_binary(in, stiffness_then);
+}
+
+template class StableStep<2>;
+template class StableStep<3>;
+} // namespace turgor

@@ -1,0 +1,41 @@
+// The largest stable step of the explicit integrators, found sharply: every superfluous step costs a batch of RVEs.
+//
+//   omega^2 = largest eigenvalue of M^-1 K,   c = largest eigenvalue of M^-1 C   (1/s^2, 1/s)
+//
+// K from the law's tangents at the committed state when it gives them (power iteration over the whole mesh, F_bar
+// included, 1 % on top), but never more than the bound from K <= stiffness_bound * L and never less than what
+// the iteration saw; without tangents that bound itself. L: Laplacian of each displacement component.
+// C <= viscosity_bound * L. F_bar does not raise either: it removes volumetric modes.
+#pragma once
+
+#include "macro/tissue_operator.h"
+
+#include <iosfwd>
+
+namespace turgor
+{
+template <int dim>
+class StableStep
+{
+public:
+  explicit StableStep(TissueOperator<dim> &op);
+
+  /// Finds omega anew at the committed (u, v): one law call with tangents, which is a probe (nothing is committed).
+  void estimate(double time, const std::vector<double> &u, const std::vector<double> &v);
+
+  /// 1/s: at the law's present bounds. Between estimates omega grows with the law's stiffness bound.
+  double frequency() const;
+  double damping() const;
+
+  void save(std::ostream &out) const;
+  void load(std::istream &in);
+
+private:
+  double power_iteration(const std::vector<double> &matrices, unsigned int components) const;
+
+  TissueOperator<dim> &op;
+  double laplacian;          // 1/s^2 per Pa: largest eigenvalue of M^-1 L
+  double frequency2 = 0.;    // 1/s^2, from tangents; 0: none
+  double stiffness_then = 0.; // Pa, the law's bound at that estimate
+};
+} // namespace turgor

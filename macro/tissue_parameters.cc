@@ -1,0 +1,102 @@
+#include "macro/tissue_parameters.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace turgor
+{
+namespace
+{
+constexpr const char *size_names[] = {"Width", "Height", "Depth"};
+constexpr const char *axis_names[] = {"x", "y", "z"};
+} // namespace
+
+template <int dim>
+TissueParameters<dim>::TissueParameters()
+{
+  size.fill(1.6e-3);
+  elements.fill(8);
+}
+
+template <int dim>
+void TissueParameters<dim>::declare(dealii::ParameterHandler &prm)
+{
+  namespace Patterns = dealii::Patterns;
+  const Patterns::List vector(Patterns::Double(), dim, dim, ",");
+
+  prm.enter_subsection("Tissue");
+  for (unsigned int d = 0; d < dim; ++d)
+    prm.add_parameter(size_names[d], size[d], "Size of the piece in " + std::string(axis_names[d]) + ". Units: m.",
+                      Patterns::Double(1e-9, 1e3));
+  for (unsigned int d = 0; d < dim; ++d)
+    prm.add_parameter("Elements " + std::string(axis_names[d]), elements[d],
+                      "Number of elements in " + std::string(axis_names[d]) + ". Units: 1.", Patterns::Integer(1, 4096));
+  prm.add_parameter("Degree", degree, "Polynomial degree of the elements: 1 bilinear, 2 biquadratic. Units: 1.",
+                    Patterns::Integer(1, 2));
+  prm.add_parameter("Locking treatment", locking,
+                    "f_bar: volume change of one order lower than the shape change, so that nearly incompressible tissue "
+                    "bends freely; full: plain full integration. Units: none.",
+                    Patterns::Selection("f_bar|full"));
+  prm.add_parameter("Lateral sides", lateral,
+                    "The sides normal to y (and z): free, periodic (a slab without end) or clamped. Units: none.",
+                    Patterns::Selection("free|periodic|clamped"));
+  prm.add_parameter("Right side", right, "The side x = Width: free or clamped. The side x = 0 is always clamped. Units: none.",
+                    Patterns::Selection("free|clamped"));
+  prm.add_parameter("Body force", body_force, "Force per mass, switched on at t = 0: one number per direction. Units: N/kg.",
+                    vector);
+  prm.add_parameter("Traction", traction,
+                    "Force per reference area on the side x = Width, switched on at t = 0: one number per direction. "
+                    "Units: Pa.",
+                    vector);
+  prm.leave_subsection();
+
+  prm.enter_subsection("Time");
+  prm.add_parameter("Integrator", integrator,
+                    "central_differences: second order, one stress evaluation a step; dormand_prince: the thesis's adaptive "
+                    "Runge-Kutta 5(4) of SUNDIALS. Units: none.",
+                    Patterns::Selection("central_differences|dormand_prince"));
+  prm.add_parameter("End time", end_time, "Simulated time. Units: s.", Patterns::Double(1e-12, 1e6));
+  prm.add_parameter("CFL fraction", cfl, "Step as a fraction of the largest stable step. Units: 1.",
+                    Patterns::Double(0.01, 1.));
+  prm.add_parameter("Steps between estimates", estimate_every,
+                    "The stable step is found anew from the tangents of the law after this many steps; 0 uses only the "
+                    "law's bounds, which is safe but gives shorter steps. Units: 1.",
+                    Patterns::Integer(0, 1000000));
+  prm.add_parameter("Relative tolerance", relative_tolerance, "Local error of dormand_prince. Units: 1.",
+                    Patterns::Double(1e-14, 1.));
+  prm.add_parameter("Displacement tolerance", displacement_tolerance,
+                    "Absolute local error of the displacement, dormand_prince. Units: m.", Patterns::Double(1e-18, 1.));
+  prm.add_parameter("Velocity tolerance", velocity_tolerance,
+                    "Absolute local error of the velocity, dormand_prince. Units: m/s.", Patterns::Double(1e-15, 1e3));
+  prm.add_parameter("Output interval", output_interval, "Simulated time between two pictures of the fields. Units: s.",
+                    Patterns::Double(1e-12, 1e6));
+  prm.add_parameter("Checkpoint interval", checkpoint_interval, "Wall time between two checkpoints. Units: s.",
+                    Patterns::Double(0., 1e6));
+  prm.leave_subsection();
+}
+
+template <int dim>
+void TissueParameters<dim>::check() const
+{
+  for (unsigned int d = 0; d < dim; ++d)
+    {
+      if (!std::isfinite(body_force[d]))
+        throw std::invalid_argument("Tissue/Body force must be " + std::to_string(dim) + " finite numbers (N/kg).");
+      if (!std::isfinite(traction[d]))
+        throw std::invalid_argument("Tissue/Traction must be " + std::to_string(dim) + " finite numbers (Pa).");
+    }
+  if (right == "clamped" && traction.norm() > 0.)
+    throw std::invalid_argument("Tissue/Traction acts on the side x = Width, so it needs 'Right side = free' "
+                                "(it is 'clamped').");
+  if (lateral == "periodic")
+    for (unsigned int d = 1; d < dim; ++d)
+      if (elements[d] * degree < 2)
+        throw std::invalid_argument("Tissue/Elements " + std::string(axis_names[d]) +
+                                    " must be at least 2 with 'Lateral sides = periodic' and degree 1.");
+}
+
+template struct TissueParameters<2>;
+template struct TissueParameters<3>;
+} // namespace turgor

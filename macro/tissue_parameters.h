@@ -1,0 +1,49 @@
+// What the user says about the piece of tissue and its time integration.
+//
+// The piece is a block [0, width] x [0, height] (x [0, depth] in 3D), clamped at x = 0. In 2D all masses and
+// forces are per metre of depth, plane strain.
+#pragma once
+
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <string>
+
+namespace dealii
+{
+class ParameterHandler;
+}
+
+namespace turgor
+{
+template <int dim>
+struct TissueParameters
+{
+  std::array<double, dim> size;                   ///< m
+  std::array<unsigned int, dim> elements;         ///< per direction
+  unsigned int degree = 1;                        ///< 1 bilinear, 2 biquadratic
+  std::string locking = "f_bar";                  ///< f_bar | full
+  std::string lateral = "free";                   ///< sides y (and z): free | periodic | clamped
+  std::string right = "free";                     ///< side x = width: free | clamped
+  dealii::Tensor<1, dim> body_force;              ///< N/kg, on from t = 0
+  dealii::Tensor<1, dim> traction;                ///< Pa of reference area, on the side x = width, from t = 0
+
+  std::string integrator = "central_differences"; ///< central_differences | dormand_prince
+  double end_time = 0.47e-3;                      ///< s
+  double cfl = 0.9;                               ///< fraction of the stable step
+  unsigned int estimate_every = 100;              ///< steps between stable steps from the law's tangents; 0: bounds only
+  double relative_tolerance = 1e-4;               ///< dormand_prince
+  double displacement_tolerance = 1e-9;           ///< m, dormand_prince
+  double velocity_tolerance = 1e-4;               ///< m/s, dormand_prince
+  double output_interval = 1e-5;                  ///< s, between field frames
+  double checkpoint_interval = 60.;               ///< s of wall time
+
+  TissueParameters();
+
+  /// Declares subsections "Tissue" and "Time".
+  void declare(dealii::ParameterHandler &prm);
+
+  /// What the patterns cannot say; std::invalid_argument with the entry and what is allowed.
+  void check() const;
+};
+} // namespace turgor
