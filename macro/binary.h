@@ -10,6 +10,9 @@
 
 namespace turgor
 {
+/// Apart from the functions of the same name in micro/engine/binary.h, which let a vector change its size.
+inline namespace tissue_binary
+{
 template <typename T>
 void write_binary(std::ostream &out, const T &value)
 {
@@ -45,4 +48,5 @@ void read_binary(std::istream &in, std::vector<T> &values)
   for (T &value : values)
     read_binary(in, value);
 }
+} // namespace tissue_binary
 } // namespace turgor

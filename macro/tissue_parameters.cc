@@ -21,13 +21,13 @@ TissueParameters<dim>::TissueParameters()
 }
 
 template <int dim>
-void TissueParameters<dim>::declare(dealii::ParameterHandler &prm)
+void TissueParameters<dim>::declare(dealii::ParameterHandler &prm, bool with_size_and_body_force)
 {
   namespace Patterns = dealii::Patterns;
   const Patterns::List vector(Patterns::Double(), dim, dim, ",");
 
   prm.enter_subsection("Tissue");
-  for (unsigned int d = 0; d < dim; ++d)
+  for (unsigned int d = 0; d < dim && with_size_and_body_force; ++d)
     prm.add_parameter(size_names[d], size[d], "Size of the piece in " + std::string(axis_names[d]) + ". Units: m.",
                       Patterns::Double(1e-9, 1e3));
   for (unsigned int d = 0; d < dim; ++d)
@@ -44,8 +44,9 @@ void TissueParameters<dim>::declare(dealii::ParameterHandler &prm)
                     Patterns::Selection("free|periodic|clamped"));
   prm.add_parameter("Right side", right, "The side x = Width: free or clamped. The side x = 0 is always clamped. Units: none.",
                     Patterns::Selection("free|clamped"));
-  prm.add_parameter("Body force", body_force, "Force per mass, switched on at t = 0: one number per direction. Units: N/kg.",
-                    vector);
+  if (with_size_and_body_force)
+    prm.add_parameter("Body force", body_force,
+                      "Force per mass, switched on at t = 0: one number per direction. Units: N/kg.", vector);
   prm.add_parameter("Traction", traction,
                     "Force per reference area on the side x = Width, switched on at t = 0: one number per direction. "
                     "Units: Pa.",

@@ -40,8 +40,8 @@ struct TissueParameters
 
   TissueParameters();
 
-  /// Declares subsections "Tissue" and "Time".
-  void declare(dealii::ParameterHandler &prm);
+  /// Declares subsections "Tissue" and "Time"; without size and body force where the scene finds them itself.
+  void declare(dealii::ParameterHandler &prm, bool with_size_and_body_force = true);
 
   /// What the patterns cannot say; std::invalid_argument with the entry and what is allowed.
   void check() const;
