@@ -1,5 +1,15 @@
-// Point and cell fields over time for ParaView: one XDMF file beside one HDF5 file.
-// Used by particle scenes (vertices) and by the tissue mesh (quads, hexes).
+// Point and cell fields over time for ParaView: DIR/NAME.xdmf over one HDF5 file a frame,
+// DIR/NAME.frames/000012.h5. Used by particle scenes (vertices) and by the tissue mesh
+// (quads, hexes).
+//
+// A file a frame, because HDF5 updates its index in place: killed in the middle of that, a
+// single file would lose all earlier frames too. Each frame is written whole and renamed,
+// then the XDMF is replaced; both are readable at any moment.
+//
+// Datasets of a frame: points (n x 3), cells (m x nodes_per_cell, unless vertices), then one a
+// field, named by the field's name without unit in letters, digits and _, with the full name in
+// its attribute "name"; the root has the attribute "time" (s).
+// In Python: app/plots/fields.py, frames(directory, name).
 #pragma once
 
 #include <cstdint>
@@ -23,11 +33,12 @@ struct FieldFrame
   double time = 0.;               ///< s
   std::vector<double> points;     ///< m, 3 per point
   std::vector<std::uint32_t> cells; ///< node indices, nodes_per_cell each; empty: points are drawn as vertices
-  unsigned int nodes_per_cell = 1;  ///< 1 vertex, 2 line, 4 quad, 8 hex
+  unsigned int nodes_per_cell = 1;  ///< 1 vertex, 2 line, 3 triangle, 4 quad, 8 hex
   std::vector<NamedField> fields;
 };
 
-/// DIR/NAME.xdmf + DIR/NAME.h5, appended frame by frame; each frame leaves both files readable.
+/// With append, frames are added to those that are there. A frame replaces every earlier one that is not
+/// before it in time, so that a resumed run cuts what was written beyond its checkpoint by itself.
 /// Throws std::runtime_error naming the file when it cannot be written, and for a non-finite value.
 class FieldFile
 {

@@ -1,0 +1,23 @@
+// A program started as a child and waited for, with what it cost (wait4).
+#pragma once
+
+#include "micro/io/resource_use.h"
+
+#include <string>
+#include <vector>
+
+namespace turgor
+{
+struct ChildEnd
+{
+  int code = 0; ///< exit code, or 128 + signal
+  ResourceUse use;
+};
+
+/// words[0] is the program (looked up in PATH). log: file for its stdout and stderr; empty: shared with ours.
+/// A stop signal of ours is passed on. Throws std::runtime_error when it cannot be started.
+ChildEnd run_child(const std::vector<std::string> &words, const std::string &log = "");
+
+/// Path of this program.
+std::string this_program();
+} // namespace turgor

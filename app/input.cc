@@ -1,0 +1,201 @@
+#include "app/input.h"
+
+#include "app/declared_entries.h"
+#include "app/nearest_name.h"
+#include "app/prm_text.h"
+#include "app/scenario_list.h"
+#include "micro/io/checksum.h"
+#include "micro/io/run_context.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
+#include <map>
+
+namespace turgor
+{
+namespace
+{
+std::string quoted_section(const std::vector<std::string> &section)
+{
+  return section.empty() ? "the top level" : "subsection '" + join_path({section.begin(), section.end() - 1}, section.back()) + "'";
+}
+
+[[noreturn]] void refuse_unknown(const PrmSetting &setting, const std::vector<DeclaredEntry> &known)
+{
+  std::vector<std::string> here;
+  std::string elsewhere;
+  for (const DeclaredEntry &entry : known)
+    if (entry.section == setting.section)
+      here.push_back(entry.name);
+    else if (entry.name == setting.name)
+      elsewhere = join_path(entry.section, entry.name);
+  throw InputError(setting.where + ": there is no entry '" + setting.name + "' in " + quoted_section(setting.section) + "." +
+                   (elsewhere.empty() ? suggestion(setting.name, here) : " Did you mean '" + elsewhere + "'?"));
+}
+
+void check_section(const PrmSection &section, const std::vector<DeclaredEntry> &known)
+{
+  for (std::size_t depth = 1; depth <= section.path.size(); ++depth)
+    {
+      std::vector<std::string> siblings;
+      for (const DeclaredEntry &entry : known)
+        if (entry.section.size() >= depth && std::equal(section.path.begin(), section.path.begin() + static_cast<long>(depth) - 1,
+                                                        entry.section.begin()) &&
+            std::find(siblings.begin(), siblings.end(), entry.section[depth - 1]) == siblings.end())
+          siblings.push_back(entry.section[depth - 1]);
+      if (std::find(siblings.begin(), siblings.end(), section.path[depth - 1]) == siblings.end())
+        throw InputError(section.where + ": there is no subsection '" + section.path[depth - 1] + "' in " +
+                         quoted_section({section.path.begin(), section.path.begin() + static_cast<long>(depth) - 1}) + "." +
+                         suggestion(section.path[depth - 1], siblings));
+    }
+}
+
+std::string refusal(const PrmSetting &setting, const DeclaredEntry &entry)
+{
+  const std::string near = nearest_name(setting.value, choices(entry.pattern));
+  return setting.where + ": '" + setting.path() + "' = '" + setting.value + "' is not allowed; allowed: " +
+         allowed_in_words(entry.pattern) + "." + (near.empty() ? "" : " Did you mean '" + near + "'?") +
+         (entry.documentation.empty() ? "" : " (" + entry.documentation + ")");
+}
+
+/// Also where a pattern would let them pass: a list of anything, a future pattern.
+bool names_non_finite(const std::string &value)
+{
+  for (std::string word : split_trimmed(value, ','))
+    {
+      std::transform(word.begin(), word.end(), word.begin(), [](const unsigned char c) { return std::tolower(c); });
+      if (!word.empty() && (word[0] == '+' || word[0] == '-'))
+        word.erase(0, 1);
+      if (word == "nan" || word == "inf" || word == "infinity")
+        return true;
+    }
+  return false;
+}
+
+void declare_all(dealii::ParameterHandler &prm, Scenario &scenario, const std::string &name, const ScenarioRegistry &registry)
+{
+  std::string list;
+  for (const std::string &known : registry.names)
+    list += (list.empty() ? "" : "|") + known;
+  prm.declare_entry("Scenario", name, dealii::Patterns::Selection(list), "The scene to run; `turgor list` describes them.");
+  scenario.declare_parameters(prm);
+}
+
+/// The value of `Scenario`; a --set one wins.
+const PrmSetting &scenario_setting(const PrmText &text, const std::string &file, const ScenarioRegistry &registry)
+{
+  const PrmSetting *found = nullptr;
+  for (const PrmSetting &setting : text.settings)
+    if (setting.section.empty() && setting.name == "Scenario")
+      found = &setting;
+  if (found == nullptr)
+    {
+      for (const PrmSetting &setting : text.settings)
+        if (setting.section.empty() && edit_distance(setting.name, "Scenario") <= 3)
+          throw InputError(setting.where + ": there is no entry '" + setting.name + "' in the top level. Did you mean 'Scenario'?");
+      throw InputError(file + ": the entry 'Scenario' is missing; write 'set Scenario = NAME'." + suggestion("", registry.names));
+    }
+  if (std::find(registry.names.begin(), registry.names.end(), found->value) == registry.names.end())
+    throw InputError(found->where + ": there is no scenario '" + found->value + "'." + suggestion(found->value, registry.names));
+  return *found;
+}
+
+void refuse_repeated(const PrmText &text)
+{
+  std::map<std::string, std::string> first;
+  for (const PrmSetting &setting : text.settings)
+    if (const auto [there, is_new] = first.emplace(setting.path(), setting.where); !is_new)
+      throw InputError(setting.where + ": '" + setting.path() + "' is set a second time (first: " + there->second + ").");
+}
+} // namespace
+
+ScenarioRegistry product_registry()
+{
+  return {scenario_names(), make_scenario};
+}
+
+void apply(const PrmText &text, dealii::ParameterHandler &prm)
+{
+  const std::vector<DeclaredEntry> known = declared_entries(prm);
+  for (const PrmSection &section : text.sections)
+    check_section(section, known);
+  for (const PrmSetting &setting : text.settings)
+    {
+      if (!setting.section.empty())
+        check_section({setting.section, setting.where}, known);
+      const auto entry = std::find_if(known.begin(), known.end(), [&](const DeclaredEntry &candidate) {
+        return candidate.section == setting.section && candidate.name == setting.name;
+      });
+      if (entry == known.end())
+        refuse_unknown(setting, known);
+      const bool numeric = entry->pattern.find("[Double") != std::string::npos ||
+                           entry->pattern.find("[Integer") != std::string::npos;
+      if (numeric && names_non_finite(setting.value))
+        throw InputError(refusal(setting, *entry));
+      for (const std::string &part : setting.section)
+        prm.enter_subsection(part);
+      std::string problem;
+      try
+        {
+          prm.set(setting.name, setting.value);
+        }
+      catch (const dealii::ExceptionBase &)
+        {
+          problem = refusal(setting, *entry);
+        }
+      catch (const std::exception &why)
+        {
+          problem = refusal(setting, *entry) + " " + why.what();
+        }
+      for (std::size_t i = 0; i < setting.section.size(); ++i)
+        prm.leave_subsection();
+      if (!problem.empty())
+        throw InputError(problem);
+    }
+}
+
+Input load_input(const std::filesystem::path &file, const std::vector<std::string> &overrides, const ScenarioRegistry &registry)
+{
+  dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
+  PrmText text = read_prm(file);
+  refuse_repeated(text);
+  PrmText set_values;
+  for (const std::string &override_text : overrides)
+    set_values.settings.push_back(parse_override(override_text));
+  text.settings.insert(text.settings.end(), set_values.settings.begin(), set_values.settings.end());
+
+  Input input;
+  input.scenario_name = scenario_setting(text, file.string(), registry).value;
+  input.scenario = registry.make(input.scenario_name);
+  dealii::ParameterHandler prm;
+  declare_all(prm, *input.scenario, input.scenario_name, registry);
+  apply(text, prm);
+  const std::vector<DeclaredEntry> entries = declared_entries(prm);
+  input.hash = hexadecimal(fnv1a(canonical(entries)));
+  input.text = prm_of(entries, false, false);
+  try
+    {
+      input.scenario->check();
+    }
+  catch (const InputError &problem)
+    {
+      throw InputError(file.string() + ": " + problem.what());
+    }
+  catch (const std::invalid_argument &problem)
+    {
+      throw InputError(file.string() + ": " + problem.what());
+    }
+  return input;
+}
+
+std::string parameters_text(const std::string &scenario_name, const ScenarioRegistry &registry)
+{
+  const std::unique_ptr<Scenario> scenario = registry.make(scenario_name);
+  if (!scenario)
+    throw InputError("There is no scenario '" + scenario_name + "'." + suggestion(scenario_name, registry.names));
+  dealii::ParameterHandler prm;
+  declare_all(prm, *scenario, scenario_name, registry);
+  return "# " + scenario->description() + "\n" + prm_of(declared_entries(prm), true, true);
+}
+} // namespace turgor

@@ -1,0 +1,49 @@
+// From an input file (and --set values) to a scene ready to run. Every mistake is an
+// InputError: file and line, entry, value, what is allowed, the nearest known name.
+#pragma once
+
+#include "micro/scenarios/scenario.h"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+class ParameterHandler;
+}
+
+namespace turgor
+{
+struct PrmText;
+
+struct Input
+{
+  std::string scenario_name;
+  std::unique_ptr<Scenario> scenario; ///< parsed and checked
+  std::string hash;                   ///< names scenario and values of all entries; not comments or spelling of numbers
+  std::string text;                   ///< a .prm of all entries with their values
+};
+
+/// By name; a null pointer for an unknown one.
+using ScenarioMaker = std::function<std::unique_ptr<Scenario>(const std::string &)>;
+
+struct ScenarioRegistry
+{
+  std::vector<std::string> names;
+  ScenarioMaker make;
+};
+
+ScenarioRegistry product_registry();
+
+Input load_input(const std::filesystem::path &file, const std::vector<std::string> &overrides,
+                 const ScenarioRegistry &registry);
+
+/// The commented .prm of all entries with defaults; throws InputError for an unknown scene.
+std::string parameters_text(const std::string &scenario_name, const ScenarioRegistry &registry);
+
+/// Sets everything in `text` in prm; entries and sections have to be declared. Used for study files as well.
+void apply(const PrmText &text, dealii::ParameterHandler &prm);
+} // namespace turgor

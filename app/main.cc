@@ -1,0 +1,116 @@
+// The command line:
+//   turgor run FILE.prm [-o DIR] [--set 'Section/Name=value']... [--resume] [--threads N] [--ranks N]
+#include "app/plot_command.h"
+#include "app/ranks.h"
+#include "app/run_command.h"
+#include "micro/io/run_context.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <memory>
+
+namespace
+{
+using namespace turgor;
+
+int list_command(const ScenarioRegistry &registry)
+{
+  for (const std::string &name : registry.names)
+    std::cout << name << "\n    " << registry.make(name)->description() << "\n";
+  return 0;
+}
+
+int dispatch(int argc, char **argv)
+{
+  CLI::App app("Turgor: soft tissue at two scales, a finite-element tissue whose stress comes from its cells.");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", program_version());
+  bool under_mpi = false;
+  app.add_flag("--under-mpi", under_mpi)->group("");
+
+  RunOptions run;
+  const auto input_options = [&](CLI::App *command) {
+    command->add_option("FILE", run.file, "Input file (.prm)")->required();
+    command->add_option("--set", run.overrides, "Section/Name=value, over the file's value; may be repeated")
+      ->allow_extra_args(false);
+  };
+  CLI::App *run_app = app.add_subcommand("run", "Run the scene of an input file");
+  input_options(run_app);
+  run_app->add_option("-o,--output", run.directory, "Output directory (default runs/<name of the file>)");
+  run_app->add_flag("--resume", run.resume, "Continue from the last checkpoint");
+  run_app->add_flag("--quiet", run.quiet, "No progress bar and no remarks");
+  run_app->add_option("--threads", run.threads, "Threads (default: all cores)")->check(CLI::Range(1u, 1024u));
+  run_app->add_option("--ranks", run.ranks, "MPI ranks (default: 1, without MPI)")->check(CLI::Range(1u, 1024u));
+
+  CLI::App *list_app = app.add_subcommand("list", "All scenes");
+  std::string scenario;
+  CLI::App *parameters_app = app.add_subcommand("parameters", "A commented input file of a scene's entries with defaults");
+  parameters_app->add_option("SCENARIO", scenario, "Name of the scene")->required();
+  CLI::App *check_app = app.add_subcommand("check", "Parse and check an input file without running it");
+  input_options(check_app);
+
+
+  std::string plot_directory;
+  CLI::App *plot_app = app.add_subcommand("plot", "Pictures of a run, beside its results");
+  plot_app->add_option("DIR", plot_directory, "Output directory of a run")->required();
+  app.add_subcommand("test", "Build and run all tests (by the launcher ./turgor)");
+
+  try
+    {
+      app.parse(argc, argv);
+    }
+  catch (const CLI::ParseError &problem)
+    {
+      return app.exit(problem) == 0 ? 0 : 2;
+    }
+
+  const ScenarioRegistry registry = product_registry();
+  if (run_app->parsed())
+    {
+      if (run.ranks > 1 && !under_mpi)
+        {
+          // Wrong input is told once, not by every rank.
+          const Input input = load_input(run.file, run.overrides, registry);
+          if (!input.scenario->uses_ranks())
+            throw InputError("--ranks " + std::to_string(run.ranks) + ": the scenario " + input.scenario_name +
+                             " does not share its work over ranks; use --threads N.");
+          start_ranks(run.ranks, {argv + 1, argv + argc});
+        }
+      std::unique_ptr<MpiSession> mpi;
+      if (under_mpi)
+        mpi = std::make_unique<MpiSession>(argc, argv);
+      return run_command(run, registry, mpi.get());
+    }
+  if (list_app->parsed())
+    return list_command(registry);
+  if (parameters_app->parsed())
+    {
+      std::cout << parameters_text(scenario, registry);
+      return 0;
+    }
+  if (check_app->parsed())
+    return check_command(run, registry);
+  if (plot_app->parsed())
+    return plot_command(plot_directory);
+  throw InputError("The tests are built and run by the launcher: ./turgor test");
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  try
+    {
+      return dispatch(argc, argv);
+    }
+  catch (const turgor::InputError &problem)
+    {
+      std::cerr << "turgor: " << problem.what() << std::endl;
+      return 2;
+    }
+  catch (const std::exception &problem)
+    {
+      std::cerr << "turgor: " << problem.what() << std::endl;
+      return 1;
+    }
+}

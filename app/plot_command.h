@@ -1,0 +1,16 @@
+// `turgor plot DIR`: pictures beside the results. app/plots/plot.py draws every series
+// against its first column, then app/plots/<scenario>.py draws what is particular to the scene.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace turgor
+{
+/// Exit code; throws InputError when DIR holds no run.
+int plot_command(const std::filesystem::path &directory);
+
+/// Runs a script of app/plots with the Python found at configuration; its exit code.
+int run_plot_script(const std::string &script, const std::vector<std::string> &arguments);
+} // namespace turgor

@@ -1,0 +1,47 @@
+// The text of a .prm file as a list of settings, each with the line it stands on:
+//   set NAME = VALUE, subsection NAME ... end, comments from # to the end of the line, a
+//   trailing \ continues a line.
+// deal.II's own parser is not used for reading, because it stops at the first wrong entry
+// without its neighbours' names, and takes an entry set twice in silence.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace turgor
+{
+struct PrmSetting
+{
+  std::vector<std::string> section; ///< outermost first
+  std::string name, value;
+  std::string where; ///< "FILE, line 12" or "--set"
+
+  std::string path() const; ///< "Section/Name"
+};
+
+struct PrmSection
+{
+  std::vector<std::string> path;
+  std::string where;
+};
+
+struct PrmText
+{
+  std::vector<PrmSetting> settings; ///< in the order of the file
+  std::vector<PrmSection> sections; ///< every `subsection` line, also of empty ones
+};
+
+/// Throws InputError with file and line for a line that is none of the above and for unbalanced subsections.
+PrmText parse_prm(const std::string &text, const std::string &file_name);
+
+/// Reads the file; throws InputError when it is missing, a directory or not text.
+PrmText read_prm(const std::filesystem::path &file);
+
+/// "Section/Name=value" of --set.
+PrmSetting parse_override(const std::string &text);
+
+std::string join_path(const std::vector<std::string> &section, const std::string &name);
+std::string trimmed(const std::string &text);
+std::vector<std::string> split_trimmed(const std::string &text, char separator);
+} // namespace turgor

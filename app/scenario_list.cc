@@ -1,0 +1,33 @@
+#include "app/scenario_list.h"
+
+namespace turgor
+{
+#define TURGOR_SCENARIO(name, factory) std::unique_ptr<Scenario> factory();
+#include "coupling/scenarios.def"
+#include "micro/scenarios/scenarios.def"
+#include "rve/scenarios.def"
+#undef TURGOR_SCENARIO
+
+std::vector<std::string> scenario_names()
+{
+  return {
+#define TURGOR_SCENARIO(name, factory) #name,
+#include "coupling/scenarios.def"
+#include "rve/scenarios.def"
+#include "micro/scenarios/scenarios.def"
+#undef TURGOR_SCENARIO
+  };
+}
+
+std::unique_ptr<Scenario> make_scenario([[maybe_unused]] const std::string &wanted)
+{
+#define TURGOR_SCENARIO(name, factory) \
+  if (wanted == #name)                 \
+    return factory();
+#include "coupling/scenarios.def"
+#include "micro/scenarios/scenarios.def"
+#include "rve/scenarios.def"
+#undef TURGOR_SCENARIO
+  return nullptr;
+}
+} // namespace turgor

@@ -1,0 +1,77 @@
+#include "micro/io/atomic_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace turgor
+{
+namespace
+{
+[[noreturn]] void refuse(const std::filesystem::path &path, const char *what)
+{
+  throw std::runtime_error("cannot " + std::string(what) + " " + path.string() + ": " + std::strerror(errno) + ".");
+}
+
+class Descriptor
+{
+public:
+  Descriptor(const std::filesystem::path &path, const int flags)
+    : number(::open(path.c_str(), flags | O_CLOEXEC, 0666))
+  {}
+  ~Descriptor()
+  {
+    if (number >= 0)
+      ::close(number);
+  }
+  Descriptor(const Descriptor &) = delete;
+  Descriptor &operator=(const Descriptor &) = delete;
+  const int number;
+};
+} // namespace
+
+void write_atomically(const std::filesystem::path &path, const std::string_view bytes)
+{
+  const std::filesystem::path temporary = path.string() + ".part";
+  {
+    const Descriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
+    if (file.number < 0)
+      refuse(path, "write");
+    std::size_t done = 0;
+    while (done < bytes.size())
+      {
+        const ssize_t count = ::write(file.number, bytes.data() + done, bytes.size() - done);
+        if (count < 0 && errno == EINTR)
+          continue;
+        if (count < 0)
+          refuse(path, "write");
+        done += static_cast<std::size_t>(count);
+      }
+    if (::fsync(file.number) != 0)
+      refuse(path, "write");
+  }
+  if (::rename(temporary.c_str(), path.c_str()) != 0)
+    refuse(path, "replace");
+  // The new name itself is only safe once the directory is on disk.
+  const std::filesystem::path parent = path.has_parent_path() ? path.parent_path() : ".";
+  const Descriptor directory(parent, O_RDONLY | O_DIRECTORY);
+  if (directory.number >= 0)
+    ::fsync(directory.number);
+}
+
+std::string read_whole(const std::filesystem::path &path)
+{
+  errno = 0;
+  if (std::filesystem::is_directory(path))
+    throw std::runtime_error("cannot read " + path.string() + ": it is a directory.");
+  std::ifstream in(path, std::ios::binary);
+  if (!in)
+    refuse(path, "read");
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+} // namespace turgor

@@ -1,0 +1,16 @@
+// A file that is there whole or not at all: written beside its place, synchronised to
+// disk, then renamed over the old one. Survives kill -9 and loss of power.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace turgor
+{
+/// Throws std::runtime_error naming the file and the system's reason.
+void write_atomically(const std::filesystem::path &path, std::string_view bytes);
+
+/// The whole file; throws std::runtime_error naming it when it cannot be read.
+std::string read_whole(const std::filesystem::path &path);
+} // namespace turgor

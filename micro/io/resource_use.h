@@ -1,0 +1,27 @@
+// What a run has cost: wall time and CPU time (s) of this process and its children, and
+// the largest memory it held (bytes). A resumed run carries the cost of its earlier parts.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+namespace turgor
+{
+struct ResourceUse
+{
+  double wall_time = 0., cpu_time = 0.; ///< s
+  std::uint64_t peak_memory = 0;        ///< bytes
+};
+
+class ResourceMeter
+{
+public:
+  ResourceMeter();
+  void carry(const ResourceUse &earlier_parts);
+  ResourceUse now() const;
+
+private:
+  std::chrono::steady_clock::time_point start;
+  ResourceUse earlier;
+};
+} // namespace turgor
