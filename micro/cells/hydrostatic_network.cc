@@ -1,0 +1,347 @@
+#include "micro/cells/hydrostatic_network.h"
+
+#include "micro/terms/lamella_tie.h"
+#include "micro/terms/wall_bending.h"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+namespace turgor
+{
+namespace
+{
+EquationOfState equation_of_state(const ParenchymaParameters &p)
+{
+  return {p.fluid_density, p.fluid_modulus, p.cavitation_pressure};
+}
+
+Vector<2> at(const std::vector<double> &x, const std::size_t node)
+{
+  return {x[2 * node], x[2 * node + 1]};
+}
+
+// Area relative to the first node, so that its round-off does not grow with the distance from the origin.
+double polygon_area(const std::vector<double> &x, const WallRing &ring)
+{
+  const double x0 = x[2 * ring.first], y0 = x[2 * ring.first + 1];
+  double twice = 0.;
+  for (std::uint32_t k = 1; k + 1 < ring.count; ++k)
+    {
+      const double *a = &x[2 * (ring.first + k)];
+      twice += (a[0] - x0) * (a[3] - y0) - (a[2] - x0) * (a[1] - y0);
+    }
+  return 0.5 * twice;
+}
+} // namespace
+
+HydrostaticNetwork::HydrostaticNetwork(ParenchymaPatch patch_, const double fluid_mass_)
+  : geometry(std::move(patch_))
+  , wall(geometry.parameters.wall_stiffness, geometry.parameters.depth, geometry.parameters.wall_beta)
+  , fluid{equation_of_state(geometry.parameters)}
+  , mass(fluid_mass_)
+  , hinge(geometry.bending_stiffness / geometry.spacing)
+  , scale(geometry.parameters.turgor * geometry.spacing * geometry.parameters.depth)
+{
+  // Without turgor, residuals are measured against 1 % of the wall stiffness.
+  if (!(scale > 0.))
+    scale = 0.01 * geometry.parameters.wall_stiffness * geometry.parameters.depth;
+  set_fluid_mass(mass);
+  const std::uint32_t side = geometry.parameters.nodes_per_side;
+  rest_angle.assign(4 * side, 0.);
+  for (std::uint32_t corner = 0; corner < 4; ++corner)
+    rest_angle[corner * side] = std::numbers::pi / 2.;
+}
+
+void HydrostaticNetwork::set_fluid_mass(const double mass_)
+{
+  if (!(mass_ > 0.) || !std::isfinite(mass_))
+    throw std::invalid_argument("The fluid mass of a cell has to be positive (kg).");
+  mass = mass_;
+}
+
+void HydrostaticNetwork::set_dead_forces(std::vector<double> forces)
+{
+  if (!forces.empty() && forces.size() != unknowns())
+    throw std::invalid_argument("Dead forces need two components per wall node, or none at all.");
+  dead = std::move(forces);
+}
+
+std::vector<double> HydrostaticNetwork::reference_positions() const
+{
+  std::vector<double> x;
+  x.reserve(unknowns());
+  for (const Vector<2> &node : geometry.nodes)
+    x.insert(x.end(), {node[0], node[1]});
+  return x;
+}
+
+Vector<2> HydrostaticNetwork::area_gradient(const std::vector<double> &x, const WallRing &ring,
+                                            const std::uint32_t k)
+{
+  const Vector<2> next = at(x, ring.first + (k + 1 == ring.count ? 0 : k + 1)),
+                  previous = at(x, ring.first + (k == 0 ? ring.count - 1 : k - 1));
+  return {0.5 * (next[1] - previous[1]), 0.5 * (previous[0] - next[0])};
+}
+
+// -m b . centroid, and its gradient: centroid = sum (p + q)(p x q)/(6 A), relative to the first node.
+double HydrostaticNetwork::body_energy(const std::vector<double> &x, const double area, const WallRing &ring,
+                                       std::vector<double> *gradient) const
+{
+  const Vector<2> origin = at(x, ring.first);
+  double moment = 0.;
+  for (std::uint32_t k = 0; k < ring.count; ++k)
+    {
+      const Vector<2> p = at(x, ring.first + k) - origin,
+                      q = at(x, ring.first + (k + 1) % ring.count) - origin;
+      moment += body.dot(p + q) * (p[0] * q[1] - p[1] * q[0]) / 6.;
+    }
+  const double mean = moment / area; // b . (centroid - origin)
+  if (gradient)
+    {
+      Vector<2> sum = Vector<2>::Zero();
+      for (std::uint32_t k = 0; k < ring.count; ++k)
+        {
+          const Vector<2> p = at(x, ring.first + (k + ring.count - 1) % ring.count) - origin,
+                          c = at(x, ring.first + k) - origin,
+                          q = at(x, ring.first + (k + 1) % ring.count) - origin;
+          const double pc = p[0] * c[1] - p[1] * c[0], cq = c[0] * q[1] - c[1] * q[0];
+          const Vector<2> d_moment = (body * (pc + cq) + body.dot(p + c) * Vector<2>(-p[1], p[0]) +
+                                      body.dot(c + q) * Vector<2>(q[1], -q[0])) /
+                                     6.;
+          const Vector<2> d_mean = (d_moment - mean * area_gradient(x, ring, k)) / area;
+          (*gradient)[2 * (ring.first + k)] -= mass * d_mean[0];
+          (*gradient)[2 * (ring.first + k) + 1] -= mass * d_mean[1];
+          sum += d_mean;
+        }
+      // the origin moves with the first node; what the sum lacks of b is that node's
+      (*gradient)[2 * ring.first] -= mass * (body[0] - sum[0]);
+      (*gradient)[2 * ring.first + 1] -= mass * (body[1] - sum[1]);
+    }
+  return -mass * (mean + body.dot(origin));
+}
+
+void HydrostaticNetwork::evaluate(const std::vector<double> &x, const Tensor2<2> &H, const NetworkOrder order,
+                                  NetworkEvaluation &out) const
+{
+  const std::size_t n = geometry.nodes.size();
+  const double z0 = depth(), l0 = geometry.rest_length, inverse_rest = 1. / l0;
+  const bool with_energy = order == NetworkOrder::energy, with_hessian = order == NetworkOrder::hessian;
+  for (std::vector<double> *v : {&out.ex, &out.ey, &out.inverse_length, &out.tension, &out.slope, &out.moment,
+                                 &out.tx, &out.ty, &out.gx, &out.gy})
+    v->resize(n);
+  if (with_hessian)
+    for (std::vector<double> *v : {&out.Sxx, &out.Sxy, &out.Syy})
+      v->resize(n);
+  for (std::vector<double> *v : {&out.pressure, &out.volume, &out.stiffness})
+    v->resize(geometry.rings.size());
+  out.gradient.assign(x.size(), 0.);
+  out.energy = 0.;
+  out.virial = {};
+
+  for (const WallRing &ring : geometry.rings)
+    {
+      const std::size_t last = ring.first + ring.count - 1;
+      for (std::size_t i = ring.first; i < last; ++i)
+        {
+          out.ex[i] = x[2 * i + 2] - x[2 * i];
+          out.ey[i] = x[2 * i + 3] - x[2 * i + 1];
+        }
+      out.ex[last] = x[2 * ring.first] - x[2 * last];
+      out.ey[last] = x[2 * ring.first + 1] - x[2 * last + 1];
+    }
+
+  if (with_energy)
+    for (std::size_t i = 0; i < n; ++i)
+      out.energy += l0 * wall.energy(std::sqrt(out.ex[i] * out.ex[i] + out.ey[i] * out.ey[i]) * inverse_rest);
+  else
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        const double length = std::sqrt(out.ex[i] * out.ex[i] + out.ey[i] * out.ey[i]);
+        double derivative;
+        out.tension[i] = wall.force(length * inverse_rest, derivative);
+        out.slope[i] = derivative * inverse_rest;
+        out.inverse_length[i] = 1. / length;
+        const double s = out.inverse_length[i] * out.inverse_length[i];
+        out.gx[i] = -s * out.ey[i];
+        out.gy[i] = s * out.ex[i];
+      }
+
+  for (std::size_t c = 0; c < geometry.rings.size(); ++c)
+    {
+      const WallRing &ring = geometry.rings[c];
+      const std::size_t first = ring.first, count = ring.count;
+
+      double bent = 0.;
+      if (hinge > 0.)
+        for (std::size_t k = 0; k < count; ++k)
+          {
+            const std::size_t i = first + k, before = first + (k == 0 ? count - 1 : k - 1);
+            const double angle =
+              WallBending::angle({out.ex[before], out.ey[before]}, {out.ex[i], out.ey[i]}) - rest_angle[k];
+            out.moment[i] = hinge * angle;
+            bent += 0.5 * hinge * angle * angle;
+          }
+      else
+        for (std::size_t k = 0; k < count; ++k)
+          out.moment[first + k] = 0.;
+
+      const double area = polygon_area(x, ring);
+      out.volume[c] = z0 * area;
+      if (with_energy)
+        {
+          out.energy += bent + fluid.energy(mass, out.volume[c]);
+          if (!body.isZero() && area > 0.)
+            out.energy += body_energy(x, area, ring, nullptr);
+          continue;
+        }
+      out.pressure[c] = fluid.pressure(mass, out.volume[c]);
+      out.stiffness[c] = fluid.stiffness(mass, out.volume[c]);
+      out.virial.fluid.diagonal().array() -= out.pressure[c] * out.volume[c];
+
+      // t_i = F e/|e| + (M_i - M_(i+1)) dphi/de: the hinge at node i adds +M to the angle of edge i, -M to edge i - 1
+      for (std::size_t k = 0; k < count; ++k)
+        {
+          const std::size_t i = first + k, after = first + (k + 1 == count ? 0 : k + 1);
+          const double ux = out.ex[i] * out.inverse_length[i], uy = out.ey[i] * out.inverse_length[i];
+          const double M = out.moment[i] - out.moment[after];
+          const double wx = out.tension[i] * ux, wy = out.tension[i] * uy, bx = M * out.gx[i],
+                       by = M * out.gy[i];
+          out.tx[i] = wx + bx;
+          out.ty[i] = wy + by;
+          out.virial.wall += Vector<2>(wx, wy) * Vector<2>(out.ex[i], out.ey[i]).transpose();
+          out.virial.bending += Vector<2>(bx, by) * Vector<2>(out.ex[i], out.ey[i]).transpose();
+          if (with_hessian)
+            {
+              const double transverse = out.tension[i] * out.inverse_length[i], along = out.slope[i] - transverse;
+              const double pp = 2. * hinge;
+              // second derivative of the direction angle: symmetric, traceless, from u and 1/|e|^2
+              const double s = M * out.inverse_length[i] * out.inverse_length[i];
+              const double hxx = 2. * s * ux * uy, hxy = s * (uy * uy - ux * ux);
+              out.Sxx[i] = along * ux * ux + transverse + pp * out.gx[i] * out.gx[i] + hxx;
+              out.Sxy[i] = along * ux * uy + pp * out.gx[i] * out.gy[i] + hxy;
+              out.Syy[i] = along * uy * uy + transverse + pp * out.gy[i] * out.gy[i] - hxx;
+            }
+        }
+      const double push = 0.5 * out.pressure[c] * z0;
+      for (std::size_t k = 0; k < count; ++k)
+        {
+          const std::size_t i = first + k, before = first + (k == 0 ? count - 1 : k - 1);
+          out.gradient[2 * i] += out.tx[before] - out.tx[i] - push * (out.ey[before] + out.ey[i]);
+          out.gradient[2 * i + 1] += out.ty[before] - out.ty[i] + push * (out.ex[before] + out.ex[i]);
+        }
+      if (!body.isZero())
+        body_energy(x, area, ring, &out.gradient);
+    }
+
+  const double k_tie = geometry.tie_stiffness;
+  const LamellaSpring spring{k_tie};
+  for (const LamellaTie &tie : geometry.ties)
+    {
+      const Vector<2> d = LamellaSpring::gap(at(x, tie.a), at(x, tie.b), tie.shift, H);
+      if (with_energy)
+        {
+          out.energy += spring.energy(d);
+          continue;
+        }
+      out.gradient[2 * tie.a] -= k_tie * d[0];
+      out.gradient[2 * tie.a + 1] -= k_tie * d[1];
+      out.gradient[2 * tie.b] += k_tie * d[0];
+      out.gradient[2 * tie.b + 1] += k_tie * d[1];
+      out.virial.tie += k_tie * d * d.transpose();
+    }
+
+  if (!body.isZero())
+    {
+      for (std::size_t i = 0; i < n; ++i)
+        for (int c = 0; c < 2; ++c)
+          if (with_energy)
+            out.energy -= geometry.node_mass * body[c] * x[2 * i + c];
+          else
+            out.gradient[2 * i + c] -= geometry.node_mass * body[c];
+    }
+  for (std::size_t i = 0; i < dead.size(); ++i)
+    if (with_energy)
+      out.energy -= dead[i] * x[i];
+    else
+      out.gradient[i] -= dead[i];
+  if (with_energy && std::isnan(out.energy))
+    out.energy = HUGE_VAL;
+}
+
+void HydrostaticNetwork::affine_response(const std::vector<double> &x, const Tensor2<2> &H,
+                                         const NetworkEvaluation &e, const std::array<Tensor2<2>, 4> &L,
+                                         std::array<std::vector<double>, 4> &forces,
+                                         Tensor4<2> &curvature) const
+{
+  curvature.setZero();
+  const double z0 = depth();
+  using Rows = Eigen::Matrix<double, 2, 4>; // column k: what motion L[k] does to a vector
+  const auto moved = [&](const Vector<2> &v) {
+    Rows r;
+    for (int k = 0; k < 4; ++k)
+      r.col(k) = L[k] * v;
+    return r;
+  };
+  const auto add = [&](const std::size_t node, const Rows &f) {
+    for (int k = 0; k < 4; ++k)
+      {
+        forces[k][2 * node] += f(0, k);
+        forces[k][2 * node + 1] += f(1, k);
+      }
+  };
+  for (int k = 0; k < 4; ++k)
+    forces[k].assign(x.size(), 0.);
+
+  for (std::size_t c = 0; c < geometry.rings.size(); ++c)
+    {
+      const WallRing &ring = geometry.rings[c];
+      const std::size_t first = ring.first, count = ring.count;
+      const double area = e.volume[c] / z0;
+      Eigen::Matrix<double, 1, 4> d_volume; // affine: trace(L) V
+      for (int k = 0; k < 4; ++k)
+        d_volume(k) = L[k].trace() * e.volume[c];
+      curvature += e.stiffness[c] * d_volume.transpose() * d_volume;
+      // bilinear second derivative of the area under affine motions: A (tr tr - trace of product)
+      for (int k = 0; k < 4; ++k)
+        for (int l = 0; l < 4; ++l)
+          curvature(k, l) -=
+            e.pressure[c] * z0 * area * (L[k].trace() * L[l].trace() - (L[k] * L[l]).trace());
+      const Eigen::Matrix<double, 1, 4> pressure_rise = e.stiffness[c] * d_volume;
+
+      for (std::size_t k = 0; k < count; ++k)
+        {
+          const std::size_t i = first + k, before = first + (k == 0 ? count - 1 : k - 1),
+                            after = first + (k + 1 == count ? 0 : k + 1);
+          const Rows de = moved({e.ex[i], e.ey[i]});
+          // change of t_i: S_i de_i + C_(i-1)^T de_(i-1) + C_i de_(i+1), C_i = -B/l g_i g_(i+1)^T
+          Tensor2<2> S;
+          S << e.Sxx[i], e.Sxy[i], e.Sxy[i], e.Syy[i];
+          const Vector<2> g(e.gx[i], e.gy[i]), g_before(e.gx[before], e.gy[before]),
+            g_after(e.gx[after], e.gy[after]);
+          const Rows dt = S * de - hinge * g *
+                                     (g_before.transpose() * moved({e.ex[before], e.ey[before]}) +
+                                      g_after.transpose() * moved({e.ex[after], e.ey[after]}));
+          curvature += de.transpose() * dt;
+          add(i, -dt);
+          add(after, dt);
+
+          // fluid: -p z0 d(dA/dx_i) + (d2E/dV2 dV) z0 dA/dx_i; dA/dx_i = half the turned neighbour edge sum
+          const Rows ds = moved({e.ex[before] + e.ex[i], e.ey[before] + e.ey[i]});
+          const Vector<2> dA(0.5 * (e.ey[before] + e.ey[i]), -0.5 * (e.ex[before] + e.ex[i]));
+          Rows turned;
+          turned.row(0) = 0.5 * ds.row(1);
+          turned.row(1) = -0.5 * ds.row(0);
+          add(i, -e.pressure[c] * z0 * turned + z0 * dA * pressure_rise);
+        }
+    }
+  for (const LamellaTie &tie : geometry.ties)
+    {
+      const Rows dd = moved(LamellaSpring::gap(at(x, tie.a), at(x, tie.b), tie.shift, H));
+      curvature += geometry.tie_stiffness * dd.transpose() * dd;
+      add(tie.a, -geometry.tie_stiffness * dd);
+      add(tie.b, geometry.tie_stiffness * dd);
+    }
+}
+} // namespace turgor

@@ -1,0 +1,107 @@
+// A patch of parenchyma whose cells hold a fluid at rest: energy, gradient, Hessian
+// and stress of the wall network, all analytic.
+//
+//   E(x, H) = sum over edges  l0 w(|e|/l0)                    neo_hookean_wall.h (Eqs. 3.4, 3.5 corrected)
+//           + sum over hinges B (theta - theta_0)^2/(2 l)     wall_bending.h
+//           + sum over ties   k |x_b + H n - x_a|^2/2         lamella_tie.h
+//           + sum over cells  m e(m/V),  V = z0 * polygon area  hydrostatic_pressure.h
+//           - sum over cells m b . centroid - sum over nodes (m_w b + f) . x    body acceleration b, dead forces f
+//
+// Only ties know the lattice H (m, columns are periods): rings are never wrapped.
+// Wall edges enter through e_i = x_(i+1) - x_i: t_i = dE/de_i, S_i = d2E/de_i2, C_i = d2E/(de_i de_(i+1)).
+// The volume term gives one rank-one matrix per cell, which stays outside the sparse part:
+//   d2E/dx2 = K + sum over cells b_c b_c^T,  b_c = sqrt(d2E/dV2) dV/dx
+// (with a body acceleration the second derivative of the centroid is left out of the
+// Hessian: it is rho b L/(7 K), some 1e-5, of what is kept.)
+//
+// In: x = node positions (m), x and y interleaved. Out: E in J, dE/dx in N, K in N/m,
+// Kirchhoff virial sum r (x) dE/dr in J (divide by the current volume for stress, Eq. 3.17).
+#pragma once
+
+#include "micro/cells/parenchyma.h"
+#include "micro/terms/hydrostatic_pressure.h"
+#include "micro/terms/neo_hookean_wall.h"
+
+#include <vector>
+
+namespace turgor
+{
+/// Virial sum r (x) dE/dr, J, by the term that carries it.
+struct NetworkVirial
+{
+  Tensor2<2> wall = Tensor2<2>::Zero(), bending = Tensor2<2>::Zero(), tie = Tensor2<2>::Zero(),
+             fluid = Tensor2<2>::Zero();
+  Tensor2<2> total() const { return wall + bending + tie + fluid; }
+};
+
+enum class NetworkOrder
+{
+  energy,   ///< E alone
+  gradient, ///< dE/dx, virial, pressures; not E
+  hessian   ///< gradient and the second derivatives
+};
+
+/// What one evaluation found; reused between calls (no allocation after the first).
+struct NetworkEvaluation
+{
+  double energy = 0.;
+  std::vector<double> gradient; ///< N, as x
+  NetworkVirial virial;
+  std::vector<double> pressure, volume, stiffness; ///< per cell: Pa, m^3, d2E/dV2 in Pa/m^3
+  // per edge i of a ring (node i to node i + 1)
+  std::vector<double> ex, ey;                  ///< m
+  std::vector<double> inverse_length, tension, slope; ///< 1/m, N, dF/d|e| in N/m
+  std::vector<double> moment;                  ///< N m, of the hinge at node i
+  std::vector<double> tx, ty;                  ///< N, dE/de
+  std::vector<double> gx, gy;                  ///< 1/m, gradient of the edge's direction angle
+  std::vector<double> Sxx, Sxy, Syy;           ///< N/m
+};
+
+class HydrostaticNetwork
+{
+public:
+  /// fluid_mass: kg per cell, one value for all.
+  HydrostaticNetwork(ParenchymaPatch patch, double fluid_mass);
+
+  void set_fluid_mass(double mass);
+  double fluid_mass() const { return mass; }
+
+  /// m/s^2, on fluid and wall nodes.
+  void set_body_acceleration(const Vector<2> &acceleration) { body = acceleration; }
+
+  /// N per node (interleaved, constant under deformation); empty for none.
+  void set_dead_forces(std::vector<double> forces);
+
+  /// Throws nothing: where x is impossible (a cell turned inside out) the energy is infinite.
+  void evaluate(const std::vector<double> &x, const Tensor2<2> &H, NetworkOrder order,
+                NetworkEvaluation &out) const;
+
+  /// Forces dE/dx (N) that an affine motion u = L x (no unit), H -> H + L H makes, and the second
+  /// derivatives of E (J) along pairs of such motions. From an evaluation of order hessian.
+  void affine_response(const std::vector<double> &x, const Tensor2<2> &H, const NetworkEvaluation &at,
+                       const std::array<Tensor2<2>, 4> &L, std::array<std::vector<double>, 4> &forces,
+                       Tensor4<2> &curvature) const;
+
+  /// dE/dx of the polygon area of the ring at local node k, m: half of (y_next - y_previous, x_previous - x_next).
+  static Vector<2> area_gradient(const std::vector<double> &x, const WallRing &ring, std::uint32_t k);
+
+  const ParenchymaPatch &patch() const { return geometry; }
+  std::size_t unknowns() const { return 2 * geometry.nodes.size(); }
+  std::vector<double> reference_positions() const;
+  double hinge_stiffness() const { return hinge; }                     ///< N m
+  double depth() const { return geometry.parameters.depth; }           ///< m
+  double force_scale() const { return scale; }                         ///< N, turgor * spacing * depth
+
+private:
+  double body_energy(const std::vector<double> &x, double area, const WallRing &ring,
+                     std::vector<double> *gradient) const;
+
+  ParenchymaPatch geometry;
+  NeoHookeanWall wall;
+  HydrostaticPressure fluid;
+  double mass, hinge, scale;
+  Vector<2> body = Vector<2>::Zero();
+  std::vector<double> dead;
+  std::vector<double> rest_angle; ///< rad, per node of one ring
+};
+} // namespace turgor

@@ -1,0 +1,450 @@
+#include "micro/cells/network_equilibrium.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace turgor
+{
+namespace
+{
+using Triplet = Eigen::Triplet<double, int>;
+}
+
+NetworkEquilibrium::NetworkEquilibrium(const HydrostaticNetwork &network_, std::vector<std::uint32_t> clamped)
+  : network(network_)
+{
+  const ParenchymaPatch &patch = network.patch();
+  if (clamped.empty())
+    clamped = {0};
+  unknown.assign(network.unknowns(), 0);
+  for (const std::uint32_t node : clamped)
+    {
+      if (node >= patch.nodes.size())
+        throw std::invalid_argument("A clamped node is not part of the patch.");
+      unknown[2 * node] = unknown[2 * node + 1] = -1;
+    }
+  for (int &u : unknown)
+    if (u == 0)
+      u = n_free++;
+  n_cells = static_cast<int>(patch.rings.size());
+  // What double precision leaves of the balance of tie forces, against the force scale.
+  round_off_floor = 16. * std::numeric_limits<double>::epsilon() * patch.tie_stiffness *
+                    patch.lattice.cwiseAbs().maxCoeff() / network.force_scale();
+  build_pattern();
+}
+
+void NetworkEquilibrium::build_pattern()
+{
+  const ParenchymaPatch &patch = network.patch();
+  const std::size_t n = patch.nodes.size();
+  std::vector<Triplet> entries;
+  const auto block = [&](const std::size_t i, const std::size_t j, const double value) {
+    for (int a = 0; a < 2; ++a)
+      for (int b = 0; b < 2; ++b)
+        {
+          const int r = unknown[2 * i + a], c = unknown[2 * j + b];
+          if (r >= 0 && c >= 0 && (i != j || r >= c))
+            entries.emplace_back(std::max(r, c), std::min(r, c), a == b ? value : 0.);
+        }
+  };
+  for (const WallRing &ring : patch.rings)
+    for (std::uint32_t k = 0; k < ring.count; ++k)
+      {
+        block(ring.first + k, ring.first + k, 0.);
+        block(ring.first + k, ring.first + (k + 1) % ring.count, 0.);
+        block(ring.first + k, ring.first + (k + 2) % ring.count, 0.);
+      }
+  for (const LamellaTie &tie : patch.ties)
+    {
+      block(tie.a, tie.a, patch.tie_stiffness);
+      block(tie.b, tie.b, patch.tie_stiffness);
+      block(tie.a, tie.b, -patch.tie_stiffness);
+    }
+  for (std::size_t c = 0; c < patch.rings.size(); ++c)
+    {
+      const int row = n_free + static_cast<int>(c);
+      for (std::size_t d = 2 * patch.rings[c].first; d < 2 * (patch.rings[c].first + patch.rings[c].count); ++d)
+        if (unknown[d] >= 0)
+          entries.emplace_back(row, unknown[d], 0.);
+      entries.emplace_back(row, row, -1.);
+    }
+  const int size = n_free + n_cells;
+  matrix.resize(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  matrix.makeCompressed();
+  tie_values.assign(matrix.valuePtr(), matrix.valuePtr() + matrix.nonZeros());
+  solver.analyzePattern(matrix);
+
+  const auto slot = [&](const int r, const int c) {
+    if (r < 0 || c < 0)
+      return -1;
+    const int row = std::max(r, c), column = std::min(r, c);
+    const int *begin = matrix.innerIndexPtr() + matrix.outerIndexPtr()[column],
+              *end = matrix.innerIndexPtr() + matrix.outerIndexPtr()[column + 1];
+    return static_cast<int>(std::lower_bound(begin, end, row) - matrix.innerIndexPtr());
+  };
+  diagonal_slots.resize(n_free);
+  for (int u = 0; u < n_free; ++u)
+    diagonal_slots[u] = slot(u, u);
+  own_slots.reserve(3 * n);
+  next_slots.reserve(4 * n);
+  second_slots.reserve(4 * n);
+  border_slots.resize(2 * n);
+  for (std::size_t c = 0; c < patch.rings.size(); ++c)
+    {
+      const WallRing &ring = patch.rings[c];
+      for (std::uint32_t k = 0; k < ring.count; ++k)
+        {
+          const std::size_t i = ring.first + k;
+          const int *u = &unknown[2 * i], *v = &unknown[2 * (ring.first + (k + 1) % ring.count)],
+                    *w = &unknown[2 * (ring.first + (k + 2) % ring.count)];
+          own_slots.insert(own_slots.end(), {slot(u[0], u[0]), slot(u[1], u[0]), slot(u[1], u[1])});
+          next_slots.insert(next_slots.end(),
+                            {slot(u[0], v[0]), slot(u[0], v[1]), slot(u[1], v[0]), slot(u[1], v[1])});
+          second_slots.insert(second_slots.end(),
+                              {slot(u[0], w[0]), slot(u[0], w[1]), slot(u[1], w[0]), slot(u[1], w[1])});
+          const int row = n_free + static_cast<int>(c);
+          border_slots[2 * i] = slot(row, u[0]);
+          border_slots[2 * i + 1] = slot(row, u[1]);
+        }
+    }
+}
+
+void NetworkEquilibrium::assemble(const double shift)
+{
+  double *value = matrix.valuePtr();
+  std::copy(tie_values.begin(), tie_values.end(), value);
+  const auto add = [value](const int slot, const double v) {
+    if (slot >= 0)
+      value[slot] += v;
+  };
+  const double z0 = network.depth(), B = network.hinge_stiffness();
+  const std::vector<WallRing> &rings = network.patch().rings;
+  for (std::size_t c = 0; c < rings.size(); ++c)
+    {
+      const std::size_t first = rings[c].first, count = rings[c].count;
+      const double half_pressure = 0.5 * now.pressure[c] * z0, border = 0.5 * z0 * std::sqrt(now.stiffness[c]);
+      // C_i = -B/l g_i g_(i+1)^T couples edge i to the next one; carried along the ring
+      const std::size_t last = first + count - 1;
+      double Pxx = -B * now.gx[last] * now.gx[first], Pxy = -B * now.gx[last] * now.gy[first],
+             Pyx = -B * now.gy[last] * now.gx[first], Pyy = -B * now.gy[last] * now.gy[first];
+      for (std::size_t k = 0; k < count; ++k)
+        {
+          const std::size_t i = first + k, before = k == 0 ? last : i - 1, after = i == last ? first : i + 1;
+          const double Cxx = -B * now.gx[i] * now.gx[after], Cxy = -B * now.gx[i] * now.gy[after],
+                       Cyx = -B * now.gy[i] * now.gx[after], Cyy = -B * now.gy[i] * now.gy[after];
+          const int *own = &own_slots[3 * i], *next = &next_slots[4 * i], *second = &second_slots[4 * i];
+          add(own[0], now.Sxx[before] + now.Sxx[i] - 2. * Pxx);
+          add(own[1], now.Sxy[before] + now.Sxy[i] - Pxy - Pyx);
+          add(own[2], now.Syy[before] + now.Syy[i] - 2. * Pyy);
+          add(next[0], -now.Sxx[i] + Pxx + Cxx);
+          add(next[1], -now.Sxy[i] + Pxy + Cxy - half_pressure);
+          add(next[2], -now.Sxy[i] + Pyx + Cyx + half_pressure);
+          add(next[3], -now.Syy[i] + Pyy + Cyy);
+          add(second[0], -Cxx);
+          add(second[1], -Cxy);
+          add(second[2], -Cyx);
+          add(second[3], -Cyy);
+          add(border_slots[2 * i], border * (now.ey[before] + now.ey[i]));
+          add(border_slots[2 * i + 1], -border * (now.ex[before] + now.ex[i]));
+          Pxx = Cxx, Pxy = Cxy, Pyx = Cyx, Pyy = Cyy;
+        }
+    }
+  if (shift > 0.)
+    for (const int slot : diagonal_slots)
+      value[slot] += shift;
+}
+
+Eigen::SparseMatrix<double> NetworkEquilibrium::system(const std::vector<double> &x, const Tensor2<2> &H)
+{
+  network.evaluate(x, H, NetworkOrder::hessian, now);
+  assemble(0.);
+  return matrix;
+}
+
+bool NetworkEquilibrium::factorise(const double shift)
+{
+  assemble(shift);
+  solver.factorize(matrix);
+  if (solver.info() != Eigen::Success)
+    return false;
+  const auto D = solver.vectorD();
+  int negative = 0;
+  for (Eigen::Index i = 0; i < D.size(); ++i)
+    {
+      if (!std::isfinite(D[i]))
+        return false;
+      negative += D[i] < 0.;
+    }
+  return negative == n_cells;
+}
+
+double NetworkEquilibrium::residual(const NetworkEvaluation &at) const
+{
+  double largest = 0.;
+  for (std::size_t d = 0; d < unknown.size(); ++d)
+    if (unknown[d] >= 0)
+      {
+        const double f = std::abs(at.gradient[d]);
+        if (!(f <= largest)) // keeps NaN
+          largest = f;
+      }
+  return largest / network.force_scale();
+}
+
+bool NetworkEquilibrium::leave_saddle(std::vector<double> &x, const Tensor2<2> &H)
+{
+  // Inverse iteration with the shifted factor (positive definite) towards the lowest eigenvector,
+  // from a fixed start without symmetry.
+  Eigen::VectorXd v = Eigen::VectorXd::Zero(n_free + n_cells);
+  double seed = 0.5;
+  for (int u = 0; u < n_free; ++u)
+    {
+      seed = std::fmod(seed + 0.6180339887498949, 1.);
+      v[u] = seed - 0.5;
+    }
+  for (int i = 0; i < 30; ++i)
+    {
+      v.head(n_free).normalize();
+      v.tail(n_cells).setZero();
+      v = solver.solve(v).eval();
+    }
+  const double size = v.head(n_free).cwiseAbs().maxCoeff();
+  if (!(size > 0.) || !std::isfinite(size))
+    return false;
+  network.evaluate(x, H, NetworkOrder::energy, trial);
+  const double here = trial.energy;
+  for (double amplitude = 0.3 * network.patch().spacing; amplitude > 1e-7 * network.patch().spacing; amplitude *= 0.25)
+    for (const double sign : {1., -1.})
+      {
+        for (std::size_t d = 0; d < x.size(); ++d)
+          x_trial[d] = x[d] + (unknown[d] >= 0 ? sign * amplitude / size * v[unknown[d]] : 0.);
+        network.evaluate(x_trial, H, NetworkOrder::energy, trial);
+        if (trial.energy < here)
+          {
+            x = x_trial;
+            return true;
+          }
+      }
+  return false;
+}
+
+EquilibriumReport NetworkEquilibrium::solve(std::vector<double> &x, const Tensor2<2> &H,
+                                            const EquilibriumSettings &settings)
+{
+  EquilibriumReport report;
+  const ParenchymaPatch &patch = network.patch();
+  const double tolerance = std::max(settings.tolerance, round_off_floor);
+  const double smallest_shift = 1e-4 * patch.tie_stiffness / patch.parameters.lamella_ratio,
+               largest_shift = 1e6 * smallest_shift;
+  double shift = 0.;
+  bool minimum = true; // the last Hessian was positive definite
+  x_trial.resize(x.size());
+  right.setZero(n_free + n_cells);
+
+  network.evaluate(x, H, NetworkOrder::hessian, now);
+  report.residual = residual(now);
+  while (true)
+    {
+      if (!std::isfinite(report.residual))
+        {
+          report.message = "The starting positions give no finite force.";
+          return report;
+        }
+      if (report.residual <= tolerance && minimum)
+        {
+          report.converged = true;
+          return report;
+        }
+      if (report.iterations >= static_cast<int>(settings.max_iterations))
+        {
+          report.message = "No equilibrium within " + std::to_string(settings.max_iterations) + " Newton iterations.";
+          return report;
+        }
+
+      // A positive definite model of the energy.
+      shift = shift <= smallest_shift || report.residual <= tolerance ? 0. : 0.25 * shift;
+      ++report.factorisations;
+      while (!factorise(shift))
+        {
+          shift = shift == 0. ? smallest_shift : 4. * shift;
+          ++report.factorisations;
+          if (shift > largest_shift)
+            {
+              report.message = "The stiffness of the wall network is not finite or too far from positive.";
+              return report;
+            }
+        }
+      minimum = shift == 0.;
+      if (report.residual <= tolerance)
+        {
+          if (minimum)
+            continue;
+          if (report.escapes >= 20 || !leave_saddle(x, H))
+            {
+              report.message = "A stationary point that is no minimum could not be left.";
+              return report;
+            }
+          ++report.escapes;
+          ++report.iterations;
+          network.evaluate(x, H, NetworkOrder::hessian, now);
+          report.residual = residual(now);
+          continue;
+        }
+
+      for (std::size_t d = 0; d < unknown.size(); ++d)
+        if (unknown[d] >= 0)
+          right[unknown[d]] = -now.gradient[d];
+      right.tail(n_cells).setZero();
+      step = solver.solve(right);
+      ++report.iterations;
+
+      // No edge may change by more than half its length in one step.
+      double largest_change = 0., slope = 0.;
+      const auto moved = [&](const std::size_t d) { return unknown[d] >= 0 ? step[unknown[d]] : 0.; };
+      for (const WallRing &ring : patch.rings)
+        for (std::uint32_t k = 0; k < ring.count; ++k)
+          {
+            const std::size_t i = ring.first + k, j = ring.first + (k + 1) % ring.count;
+            const double dx = moved(2 * j) - moved(2 * i), dy = moved(2 * j + 1) - moved(2 * i + 1);
+            const double change = (dx * dx + dy * dy) * now.inverse_length[i] * now.inverse_length[i];
+            if (!(change <= largest_change))
+              largest_change = change;
+          }
+      for (std::size_t d = 0; d < x.size(); ++d)
+        slope += moved(d) * now.gradient[d];
+      if (!std::isfinite(largest_change) || !(slope < 0.))
+        {
+          shift = std::max(16. * shift, smallest_shift);
+          if (shift > largest_shift)
+            {
+              report.message = "Newton's method found no direction that lowers the energy.";
+              return report;
+            }
+          continue;
+        }
+      double length = std::min(1., 0.5 / std::sqrt(largest_change));
+      double here = std::numeric_limits<double>::quiet_NaN();
+      bool accepted = false;
+      for (int halving = 0; halving < 40; ++halving, length *= 0.5)
+        {
+          for (std::size_t d = 0; d < x.size(); ++d)
+            x_trial[d] = x[d] + length * moved(d);
+          network.evaluate(x_trial, H, NetworkOrder::hessian, trial);
+          const double next = residual(trial);
+          bool inside_out = false;
+          for (const double v : trial.volume)
+            inside_out = inside_out || !(v > 0.);
+          if (inside_out || !std::isfinite(next))
+            continue;
+          // Newton's method at work: no energy needed.
+          accepted = minimum && length == 1. && (next <= 0.5 * report.residual || next <= tolerance);
+          if (!accepted)
+            {
+              NetworkEvaluation &energy = energy_scratch;
+              if (std::isnan(here))
+                {
+                  network.evaluate(x, H, NetworkOrder::energy, energy);
+                  here = energy.energy;
+                }
+              network.evaluate(x_trial, H, NetworkOrder::energy, energy);
+              ++report.energy_checks;
+              const double wanted = 1e-4 * length * slope;
+              accepted = energy.energy <= here + wanted ||
+                         // the difference is lost in round-off: forces decide
+                         (-wanted < 1e-13 * std::abs(here) && next <= report.residual);
+            }
+          if (accepted)
+            {
+              std::swap(x, x_trial);
+              std::swap(now, trial);
+              report.residual = next;
+              break;
+            }
+        }
+      if (!accepted)
+        {
+          shift = std::max(16. * shift, smallest_shift);
+          if (shift > largest_shift)
+            {
+              report.message = "The line search found no lower energy.";
+              return report;
+            }
+        }
+    }
+}
+
+bool NetworkEquilibrium::relaxed_curvature(const std::vector<double> &x, const Tensor2<2> &H,
+                                           const std::array<Tensor2<2>, 4> &L, Tensor4<2> &curvature)
+{
+  network.evaluate(x, H, NetworkOrder::hessian, now);
+  if (!factorise(0.))
+    return false;
+  std::array<std::vector<double>, 4> forces;
+  network.affine_response(x, H, now, L, forces, curvature);
+  Eigen::MatrixXd b = Eigen::MatrixXd::Zero(n_free + n_cells, 4);
+  for (int k = 0; k < 4; ++k)
+    for (std::size_t d = 0; d < unknown.size(); ++d)
+      if (unknown[d] >= 0)
+        b(unknown[d], k) = forces[k][d];
+  const Eigen::MatrixXd answer = solver.solve(b);
+  curvature -= b.topRows(n_free).transpose() * answer.topRows(n_free);
+  curvature = (0.5 * (curvature + curvature.transpose())).eval();
+  return curvature.allFinite();
+}
+
+TurgidReference turgid_reference(const ParenchymaPatch &patch)
+{
+  const ParenchymaParameters &p = patch.parameters;
+  const ParenchymaPatch cell = make_parenchyma(p, 1, 1, true, true);
+  const EquationOfState fluid{p.fluid_density, p.fluid_modulus, p.cavitation_pressure};
+  const double volume = p.period * p.period * p.depth;
+
+  HydrostaticNetwork network(cell, fluid.density_at(p.turgor) * volume);
+  NetworkEquilibrium equilibrium(network);
+  std::vector<double> x = network.reference_positions();
+  const double goal = 1e-10 * std::max(p.turgor, 1.);
+  double mass = network.fluid_mass();
+  // Mean stress over pressure: the bulk modulus decides, so the fluid's own compressibility is a good slope.
+  double slope = -fluid.slope(mass / volume) / volume, last_mass = 0., last_stress = 0.;
+  bool found = false;
+  for (int i = 0; i < 50 && !found; ++i)
+    {
+      network.set_fluid_mass(mass);
+      const EquilibriumReport report = equilibrium.solve(x, cell.lattice, {1e-12, 200});
+      // 1e-12 may lie below round-off; what is left must only be small.
+      if (!report.converged && !(report.residual < 1e-9))
+        throw std::invalid_argument("The turgid reference cell finds no equilibrium: " + report.message);
+      const double stress = 0.5 * equilibrium.last_evaluation().virial.total().trace() / volume;
+      found = std::abs(stress) <= goal;
+      if (found)
+        break;
+      if (i > 0 && stress != last_stress && mass != last_mass)
+        slope = (stress - last_stress) / (mass - last_mass);
+      last_mass = mass;
+      last_stress = stress;
+      mass -= stress / slope;
+      // 1e-15 of the mass is 7 K 1e-15 of pressure: nothing better exists
+      found = std::abs(mass - last_mass) <= 1e-15 * mass;
+      if (found)
+        mass = last_mass;
+    }
+  if (!found)
+    throw std::invalid_argument("The fluid mass of the turgid reference cell could not be calibrated.");
+
+  // All cells of a periodic patch are this cell.
+  TurgidReference reference;
+  reference.fluid_mass = mass;
+  reference.positions.reserve(2 * patch.nodes.size());
+  for (std::size_t c = 0; c < patch.rings.size(); ++c)
+    for (std::uint32_t k = 0; k < patch.rings[c].count; ++k)
+      {
+        reference.positions.push_back(x[2 * k] + p.period * double(c % patch.columns));
+        reference.positions.push_back(x[2 * k + 1] + p.period * double(c / patch.columns));
+      }
+  return reference;
+}
+} // namespace turgor

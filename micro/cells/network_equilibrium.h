@@ -1,0 +1,95 @@
+// Equilibrium of a hydrostatic network: min over x of E(x, H) by Newton's method.
+//
+// The stiff rank-one pressure terms are kept sparse by one extra unknown q per cell:
+//
+//   [ K    b ] [ dx ]   [ -dE/dx ]
+//   [ b^T -1 ] [  q ] = [    0   ]        K + b b^T = d2E/dx2, see hydrostatic_network.h
+//
+// factorised as L D L^T with one symbolic analysis for the life of the object. By Sylvester's law
+// d2E/dx2 is positive definite if and only if D has exactly one negative entry per cell; otherwise
+// a multiple of the identity is added. Steps are limited, and checked against the energy unless the
+// residual falls as Newton's method should. A stationary point that is no minimum (walls about to
+// buckle) is left along the direction of most negative curvature, so what is found is a minimum.
+//
+// Rigid translation is pinned at node 0 unless nodes are clamped. In: x (m, warm start) and H (m).
+// Out: x and how it was reached. Never NaN: a failed search returns the best x and a sentence.
+#pragma once
+
+#include "micro/cells/hydrostatic_network.h"
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <string>
+#include <vector>
+
+namespace turgor
+{
+struct EquilibriumSettings
+{
+  double tolerance = 1e-9;           ///< largest unbalanced force / (turgor * spacing * depth)
+  unsigned int max_iterations = 300; ///< Newton iterations
+};
+
+struct EquilibriumReport
+{
+  bool converged = false;
+  std::string message;       ///< a sentence when !converged
+  int iterations = 0;        ///< Newton iterations (factorisations that led to a step)
+  int factorisations = 0;    ///< including those repeated with a shift
+  int energy_checks = 0;     ///< trial points whose energy was needed
+  int escapes = 0;           ///< stationary points left because they were no minimum
+  double residual = 0.;      ///< as tolerance
+};
+
+class NetworkEquilibrium
+{
+public:
+  /// clamped: nodes that keep their position (empty: node 0, against translation).
+  explicit NetworkEquilibrium(const HydrostaticNetwork &network, std::vector<std::uint32_t> clamped = {});
+
+  /// Moves x to equilibrium. last_evaluation() then belongs to x.
+  EquilibriumReport solve(std::vector<double> &x, const Tensor2<2> &H, const EquilibriumSettings &settings);
+
+  /// First and second derivatives along affine motions are known; this lets the nodes follow:
+  /// d2E/dF2 (J) of the relaxed network for the four motions L_k, at the equilibrium x. False where
+  /// the Hessian is not positive definite.
+  bool relaxed_curvature(const std::vector<double> &x, const Tensor2<2> &H, const std::array<Tensor2<2>, 4> &L,
+                         Tensor4<2> &curvature);
+
+  /// The matrix above at x (lower triangle; free unknowns in the order of x, then one row per cell).
+  Eigen::SparseMatrix<double> system(const std::vector<double> &x, const Tensor2<2> &H);
+
+  const NetworkEvaluation &last_evaluation() const { return now; }
+
+private:
+  void build_pattern();
+  void assemble(double shift);
+  bool factorise(double shift);
+  double residual(const NetworkEvaluation &at) const;
+  bool leave_saddle(std::vector<double> &x, const Tensor2<2> &H);
+
+  const HydrostaticNetwork &network;
+  std::vector<int> unknown; ///< per degree of freedom: index in the system, -1 where fixed
+  int n_free = 0, n_cells = 0;
+  Eigen::SparseMatrix<double> matrix; ///< lower triangle
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> solver;
+  std::vector<int> diagonal_slots;           ///< per free unknown
+  std::vector<int> own_slots, next_slots, second_slots; ///< per node: 3, 4, 4 entries
+  std::vector<int> border_slots;             ///< per degree of freedom: its entry in b
+  std::vector<double> tie_values;            ///< the matrix of the ties alone, constant
+  NetworkEvaluation now, trial, energy_scratch;
+  Eigen::VectorXd right, step;
+  std::vector<double> x_trial;
+  double round_off_floor;
+};
+
+/// The fluid mass (kg) per cell for which a periodic patch of these cells is free of stress at F = I
+/// (mean of the virial stress zero, to 1e-9 of turgor), and its node positions there.
+struct TurgidReference
+{
+  double fluid_mass = 0.;
+  std::vector<double> positions;
+};
+TurgidReference turgid_reference(const ParenchymaPatch &patch);
+} // namespace turgor

@@ -1,0 +1,285 @@
+// The hydrostatic network: forces, Hessian, stress by differences; momentum, objectivity; equilibrium.
+#include "micro/cells/network_equilibrium.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+using namespace turgor;
+
+namespace
+{
+ParenchymaParameters small_cell()
+{
+  ParenchymaParameters p;
+  p.nodes_per_side = 5;
+  return p;
+}
+
+double liquid_mass(const ParenchymaParameters &p)
+{
+  return EquationOfState(p.fluid_density, p.fluid_modulus, p.cavitation_pressure).density_at(p.turgor) * p.period *
+         p.period * p.depth;
+}
+
+std::vector<double> shaken(const HydrostaticNetwork &network, const double amplitude, const unsigned int seed = 1)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> shift(-amplitude, amplitude);
+  std::vector<double> x = network.reference_positions();
+  for (double &v : x)
+    v += shift(random) * network.patch().spacing;
+  return x;
+}
+
+Tensor2<2> sheared()
+{
+  Tensor2<2> F;
+  F << 1.01, 0.1, -0.02, 0.99;
+  return F;
+}
+
+double energy(const HydrostaticNetwork &network, const std::vector<double> &x, const Tensor2<2> &H)
+{
+  NetworkEvaluation e;
+  network.evaluate(x, H, NetworkOrder::energy, e);
+  return e.energy;
+}
+
+NetworkEvaluation forces(const HydrostaticNetwork &network, const std::vector<double> &x, const Tensor2<2> &H)
+{
+  NetworkEvaluation e;
+  network.evaluate(x, H, NetworkOrder::hessian, e);
+  return e;
+}
+
+std::vector<double> mapped(const Tensor2<2> &F, const std::vector<double> &x)
+{
+  std::vector<double> y(x.size());
+  for (std::size_t i = 0; i < x.size(); i += 2)
+    {
+      const Vector<2> v = F * Vector<2>(x[i], x[i + 1]);
+      y[i] = v[0];
+      y[i + 1] = v[1];
+    }
+  return y;
+}
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(network)
+
+BOOST_AUTO_TEST_CASE(force_is_minus_energy_slope)
+{
+  for (const bool loaded : {false, true})
+    {
+      HydrostaticNetwork network(make_parenchyma(small_cell(), 2, 1, true, true), liquid_mass(small_cell()));
+      if (loaded)
+        {
+          network.set_body_acceleration({3e5, -1.25e6});
+          std::vector<double> dead(network.unknowns());
+          for (std::size_t i = 0; i < dead.size(); ++i)
+            dead[i] = 1e-5 * std::sin(double(i));
+          network.set_dead_forces(dead);
+        }
+      std::vector<double> x = shaken(network, 0.1);
+      const Tensor2<2> H = sheared() * network.patch().lattice;
+      const NetworkEvaluation e = forces(network, x, H);
+      const double h = 2e-4 * network.patch().spacing;
+      double largest = 0., scale = 0.;
+      for (std::size_t d = 0; d < x.size(); ++d)
+        {
+          const double kept = x[d];
+          const auto E = [&](const double step) {
+            x[d] = kept + step;
+            return energy(network, x, H);
+          };
+          const double slope = (8. * (E(h) - E(-h)) - (E(2. * h) - E(-2. * h))) / (12. * h);
+          x[d] = kept;
+          largest = std::max(largest, std::abs(slope - e.gradient[d]));
+          scale = std::max(scale, std::abs(e.gradient[d]));
+        }
+      BOOST_TEST(largest < 1e-7 * scale, "largest difference " << largest << " N of " << scale << " N");
+    }
+}
+
+BOOST_AUTO_TEST_CASE(hessian_is_force_slope)
+{
+  const HydrostaticNetwork network(make_parenchyma(small_cell(), 2, 2, true, true), liquid_mass(small_cell()));
+  std::vector<double> x = shaken(network, 0.1);
+  const Tensor2<2> H = sheared() * network.patch().lattice;
+  NetworkEquilibrium equilibrium(network);
+  const Eigen::MatrixXd lower = equilibrium.system(x, H);
+  const Eigen::Index n = static_cast<Eigen::Index>(x.size()) - 2; // node 0 is pinned
+  Eigen::MatrixXd K = lower.topLeftCorner(n, n);
+  K = (K + K.transpose().eval()).eval();
+  K.diagonal() *= 0.5;
+  const Eigen::MatrixXd b = lower.bottomLeftCorner(4, n);
+  BOOST_TEST((lower.bottomRightCorner(4, 4) + Eigen::MatrixXd::Identity(4, 4)).norm() == 0.);
+  const Eigen::MatrixXd hessian = K + b.transpose() * b;
+  const double h = 1e-4 * network.patch().spacing;
+  double largest = 0.;
+  for (Eigen::Index d = 0; d < n; ++d)
+    {
+      const double kept = x[d + 2];
+      x[d + 2] = kept + h;
+      const NetworkEvaluation plus = forces(network, x, H);
+      x[d + 2] = kept - h;
+      const NetworkEvaluation minus = forces(network, x, H);
+      x[d + 2] = kept;
+      for (Eigen::Index r = 0; r < n; ++r)
+        largest = std::max(largest, std::abs((plus.gradient[r + 2] - minus.gradient[r + 2]) / (2. * h) - hessian(r, d)));
+    }
+  BOOST_TEST(largest < 1e-6 * hessian.cwiseAbs().maxCoeff());
+}
+
+BOOST_AUTO_TEST_CASE(momentum_and_objectivity)
+{
+  const HydrostaticNetwork network(make_parenchyma(small_cell(), 2, 1, false, false), liquid_mass(small_cell()));
+  const std::vector<double> x = shaken(network, 0.2);
+  const Tensor2<2> H = network.patch().lattice;
+  const NetworkEvaluation e = forces(network, x, H);
+  Vector<2> sum = Vector<2>::Zero();
+  double torque = 0., size = 0.;
+  for (std::size_t i = 0; i < x.size(); i += 2)
+    {
+      const Vector<2> f(e.gradient[i], e.gradient[i + 1]);
+      sum += f;
+      torque += x[i] * f[1] - x[i + 1] * f[0];
+      size += f.norm();
+    }
+  BOOST_TEST(sum.norm() < 1e-13 * size);
+  BOOST_TEST(std::abs(torque) < 1e-13 * size * 2e-4);
+  const Tensor2<2> tau = e.virial.total();
+  BOOST_TEST(std::abs(tau(0, 1) - tau(1, 0)) < 1e-13 * tau.norm());
+
+  const double a = 0.7;
+  Tensor2<2> Q;
+  Q << std::cos(a), -std::sin(a), std::sin(a), std::cos(a);
+  const NetworkEvaluation turned = forces(network, mapped(Q, x), Q * H);
+  for (std::size_t i = 0; i < x.size(); i += 2)
+    {
+      const Vector<2> f = Q * Vector<2>(e.gradient[i], e.gradient[i + 1]);
+      BOOST_TEST((f - Vector<2>(turned.gradient[i], turned.gradient[i + 1])).norm() < 1e-12 * size);
+    }
+  BOOST_TEST((turned.virial.total() - Q * tau * Q.transpose()).norm() < 1e-11 * tau.norm());
+  BOOST_TEST(std::abs(energy(network, mapped(Q, x), Q * H) / energy(network, x, H) - 1.) < 1e-11);
+}
+
+// Each term's virial is its energy's derivative along an affine motion.
+BOOST_AUTO_TEST_CASE(virial_is_energy_slope_of_affine_motion)
+{
+  const HydrostaticNetwork network(make_parenchyma(small_cell(), 1, 1, true, true), liquid_mass(small_cell()));
+  const std::vector<double> x = shaken(network, 0.1);
+  const Tensor2<2> H = sheared() * network.patch().lattice;
+  const Tensor2<2> tau = forces(network, x, H).virial.total();
+  const double h = 1e-4;
+  for (int a = 0; a < 2; ++a)
+    for (int b = 0; b < 2; ++b)
+      {
+        const auto E = [&](const double step) {
+          Tensor2<2> F = Tensor2<2>::Identity();
+          F(a, b) += step;
+          return energy(network, mapped(F, x), F * H);
+        };
+        const double slope = (8. * (E(h) - E(-h)) - (E(2. * h) - E(-2. * h))) / (12. * h);
+        BOOST_TEST(std::abs(slope - tau(a, b)) < 1e-8 * tau.norm());
+      }
+}
+
+BOOST_AUTO_TEST_CASE(reference_is_free_of_stress)
+{
+  for (const unsigned int n : {1u, 2u})
+    {
+      const ParenchymaParameters p;
+      const ParenchymaPatch patch = make_parenchyma(p, n, n, true, true);
+      const TurgidReference reference = turgid_reference(patch);
+      const HydrostaticNetwork network(patch, reference.fluid_mass);
+      const NetworkEvaluation e = forces(network, reference.positions, patch.lattice);
+      const double V = n * n * p.period * p.period * p.depth;
+      BOOST_TEST(e.virial.total().norm() / V < 1e-6 * p.turgor);
+      for (const double g : e.gradient)
+        BOOST_TEST(std::abs(g) < 1e-9 * network.force_scale());
+      BOOST_TEST(std::abs(e.pressure[0] - p.turgor) < 0.01 * p.turgor); // corner ties give a little
+    }
+}
+
+// At equilibrium the stress from ties across the period boundary (dE/dH alone) is the virial of everything.
+BOOST_AUTO_TEST_CASE(virial_equals_lattice_derivative_at_equilibrium)
+{
+  const ParenchymaPatch patch = make_parenchyma(small_cell(), 2, 1, true, true);
+  const TurgidReference reference = turgid_reference(patch);
+  const HydrostaticNetwork network(patch, reference.fluid_mass);
+  NetworkEquilibrium equilibrium(network);
+  const Tensor2<2> H = sheared() * patch.lattice;
+  std::vector<double> x = mapped(sheared(), reference.positions);
+  BOOST_TEST(equilibrium.solve(x, H, {}).converged);
+  const Tensor2<2> tau = equilibrium.last_evaluation().virial.total();
+  Tensor2<2> dE_dH;
+  const double h = 1e-4 * patch.spacing;
+  for (int a = 0; a < 2; ++a)
+    for (int b = 0; b < 2; ++b)
+      {
+        Tensor2<2> plus = H, minus = H;
+        plus(a, b) += h;
+        minus(a, b) -= h;
+        dE_dH(a, b) = (energy(network, x, plus) - energy(network, x, minus)) / (2. * h);
+      }
+  BOOST_TEST((dE_dH * H.transpose() - tau).norm() < 1e-6 * tau.norm());
+}
+
+BOOST_AUTO_TEST_CASE(newton_is_quadratic_and_repeatable)
+{
+  const ParenchymaPatch patch = make_parenchyma({}, 1, 1, true, true);
+  const TurgidReference reference = turgid_reference(patch);
+  const HydrostaticNetwork network(patch, reference.fluid_mass);
+  NetworkEquilibrium first(network), second(network);
+  std::vector<double> x = mapped(sheared(), reference.positions), y = x;
+  const EquilibriumReport report = first.solve(x, sheared() * patch.lattice, {});
+  BOOST_TEST(report.converged);
+  BOOST_TEST(report.residual < 1e-9);
+  BOOST_TEST(report.iterations < 12);
+  // a workspace that has seen something else gives the same bits
+  std::vector<double> other = reference.positions;
+  Tensor2<2> F;
+  F << 1.1, 0.3, 0., 0.9;
+  other = mapped(F, other);
+  second.solve(other, F * patch.lattice, {});
+  second.solve(y, sheared() * patch.lattice, {});
+  BOOST_TEST((x == y));
+}
+
+// Body force on a slab of cells clamped at its left side: the clamps carry the weight.
+BOOST_AUTO_TEST_CASE(clamped_patch_carries_its_weight)
+{
+  const ParenchymaPatch patch = make_parenchyma(small_cell(), 3, 2, false, false);
+  const TurgidReference reference = turgid_reference(patch);
+  HydrostaticNetwork network(patch, reference.fluid_mass);
+  const Vector<2> b(0., -1e4);
+  network.set_body_acceleration(b);
+  std::vector<std::uint32_t> clamped;
+  for (std::uint32_t i = 0; i < patch.nodes.size(); ++i)
+    if (patch.nodes[i][0] == 0.)
+      clamped.push_back(i);
+  NetworkEquilibrium equilibrium(network, clamped);
+  std::vector<double> x = reference.positions;
+  const EquilibriumReport report = equilibrium.solve(x, patch.lattice, {});
+  BOOST_TEST(report.converged, report.message);
+  Vector<2> reaction = Vector<2>::Zero();
+  for (const std::uint32_t i : clamped)
+    reaction += Vector<2>(equilibrium.last_evaluation().gradient[2 * i], equilibrium.last_evaluation().gradient[2 * i + 1]);
+  const Vector<2> weight =
+    b * (patch.rings.size() * network.fluid_mass() + patch.nodes.size() * patch.node_mass);
+  BOOST_TEST((reaction + weight).norm() < 1e-6 * weight.norm());
+}
+
+BOOST_AUTO_TEST_CASE(wrong_input_is_named)
+{
+  BOOST_CHECK_THROW(HydrostaticNetwork(make_parenchyma(small_cell(), 1, 1, true, true), -1.), std::invalid_argument);
+  HydrostaticNetwork network(make_parenchyma(small_cell(), 1, 1, true, true), 1e-10);
+  BOOST_CHECK_THROW(network.set_dead_forces({1., 2.}), std::invalid_argument);
+  BOOST_CHECK_THROW(NetworkEquilibrium(network, {1000}), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
