@@ -46,7 +46,8 @@ struct CellView
   const Arc *arcs = nullptr;
   const std::uint32_t *first_arc = nullptr; ///< n + 1 offsets
   double *rows = nullptr;         ///< (n + 1) * row_doubles, 64-byte aligned scratch
-  double *scratch = nullptr;      ///< 8 * (n_wall + 2 * list_padding), 64-byte aligned
+  double *scratch = nullptr;      ///< 2 * scratch_half, 64-byte aligned
+  std::uint32_t scratch_half = 0; ///< 4 list_padding * (chunks of list_padding faces one particle can see)
   double support = 0.;            ///< m
   double mass = 0.;               ///< kg, of one fluid particle
   double depth = 1.;              ///< m, slab depth: W is per area, rho per volume

@@ -168,7 +168,7 @@ void density(CellView &c)
   const double gauss_w[4] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307, 0.17392742256872693};
 
   Gradient *gradients = reinterpret_cast<Gradient *>(c.scratch);
-  V *slip = reinterpret_cast<V *>(c.scratch + 4 * (c.n_wall + 2 * list_padding));
+  V *slip = reinterpret_cast<V *>(c.scratch + c.scratch_half);
   c.crossed = 0;
 
   for (std::uint32_t i = 0; i < c.n; ++i)
@@ -315,9 +315,8 @@ void force(CellView &c)
   // -20 C (1 - u)^3 / R^2 = W'/r
   const V slope = splat(-20. * C * iR * iR);
   const V mass = splat(c.mass);
-  // chi mu_i mu_j / (mu_i + mu_j) = 16 mu / 2, times 1/2 from the mean of 1/gamma; W is
-  // per slab depth here, V_i V_j W' then has to be multiplied by the depth once
-  const double drag = 4. * c.viscosity * c.depth;
+  // chi mu_i mu_j / (mu_i + mu_j) = 16 mu / 2, times 1/2 from the mean of 1/gamma
+  const double drag = 4. * c.viscosity;
   for (std::uint32_t i = 0; i < c.n; ++i)
     {
       const double *row = c.rows + std::size_t(i) * row_doubles;

@@ -1,0 +1,102 @@
+#include "micro/cells/sph_parenchyma.h"
+
+#include "micro/engine/counter_random.h"
+#include "micro/terms/lamella_ties.h"
+#include "micro/terms/ring_wall.h"
+
+#include <cmath>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace turgor
+{
+void SphParameters::add_parameters(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  prm.add_parameter("Particles per side", particles_per_side,
+                    "Fluid particles along a cell side; a cell holds the square of it. Units: none.", Integer(6, 180));
+  prm.add_parameter("Support ratio", support_ratio,
+                    "Kernel radius (2 h) over particle spacing. Units: none.", Double(2., 4.));
+  prm.add_parameter("Skin ratio", skin_ratio,
+                    "Verlet skin over particle spacing; speed only. Units: none.", Double(0.05, 2.));
+  prm.add_parameter("Seed", seed, "Seed of the initial disorder of the fluid. Units: none.", Integer(0));
+  prm.add_parameter("Anneal steps", anneal_steps,
+                    "Damped steps that bring the fluid to rest before the reference state is taken. Units: steps.",
+                    Integer(100, 10000000));
+}
+
+ReferenceCell unannealed_cell(const ParenchymaPatch &patch, const SphParameters &sph)
+{
+  ReferenceCell cell;
+  const ParenchymaParameters &p = patch.parameters;
+  cell.wall_count = patch.rings.front().count;
+  for (unsigned int k = 0; k < cell.wall_count; ++k)
+    {
+      cell.x.push_back(patch.nodes[k][0] - patch.nodes[0][0]);
+      cell.y.push_back(patch.nodes[k][1] - patch.nodes[0][1]);
+    }
+  // A perfect lattice is the worst start (it melts violently later): jitter by a fifth of the spacing.
+  const unsigned int n = sph.particles_per_side;
+  const double dx = p.period / n;
+  for (unsigned int j = 0; j < n; ++j)
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const std::uint64_t counter = 2 * (std::uint64_t(j) * n + i);
+        cell.x.push_back((i + 0.5 + 0.2 * (2. * random_uniform(sph.seed, counter) - 1.)) * dx);
+        cell.y.push_back((j + 0.5 + 0.2 * (2. * random_uniform(sph.seed, counter + 1) - 1.)) * dx);
+      }
+  const EquationOfState eos(p.fluid_density, p.fluid_modulus, p.cavitation_pressure);
+  cell.particle_mass = eos.density_at(p.turgor) * p.period * p.period * p.depth / (double(n) * n);
+  return cell;
+}
+
+std::unique_ptr<SphPatch> make_sph_patch(const ParenchymaPatch &patch, const SphParameters &sph,
+                                         const ReferenceCell &reference)
+{
+  auto result = std::make_unique<SphPatch>();
+  result->patch = patch;
+  const ParenchymaParameters &p = patch.parameters;
+  ParticleSystem<2> &system = result->system;
+  Particles<2> &particles = system.particles;
+  const std::size_t per_cell = reference.x.size(), cells = patch.rings.size();
+  const unsigned int nw = reference.wall_count;
+  particles.resize(per_cell * cells);
+  for (std::size_t c = 0; c < cells; ++c)
+    {
+      const Vector<2> corner = patch.nodes[patch.rings[c].first];
+      const std::uint32_t begin = std::uint32_t(c * per_cell);
+      particles.groups.push_back({begin, begin + nw, std::uint32_t(begin + per_cell)});
+      for (std::size_t k = 0; k < per_cell; ++k)
+        {
+          particles.x[0][begin + k] = corner[0] + reference.x[k];
+          particles.x[1][begin + k] = corner[1] + reference.y[k];
+          particles.inverse_mass[begin + k] = 1. / (k < nw ? patch.node_mass : reference.particle_mass);
+        }
+    }
+  system.box.H = patch.lattice;
+  system.box.periodic = {patch.periodic_x, patch.periodic_y};
+
+  const NeoHookeanWall law(p.wall_stiffness, p.depth, p.wall_beta);
+  const double wall_spring = law.derivative(1.) / patch.rest_length;
+  system.add(std::make_unique<RingWall>(law, patch.rest_length, p.wall_bending ? patch.bending_stiffness : 0.,
+                                        patch.spacing, p.nodes_per_side, patch.node_mass));
+
+  const double dx = p.period / sph.particles_per_side;
+  SphFluidParameters fluid;
+  fluid.support = sph.support_ratio * dx;
+  fluid.skin = sph.skin_ratio * dx;
+  fluid.depth = p.depth;
+  fluid.viscosity = p.fluid_viscosity;
+  const EquationOfState eos(p.fluid_density, p.fluid_modulus, p.cavitation_pressure);
+  result->fluid = &system.add(
+    std::make_unique<SphFluid>(fluid, eos, std::vector<double>(cells, reference.particle_mass)));
+
+  std::vector<LamellaTie> ties = patch.ties;
+  for (LamellaTie &tie : ties)
+    for (std::uint32_t *node : {&tie.a, &tie.b})
+      *node = std::uint32_t(*node / nw * per_cell + *node % nw);
+  if (!ties.empty())
+    system.add(std::make_unique<LamellaTies>(std::move(ties), patch.tie_stiffness, wall_spring, patch.node_mass));
+  return result;
+}
+} // namespace turgor

@@ -1,0 +1,54 @@
+// Parenchyma cells filled with SPH fluid: a ParenchymaPatch turned into a particle system.
+//
+// Particle order: cell by cell; within a cell the wall ring first, then its fluid. Node k of
+// ring c is particle c * (ring + fluid) + k. Every cell starts as a copy of one reference cell.
+#pragma once
+
+#include "micro/cells/parenchyma.h"
+#include "micro/engine/particle_system.h"
+#include "micro/terms/sph_fluid.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace turgor
+{
+struct SphParameters
+{
+  unsigned int particles_per_side = 22; ///< fluid particles along a cell side (its square in a cell)
+  double support_ratio = 2.6;           ///< kernel radius / particle spacing (h = 1.3 spacings)
+  double skin_ratio = 0.3;              ///< list skin / particle spacing
+  unsigned int seed = 1;                ///< of the initial disorder
+  unsigned int anneal_steps = 20000;    ///< steps of damped motion before the reference
+
+  void add_parameters(dealii::ParameterHandler &prm);
+};
+
+/// One annealed, turgid, stress-balanced cell of a periodic grid: positions (m) relative to the cell's
+/// lower left corner, wall ring first, and the mass of a fluid particle (kg).
+struct ReferenceCell
+{
+  unsigned int wall_count = 0;
+  std::vector<double> x, y;
+  double particle_mass = 0.;
+  double residual_stress[3]{}; ///< Pa, sxx, syy, sxy left over at F = I
+  double mean_pressure = 0.;   ///< Pa, mean EOS pressure at F = I
+  double fluid_pressure = 0.;  ///< Pa, virial pressure of the fluid at F = I
+};
+
+struct SphPatch
+{
+  ParenchymaPatch patch;
+  ParticleSystem<2> system;
+  SphFluid *fluid = nullptr;
+
+  std::uint32_t particles_per_cell() const { return system.particles.groups.front().end; }
+};
+
+/// The particle system of the patch, all cells copies of the reference cell.
+std::unique_ptr<SphPatch> make_sph_patch(const ParenchymaPatch &patch, const SphParameters &sph,
+                                         const ReferenceCell &reference);
+
+/// Positions, particle mass and pressure of one cell before annealing: a jittered lattice.
+ReferenceCell unannealed_cell(const ParenchymaPatch &patch, const SphParameters &sph);
+} // namespace turgor

@@ -1,0 +1,76 @@
+#include "micro/engine/kick_drift_kick.h"
+
+#include <cmath>
+
+namespace turgor
+{
+template <int dim>
+KickDriftKick<dim>::KickDriftKick(ParticleSystem<dim> &system_)
+  : system(system_)
+{
+  static const char *const names[3] = {"velocity_now_x", "velocity_now_y", "velocity_now_z"};
+  for (int d = 0; d < dim; ++d)
+    now[d] = system.particles.has(names[d]) ? &system.particles.field(names[d]) : nullptr;
+}
+
+template <int dim>
+void KickDriftKick<dim>::set_velocity_now()
+{
+  for (int d = 0; d < dim; ++d)
+    if (now[d] != nullptr)
+      *now[d] = system.particles.v[d];
+}
+
+template <int dim>
+void KickDriftKick<dim>::step(const double dt, const double damping)
+{
+  Particles<dim> &p = system.particles;
+  const double half = 0.5 * dt;
+  system.for_groups([&](std::size_t group) {
+    const Group &g = p.groups[group];
+    const double *im = p.inverse_mass.data();
+    for (int d = 0; d < dim; ++d)
+      {
+        double *x = p.x[d].data(), *v = p.v[d].data();
+        const double *f = p.f[d].data();
+        if (now[d] != nullptr)
+          {
+            double *w = now[d]->data();
+            for (std::uint32_t i = g.begin; i < g.end; ++i)
+              {
+                const double kick = half * f[i] * im[i];
+                v[i] += kick;
+                x[i] += dt * v[i];
+                w[i] = v[i] + kick;
+              }
+          }
+        else
+          for (std::uint32_t i = g.begin; i < g.end; ++i)
+            {
+              v[i] += half * f[i] * im[i];
+              x[i] += dt * v[i];
+            }
+      }
+  });
+  system.box.H += dt * system.box.H_dot;
+  const double keep = std::exp(-damping * dt);
+  system.for_groups([&](std::size_t group) {
+    const Group &g = p.groups[group];
+    system.forces_of_group(group);
+    const double *im = p.inverse_mass.data();
+    for (int d = 0; d < dim; ++d)
+      {
+        double *v = p.v[d].data();
+        const double *f = p.f[d].data();
+        if (damping > 0.)
+          for (std::uint32_t i = g.begin; i < g.end; ++i)
+            v[i] = keep * (v[i] + half * f[i] * im[i]);
+        else
+          for (std::uint32_t i = g.begin; i < g.end; ++i)
+            v[i] += half * f[i] * im[i];
+      }
+  });
+}
+
+template class KickDriftKick<2>;
+} // namespace turgor

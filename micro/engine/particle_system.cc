@@ -1,0 +1,169 @@
+#include "micro/engine/particle_system.h"
+
+#include "micro/engine/binary.h"
+
+#include <algorithm>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+namespace turgor
+{
+template <int dim>
+void ParticleSystem<dim>::for_groups(const std::function<void(std::size_t)> &body) const
+{
+  const std::size_t n = particles.groups.size();
+  if (threads <= 1 || n <= 1)
+    for (std::size_t group = 0; group < n; ++group)
+      body(group);
+  else
+    {
+      const std::size_t grain = std::max<std::size_t>(1, n / (std::size_t(threads) * 8));
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain), [&](const tbb::blocked_range<std::size_t> &r) {
+        for (std::size_t group = r.begin(); group < r.end(); ++group)
+          body(group);
+      });
+    }
+}
+
+template <int dim>
+void ParticleSystem<dim>::forces_of_group(const std::size_t group)
+{
+  const Group &g = particles.groups[group];
+  for (int d = 0; d < dim; ++d)
+    std::fill(particles.f[d].begin() + g.begin, particles.f[d].begin() + g.end, 0.);
+  for (const auto &term : terms)
+    term->add_forces(particles, box, group);
+}
+
+template <int dim>
+void ParticleSystem<dim>::compute_forces()
+{
+  for_groups([this](std::size_t group) { forces_of_group(group); });
+}
+
+template <int dim>
+double ParticleSystem<dim>::potential_energy() const
+{
+  double total = 0.;
+  for (std::size_t group = 0; group < particles.groups.size(); ++group)
+    for (const auto &term : terms)
+      total += term->energy(particles, box, group);
+  return total;
+}
+
+template <int dim>
+double ParticleSystem<dim>::kinetic_energy() const
+{
+  double total = 0.;
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    if (particles.inverse_mass[i] > 0.)
+      for (int d = 0; d < dim; ++d)
+        total += 0.5 * particles.v[d][i] * particles.v[d][i] / particles.inverse_mass[i];
+  return total;
+}
+
+template <int dim>
+Vector<dim> ParticleSystem<dim>::momentum() const
+{
+  Vector<dim> total = Vector<dim>::Zero();
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    if (particles.inverse_mass[i] > 0.)
+      for (int d = 0; d < dim; ++d)
+        total[d] += particles.v[d][i] / particles.inverse_mass[i];
+  return total;
+}
+
+template <int dim>
+Tensor2<dim> ParticleSystem<dim>::virial() const
+{
+  Tensor2<dim> total = Tensor2<dim>::Zero();
+  for (std::size_t group = 0; group < particles.groups.size(); ++group)
+    {
+      const Group &g = particles.groups[group];
+      Tensor2<dim> own = Tensor2<dim>::Zero();
+      for (int a = 0; a < dim; ++a)
+        for (int b = 0; b < dim; ++b)
+          {
+            double sum = 0.;
+            for (std::uint32_t i = g.begin; i < g.end; ++i)
+              sum += particles.f[a][i] * particles.x[b][i];
+            own(a, b) -= sum;
+          }
+      for (const auto &term : terms)
+        own += term->image_virial(particles, box, group);
+      total += own;
+    }
+  return total;
+}
+
+template <int dim>
+double ParticleSystem<dim>::stable_time_step() const
+{
+  double dt = std::numeric_limits<double>::infinity();
+  for (const auto &term : terms)
+    dt = std::min(dt, term->stable_time_step(particles));
+  return dt;
+}
+
+template <int dim>
+std::vector<std::string> ParticleSystem<dim>::term_names() const
+{
+  std::vector<std::string> names;
+  for (const auto &term : terms)
+    names.push_back(term->name());
+  return names;
+}
+
+template <int dim>
+void ParticleSystem<dim>::save(std::ostream &out) const
+{
+  for (int d = 0; d < dim; ++d)
+    {
+      write_binary(out, particles.x[d]);
+      write_binary(out, particles.v[d]);
+      write_binary(out, particles.f[d]);
+    }
+  write_binary(out, particles.inverse_mass);
+  for (int a = 0; a < dim; ++a)
+    for (int b = 0; b < dim; ++b)
+      {
+        write_binary(out, box.H(a, b));
+        write_binary(out, box.H_dot(a, b));
+      }
+  for (const auto &term : terms)
+    term->save(out);
+}
+
+template <int dim>
+void ParticleSystem<dim>::load(std::istream &in)
+{
+  const std::size_t n = particles.size();
+  const auto read = [&](std::vector<double> &values) {
+    read_binary(in, values);
+    if (values.size() != n)
+      throw std::runtime_error("the checkpoint holds " + std::to_string(values.size()) + " particles, the scene has "
+                               + std::to_string(n));
+  };
+  for (int d = 0; d < dim; ++d)
+    {
+      read(particles.x[d]);
+      read(particles.v[d]);
+      read(particles.f[d]);
+    }
+  read(particles.inverse_mass);
+  const std::vector<double> inverse_mass = particles.inverse_mass;
+  for (int a = 0; a < dim; ++a)
+    for (int b = 0; b < dim; ++b)
+      {
+        read_binary(in, box.H(a, b));
+        read_binary(in, box.H_dot(a, b));
+      }
+  for (const auto &term : terms)
+    term->load(in, particles);
+  particles.inverse_mass = inverse_mass; // a term's masses must not free a clamped particle
+}
+
+template class ParticleSystem<2>;
+template class ParticleSystem<3>;
+} // namespace turgor

@@ -1,0 +1,66 @@
+// Particles, their box and the terms that act on them: forces, energy, virial.
+//
+// Forces are computed group by group; groups are shared out over threads. Whatever is
+// summed over groups is summed in their order: same bits on any number of threads.
+#pragma once
+
+#include "micro/engine/term.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace turgor
+{
+template <int dim>
+class ParticleSystem
+{
+public:
+  Particles<dim> particles;
+  Box<dim> box;
+  unsigned int threads = 1;
+
+  /// Adds a term and declares its fields; groups must be final. Returns the term.
+  template <class T>
+  T &add(std::unique_ptr<T> term)
+  {
+    T &reference = *term;
+    reference.declare(particles);
+    terms.push_back(std::move(term));
+    return reference;
+  }
+
+  /// Calls body(group) for all groups, over threads.
+  void for_groups(const std::function<void(std::size_t)> &body) const;
+
+  /// f = sum of all terms, for one group.
+  void forces_of_group(std::size_t group);
+  void compute_forces();
+
+  /// J, after compute_forces at the same positions.
+  double potential_energy() const;
+  double kinetic_energy() const;
+  Vector<dim> momentum() const; ///< kg m/s, of the particles that are not clamped
+
+  /// N m: stress times volume, sum over pairs (half sum f_ij (x) x_ij, thesis Eq. 3.17). Because every
+  /// group's own forces balance it equals -sum_k f_k (x) x_k plus what images add, which costs one pass
+  /// over the particles instead of a second pair loop. Only for systems without external forces.
+  Tensor2<dim> virial() const;
+
+  /// s; smallest of the terms' limits.
+  double stable_time_step() const;
+
+  std::vector<std::string> term_names() const;
+
+  /// Positions, velocities, forces, masses, box and the terms' history; sizes must fit.
+  void save(std::ostream &out) const;
+  void load(std::istream &in);
+
+private:
+  std::vector<std::unique_ptr<Term<dim>>> terms;
+};
+
+extern template class ParticleSystem<2>;
+extern template class ParticleSystem<3>;
+} // namespace turgor

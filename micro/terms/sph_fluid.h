@@ -1,0 +1,78 @@
+// The SPH fluid of closed cells: variational, wall-corrected (equations in sph_sweeps.h).
+//
+// Owns the neighbour lists of every cell. A list holds the fluid particles of the same cell
+// within support + skin, and the stretches of wall (arcs) within reach; it is rebuilt when a
+// particle has moved more than half a skin relative to the cell's mean translation.
+// Fields: density (kg/m^3), pressure (Pa), wall_share (gamma).
+#pragma once
+
+#include "micro/engine/term.h"
+#include "micro/terms/equation_of_state.h"
+#include "micro/terms/sph_sweeps.h"
+
+#include <atomic>
+#include <vector>
+
+namespace turgor
+{
+struct SphFluidParameters
+{
+  double support = 0.;    ///< m, radius of the kernel (2 h)
+  double skin = 0.;       ///< m
+  double depth = 1.;      ///< m, slab depth
+  double viscosity = 0.;  ///< Pa s
+};
+
+class SphFluid final : public Term<2>
+{
+public:
+  /// mass: kg of one fluid particle, per group.
+  SphFluid(const SphFluidParameters &parameters, const EquationOfState &eos, std::vector<double> mass);
+
+  std::string name() const override { return parameters.viscosity > 0. ? "sph_fluid_viscous" : "sph_fluid"; }
+  void declare(Particles<2> &particles) override;
+  void add_forces(Particles<2> &particles, const Box<2> &box, std::size_t group) override;
+  double energy(const Particles<2> &particles, const Box<2> &box, std::size_t group) const override;
+  double stable_time_step(const Particles<2> &particles) const override;
+  void save(std::ostream &out) const override;
+  void load(std::istream &in, Particles<2> &particles) override;
+
+  const std::vector<double> &particle_mass() const { return mass; }
+  /// Changes the mass of the group's particles (osmosis, calibration), here and in inverse_mass.
+  void set_particle_mass(Particles<2> &particles, std::size_t group, double value);
+  void set_viscosity(double value) { parameters.viscosity = value; }
+  double viscosity() const { return parameters.viscosity; }
+  const EquationOfState &equation_of_state() const { return eos; }
+  double support() const { return parameters.support; }
+
+  /// Mean of the particles' EOS pressure, Pa; after add_forces.
+  double mean_pressure(const Particles<2> &particles, std::size_t group) const;
+
+  /// Particles found outside their wall in the last force evaluation, all groups.
+  std::size_t crossed() const;
+  std::size_t list_builds() const;
+  /// Neighbours per particle within the support (not the skin), and bytes held per particle.
+  double mean_neighbours(const Particles<2> &particles) const;
+  std::size_t memory_bytes() const;
+
+private:
+  struct Cell
+  {
+    std::vector<std::uint16_t> neighbours;
+    std::vector<std::uint32_t> first_neighbour, first_arc;
+    std::vector<sph::Arc> arcs;
+    std::vector<double> built_at[2]; ///< positions when the lists were built
+    std::uint32_t chunks = 0;        ///< most chunks of faces any particle sees
+    std::uint32_t crossed = 0;
+    std::size_t builds = 0;
+  };
+
+  bool moved_too_far(const Particles<2> &particles, const Group &group, const Cell &cell) const;
+  void build(const Group &group, Cell &cell) const; ///< from built_at
+
+  SphFluidParameters parameters;
+  EquationOfState eos;
+  std::vector<double> mass;
+  std::vector<Cell> cells;
+};
+} // namespace turgor
