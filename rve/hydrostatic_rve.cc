@@ -1,0 +1,281 @@
+#include "rve/hydrostatic_rve.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <numbers>
+#include <stdexcept>
+
+namespace turgor
+{
+namespace
+{
+double thread_seconds()
+{
+  timespec t;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
+}
+
+void map(const Tensor2<2> &A, const std::vector<double> &from, std::vector<double> &to)
+{
+  to.resize(from.size());
+  for (std::size_t i = 0; i < from.size(); i += 2)
+    {
+      const double x = from[i], y = from[i + 1];
+      to[i] = A(0, 0) * x + A(0, 1) * y;
+      to[i + 1] = A(1, 0) * x + A(1, 1) * y;
+    }
+}
+
+Tensor2<2> viscous_stress(const double mu, const Tensor2<2> &L)
+{
+  return mu * (L + L.transpose() + L.trace() * Tensor2<2>::Identity());
+}
+
+// Unit changes of F, component a*2+b, as motions of the current configuration: L = dF F^-1.
+std::array<Tensor2<2>, 4> unit_motions(const Tensor2<2> &F_inverse)
+{
+  std::array<Tensor2<2>, 4> L;
+  for (int a = 0; a < 2; ++a)
+    for (int b = 0; b < 2; ++b)
+      {
+        L[2 * a + b].setZero();
+        L[2 * a + b].row(a) = F_inverse.row(b);
+      }
+  return L;
+}
+} // namespace
+
+struct HydrostaticRve::Scratch : Rve<2>::Workspace
+{
+  explicit Scratch(const HydrostaticNetwork &network)
+    : equilibrium(network)
+  {}
+  NetworkEquilibrium equilibrium;
+  NetworkEvaluation evaluation;
+  std::vector<double> positions;
+  std::array<std::vector<double>, 4> forces;
+};
+
+HydrostaticRve::HydrostaticRve(const ParenchymaParameters &cell, const HydrostaticRveSettings &settings_)
+  : settings(settings_)
+  , network(make_parenchyma(cell, settings_.columns, settings_.rows, true, true), 1.)
+  , reference_volume(network.patch().lattice.determinant() * cell.depth)
+{
+  if (!(settings.equilibrium.tolerance > 0.))
+    throw std::invalid_argument("RVE/Tolerance has to be positive.");
+  TurgidReference turgid = turgid_reference(network.patch());
+  network.set_fluid_mass(turgid.fluid_mass);
+  reference = std::move(turgid.positions);
+  NetworkEvaluation e;
+  network.evaluate(reference, network.patch().lattice, NetworkOrder::energy, e);
+  reference_energy = e.energy;
+
+  Scratch scratch(network);
+  bool regular = false;
+  const Tensor2<2> I = Tensor2<2>::Identity();
+  const Tensor4<2> affine = tangent(reference, I, Tensor2<2>::Zero(), false, scratch, regular);
+  double largest = 0.;
+  for (int i = 0; i < 180; ++i)
+    {
+      const double angle = i * std::numbers::pi / 180.;
+      const Vector<2> n(std::cos(angle), std::sin(angle));
+      Tensor2<2> acoustic = Tensor2<2>::Zero();
+      for (int a = 0; a < 2; ++a)
+        for (int c = 0; c < 2; ++c)
+          for (int b = 0; b < 2; ++b)
+            for (int d = 0; d < 2; ++d)
+              acoustic(a, c) += n[b] * affine(2 * a + b, 2 * c + d) * n[d];
+      largest = std::max(largest, Eigen::SelfAdjointEigenSolver<Tensor2<2>>(acoustic).eigenvalues().maxCoeff());
+    }
+  bound = 1.2 * largest;
+}
+
+std::unique_ptr<Rve<2>::Workspace> HydrostaticRve::make_workspace() const
+{
+  return std::make_unique<Scratch>(network);
+}
+
+RveState<2> HydrostaticRve::initial_state() const
+{
+  RveState<2> state;
+  state.unknowns = reference;
+  return state;
+}
+
+double HydrostaticRve::density() const
+{
+  const ParenchymaPatch &patch = network.patch();
+  return (network.fluid_mass() * double(patch.rings.size()) + patch.node_mass * double(patch.nodes.size())) /
+         reference_volume;
+}
+
+double HydrostaticRve::viscosity_bound() const
+{
+  // mu (L + L^T + tr(L) I): 3 mu in uniaxial flow
+  return 3. * network.patch().parameters.fluid_viscosity;
+}
+
+std::vector<std::vector<Vector<2>>> HydrostaticRve::outlines(const RveState<2> &state) const
+{
+  std::vector<std::vector<Vector<2>>> cells;
+  for (const WallRing &ring : network.patch().rings)
+    {
+      cells.emplace_back();
+      for (std::uint32_t k = 0; k < ring.count; ++k)
+        cells.back().push_back({state.unknowns.at(2 * (ring.first + k)), state.unknowns.at(2 * (ring.first + k) + 1)});
+    }
+  return cells;
+}
+
+EquilibriumReport HydrostaticRve::find_equilibrium(const RveState<2> &committed, const Tensor2<2> &F,
+                                                   std::vector<double> &x, Scratch &scratch) const
+{
+  const Tensor2<2> &H0 = network.patch().lattice;
+  EquilibriumReport total;
+  const auto attempt = [&](const Tensor2<2> &from, const std::vector<double> &start, const int steps) {
+    Tensor2<2> last = from;
+    x = start;
+    EquilibriumReport report;
+    for (int s = 1; s <= steps; ++s)
+      {
+        // exactly F at the end, whatever round-off does to the interpolation
+        const Tensor2<2> next = s == steps ? F : Tensor2<2>(from + (F - from) * (double(s) / steps));
+        if (!(next.determinant() > 0.))
+          {
+            report.converged = false;
+            report.message = "The way to F in steps passes through det F <= 0.";
+            return report;
+          }
+        map(next * last.inverse(), x, scratch.positions);
+        x.swap(scratch.positions);
+        report = scratch.equilibrium.solve(x, next * H0, settings.equilibrium);
+        total.iterations += report.iterations;
+        if (!report.converged)
+          return report;
+        last = next;
+      }
+    return report;
+  };
+
+  EquilibriumReport report = attempt(committed.F, committed.unknowns, 1);
+  std::string first = report.message;
+  for (const int steps : {8, 64})
+    if (!report.converged)
+      report = attempt(committed.F, committed.unknowns, steps);
+  for (const int steps : {1, 64})
+    if (!report.converged)
+      report = attempt(Tensor2<2>::Identity(), reference, steps);
+  report.iterations = total.iterations;
+  if (!report.converged)
+    report.message = first;
+  return report;
+}
+
+Tensor4<2> HydrostaticRve::tangent(const std::vector<double> &x, const Tensor2<2> &F, const Tensor2<2> &F_dot,
+                                   const bool relaxed, Scratch &scratch, bool &regular) const
+{
+  const Tensor2<2> H = F * network.patch().lattice, F_inverse = F.inverse();
+  const std::array<Tensor2<2>, 4> motions = unit_motions(F_inverse);
+  Tensor4<2> result;
+  if (relaxed)
+    regular = scratch.equilibrium.relaxed_curvature(x, H, motions, result);
+  else
+    {
+      network.evaluate(x, H, NetworkOrder::hessian, scratch.evaluation);
+      network.affine_response(x, H, scratch.evaluation, motions, scratch.forces, result);
+      regular = result.allFinite();
+    }
+  result /= reference_volume;
+
+  // P_v = J sigma_v F^-T: dJ = J tr(dL), dF^-T = -dL^T F^-T, dL_flow = -L dL
+  const double mu = network.patch().parameters.fluid_viscosity, J = F.determinant();
+  const Tensor2<2> L = F_dot * F_inverse, sigma = viscous_stress(mu, L);
+  for (int k = 0; k < 4; ++k)
+    {
+      const Tensor2<2> &dL = motions[k];
+      const Tensor2<2> dP = J * (dL.trace() * sigma + viscous_stress(mu, -L * dL) - sigma * dL.transpose()) *
+                            F_inverse.transpose();
+      for (int a = 0; a < 2; ++a)
+        for (int b = 0; b < 2; ++b)
+          result(2 * a + b, k) += dP(a, b);
+    }
+  return result;
+}
+
+RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor2<2> &F, const Tensor2<2> &F_dot,
+                                      const RveRequest &request, Workspace &workspace) const
+{
+  const double start = thread_seconds();
+  if (!F.allFinite() || !F_dot.allFinite() || !(F.determinant() > 0.))
+    throw std::invalid_argument("An RVE needs a finite F with positive determinant and a finite F_dot.");
+  if (committed.unknowns.size() != network.unknowns() || !committed.F.allFinite() ||
+      !(committed.F.determinant() > 0.))
+    throw std::invalid_argument("The committed state does not belong to this RVE.");
+  Scratch &scratch = dynamic_cast<Scratch &>(workspace);
+  const bool relaxed = settings.rule == HydrostaticRule::elastic_equilibrium;
+
+  RveAnswer<2> answer;
+  std::vector<double> &x = answer.trial.unknowns;
+  const Tensor2<2> H = F * network.patch().lattice;
+  const NetworkEvaluation *e = &scratch.evaluation;
+  if (relaxed)
+    {
+      const EquilibriumReport report = find_equilibrium(committed, F, x, scratch);
+      answer.diagnostics.converged = report.converged;
+      answer.diagnostics.message = report.message;
+      answer.diagnostics.iterations = report.iterations;
+      answer.diagnostics.residual = report.residual;
+      e = &scratch.equilibrium.last_evaluation();
+    }
+  else
+    {
+      map(F, reference, x);
+      network.evaluate(x, H, NetworkOrder::gradient, scratch.evaluation);
+    }
+
+  const double J = F.determinant();
+  const Tensor2<2> L = F_dot * F.inverse();
+  answer.sigma = e->virial.total() / (J * reference_volume) +
+                 viscous_stress(network.patch().parameters.fluid_viscosity, L);
+  answer.P = J * answer.sigma * F.inverse().transpose();
+  for (const double p : e->pressure)
+    answer.pressure += p;
+  answer.pressure /= double(e->pressure.size());
+  if (request.tangent && answer.diagnostics.converged)
+    {
+      bool regular = false;
+      answer.tangent = tangent(x, F, F_dot, relaxed, scratch, regular);
+      if (!regular)
+        {
+          answer.diagnostics.converged = false;
+          answer.diagnostics.message = "The tangent is not defined here: the cells are about to buckle.";
+        }
+    }
+  network.evaluate(x, H, NetworkOrder::energy, scratch.evaluation);
+  answer.energy = (scratch.evaluation.energy - reference_energy) / reference_volume;
+  answer.trial.F = F;
+  answer.trial.F_dot = F_dot;
+  if (answer.diagnostics.converged && !(answer.sigma.allFinite() && std::isfinite(answer.energy)))
+    {
+      answer.diagnostics.converged = false;
+      answer.diagnostics.message = "The stress is not finite.";
+    }
+  if (!answer.diagnostics.converged)
+    {
+      // never NaN, and nothing to build on
+      answer.sigma.setZero();
+      answer.P.setZero();
+      answer.tangent.setZero();
+      answer.energy = answer.pressure = 0.;
+      answer.trial = committed;
+      if (!std::isfinite(answer.diagnostics.residual))
+        answer.diagnostics.residual = HUGE_VAL;
+    }
+  answer.diagnostics.cpu_seconds = thread_seconds() - start;
+  return answer;
+}
+} // namespace turgor

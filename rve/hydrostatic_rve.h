@@ -1,0 +1,66 @@
+// An RVE of n x m periodic cells whose fluid is one pressure per cell, plus the Newtonian stress
+// of the affine flow:
+//
+//   sigma = (1/V) sum r (x) dE/dr + mu (L + L^T + tr(L) I),  L = F_dot F^-1     Eq. 3.17; 2.24 with 3.17 (errata)
+//   P = J sigma F^-T;  elastic part = dW/dF,  W = min over x of E(x, F H0)/V_0
+//
+// Rules: cauchy_born takes x = F X (Eq. 3.20); elastic_equilibrium finds the minimum by Newton's method from the
+// committed positions mapped affinely by F F_c^-1 (Eq. 3.21), in smaller steps of F where one is too long,
+// and from the reference where the committed positions lead nowhere.
+// The tangent dP/dF (fixed F_dot, viscous part included) is analytic: the nodes follow by the implicit function theorem.
+//
+// In: F (no unit), F_dot (1/s). Out: see rve.h. State: node positions (m), x and y interleaved.
+#pragma once
+
+#include "micro/cells/network_equilibrium.h"
+#include "rve/rve.h"
+
+namespace turgor
+{
+enum class HydrostaticRule
+{
+  cauchy_born,
+  elastic_equilibrium
+};
+
+struct HydrostaticRveSettings
+{
+  HydrostaticRule rule = HydrostaticRule::elastic_equilibrium;
+  unsigned int columns = 1, rows = 1;
+  EquilibriumSettings equilibrium;
+};
+
+class HydrostaticRve : public Rve<2>
+{
+public:
+  HydrostaticRve(const ParenchymaParameters &cell, const HydrostaticRveSettings &settings);
+
+  std::unique_ptr<Workspace> make_workspace() const override;
+  RveState<2> initial_state() const override;
+  RveAnswer<2> evaluate(const RveState<2> &committed, const Tensor2<2> &F, const Tensor2<2> &F_dot,
+                        const RveRequest &request, Workspace &workspace) const override;
+
+  double density() const override;
+
+  /// Largest eigenvalue of the acoustic tensor of Cauchy-Born at F = I (an upper bound of the relaxed one), with
+  /// a fifth more for the stiffening of walls and fluid under strain.
+  double stiffness_bound() const override { return bound; }
+  double viscosity_bound() const override;
+  Tensor2<2> lattice() const override { return network.patch().lattice; }
+  std::vector<std::vector<Vector<2>>> outlines(const RveState<2> &state) const override;
+
+  const HydrostaticNetwork &cells() const { return network; }
+
+private:
+  struct Scratch;
+  EquilibriumReport find_equilibrium(const RveState<2> &committed, const Tensor2<2> &F, std::vector<double> &x,
+                                     Scratch &scratch) const;
+  Tensor4<2> tangent(const std::vector<double> &x, const Tensor2<2> &F, const Tensor2<2> &F_dot, bool relaxed,
+                     Scratch &scratch, bool &regular) const;
+
+  HydrostaticRveSettings settings;
+  HydrostaticNetwork network;
+  std::vector<double> reference;
+  double reference_volume, reference_energy, bound;
+};
+} // namespace turgor

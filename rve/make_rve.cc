@@ -1,0 +1,37 @@
+#include "rve/make_rve.h"
+
+#include "micro/io/run_context.h"
+#include "rve/hydrostatic_rve.h"
+
+#include <stdexcept>
+
+namespace turgor
+{
+std::unique_ptr<Rve<2>> make_rve(const RveParameters &p)
+{
+  try
+    {
+      if (p.fluid == "hydrostatic")
+        {
+          HydrostaticRveSettings settings;
+          if (p.rule == "cauchy_born")
+            settings.rule = HydrostaticRule::cauchy_born;
+          else if (p.rule == "elastic_equilibrium")
+            settings.rule = HydrostaticRule::elastic_equilibrium;
+          else
+            throw InputError("RVE/Rule is " + p.rule +
+                             ", which needs a fluid that flows. With RVE/Fluid = hydrostatic use cauchy_born or "
+                             "elastic_equilibrium.");
+          settings.columns = p.columns;
+          settings.rows = p.rows;
+          settings.equilibrium = {p.tolerance, p.max_iterations};
+          return std::make_unique<HydrostaticRve>(p.cell, settings);
+        }
+      throw InputError("RVE/Fluid is " + p.fluid + ", but allowed is hydrostatic.");
+    }
+  catch (const std::invalid_argument &wrong)
+    {
+      throw InputError(wrong.what());
+    }
+}
+} // namespace turgor

@@ -1,0 +1,38 @@
+#include "rve/rve_parameters.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace turgor
+{
+void RveParameters::add_parameters(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  prm.enter_subsection("RVE");
+  prm.add_parameter("Rule", rule,
+                    "How the cells follow F (thesis 3.4.2): cauchy_born moves them affinely, elastic_equilibrium "
+                    "relaxes them, constrained_runs lets them move for a burst and rescales. Units: none.",
+                    Selection("cauchy_born|elastic_equilibrium|constrained_runs"));
+  prm.add_parameter("Fluid", fluid,
+                    "Cell fluid: hydrostatic (one pressure per cell plus the viscous stress of F_dot) or sph "
+                    "(particles). Units: none.",
+                    Selection("hydrostatic|sph"));
+  prm.add_parameter("Columns", columns, "Cells of the RVE in x. Units: 1.", Integer(1, 100));
+  prm.add_parameter("Rows", rows, "Cells of the RVE in y. Units: 1.", Integer(1, 100));
+  prm.add_parameter("Tolerance", tolerance,
+                    "Largest unbalanced force on a wall node at equilibrium, over turgor * node spacing * depth. "
+                    "Units: 1.",
+                    Double(1e-13, 1e-1));
+  prm.add_parameter("Max iterations", max_iterations,
+                    "Newton iterations after which one search for equilibrium gives up. Units: 1.",
+                    Integer(1, 100000));
+  prm.add_parameter("Window tau_0", window,
+                    "Time over which the virial stress is averaged (Eq. 3.17), where the rule runs dynamics. Units: s.",
+                    Double(0., 1.));
+  prm.add_parameter("Burst length", burst, "Time a constrained-runs burst lasts. Units: s.", Double(0., 1.));
+  prm.add_parameter("Seed", seed, "Of the fluid particles' disorder. Units: 1.", Integer(0, 2147483647));
+  prm.leave_subsection();
+  prm.enter_subsection("Cell");
+  cell.add_parameters(prm);
+  prm.leave_subsection();
+}
+} // namespace turgor

@@ -1,0 +1,31 @@
+// The user's entries for an RVE: subsections "RVE" (rule, fluid, size, accuracy) and "Cell"
+// (micro/cells/parenchyma.h). Declared once, used by every scene that has RVEs.
+#pragma once
+
+#include "micro/cells/parenchyma.h"
+
+#include <string>
+
+namespace dealii
+{
+class ParameterHandler;
+}
+
+namespace turgor
+{
+struct RveParameters
+{
+  std::string rule = "elastic_equilibrium"; ///< cauchy_born | elastic_equilibrium | constrained_runs
+  std::string fluid = "hydrostatic";        ///< hydrostatic | sph
+  unsigned int columns = 1, rows = 1;       ///< cells in the RVE
+  double tolerance = 1e-9;                  ///< largest unbalanced force / (turgor * spacing * depth)
+  unsigned int max_iterations = 300;        ///< Newton iterations of one call
+  double window = 1e-6;                     ///< s, tau_0 of the averaged virial stress (Eq. 3.17)
+  double burst = 2e-6;                      ///< s, length of a constrained-runs burst
+  unsigned int seed = 1;                    ///< of the particles' disorder
+  ParenchymaParameters cell;
+
+  /// Declares subsections "RVE" and "Cell" in the current subsection of prm.
+  void add_parameters(dealii::ParameterHandler &prm);
+};
+} // namespace turgor
