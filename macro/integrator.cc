@@ -2,6 +2,7 @@
 
 #include "macro/binary.h"
 #include "macro/central_differences.h"
+#include "macro/dormand_prince.h"
 
 namespace turgor
 {
@@ -126,6 +127,8 @@ void Integrator<dim>::load(std::istream &in)
 template <int dim>
 std::unique_ptr<Integrator<dim>> make_integrator(TissueOperator<dim> &op, const TissueParameters<dim> &parameters)
 {
+  if (parameters.integrator == "dormand_prince")
+    return std::make_unique<DormandPrince<dim>>(op, parameters);
   return std::make_unique<CentralDifferences<dim>>(op, parameters);
 }
 
