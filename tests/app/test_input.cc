@@ -1,0 +1,127 @@
+// Input files: the parser, and the sentence for each kind of mistake.
+#include "app/declared_entries.h"
+#include "app/input.h"
+#include "app/nearest_name.h"
+#include "app/prm_text.h"
+#include "tests/app/temporary_directory.h"
+#include "tests/app/tiny_scene.h"
+
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+
+using namespace turgor;
+using namespace turgor::test;
+
+BOOST_AUTO_TEST_SUITE(input_file)
+
+namespace
+{
+Input load(const std::string &text, const std::vector<std::string> &overrides = {})
+{
+  const TemporaryDirectory directory;
+  set_content(directory / "in.prm", text);
+  return load_input(directory / "in.prm", overrides, tiny_registry());
+}
+
+struct Mistake
+{
+  std::string text, message;
+};
+
+std::ostream &operator<<(std::ostream &out, const Mistake &mistake)
+{
+  return out << mistake.message;
+}
+
+const std::vector<Mistake> mistakes = {
+  {"set Scenario = tiny\nset Stepz = 3\n", "in.prm, line 2: there is no entry 'Stepz' in the top level. Did you mean 'Steps'?"},
+  {"set Scenario = tiny\nset Rate = 3\n", "line 2: there is no entry 'Rate' in the top level. Did you mean 'Law/Rate'?"},
+  {"set Scenario = tiny\nsubsection Lav\nend\n", "line 2: there is no subsection 'Lav' in the top level. Did you mean 'Law'?"},
+  {"set Scenario = tiny\nset Steps = 0\n", "'Steps' = '0' is not allowed; allowed: a whole number from 1 to 100000."},
+  {"set Scenario = tiny\nset Steps = 2.5\n", "'Steps' = '2.5' is not allowed; allowed: a whole number"},
+  {"set Scenario = tiny\nset Mode = decai\n", "allowed: one of decay, diverge, refuse. Did you mean 'decay'?"},
+  {"set Scenario = tiny\nsubsection Law\n\n  set Rate = -1\nend", "line 4: 'Law/Rate' = '-1' is not allowed; allowed: a finite number from 0 to 1000."},
+  {"set Scenario = tiny\nsubsection Law\nset Rate = nan\nend", "line 3: 'Law/Rate' = 'nan' is not allowed; allowed: a finite number"},
+  {"set Scenario = tiny\nsubsection Law\nset Rate = -Inf\nend", "'-Inf' is not allowed; allowed: a finite number"},
+  {"set Scenario = tiny\nsubsection Law\nset Rate = 1e999\nend", "'1e999' is not allowed; allowed: a finite number"},
+  {"set Scenario = tiny\nsubsection Law\nset Rate = 1 mm\nend", "'1 mm' is not allowed; allowed: a finite number"},
+  {"set Scenario = tiny\nsubsection Law\nset Rate =\nend", "'Law/Rate' = '' is not allowed"},
+  {"set Scenario = tiny\nsubsection Law\nset Weights = 1, nan\nend", "allowed: a list, each entry a finite number from 0 to 1; 1 to 3 entries"},
+  {"set Scenario = tiny\nset Steps = 3\nset Steps = 4\n", "line 3: 'Steps' is set a second time (first: "},
+  {"set Scenario = tiny\nSteps = 3\n", "line 2: 'Steps = 3' is not understood"},
+  {"set Scenario = tiny\nset Steps 3\n", "line 2: 'set Steps 3' is not understood; write 'set NAME = VALUE'"},
+  {"set Scenario = tiny\nsubsection Law\n", "line 2: subsection 'Law' is never closed"},
+  {"set Scenario = tiny\nend\n", "line 2: this 'end' closes no subsection"},
+  {"set Steps = 3\n", "the entry 'Scenario' is missing"},
+  {"set Scenari = tiny\n", "line 1: there is no entry 'Scenari' in the top level. Did you mean 'Scenario'?"},
+  {"set Scenario = tyny\n", "line 1: there is no scenario 'tyny'. Did you mean 'tiny'?"},
+  {"set Scenario = tiny\nsubsection Law\nset Rate = 900\nend", "in.prm: 'Law/Rate' = 900"},
+};
+} // namespace
+
+BOOST_DATA_TEST_CASE(mistake, boost::unit_test::data::make(mistakes))
+{
+  BOOST_CHECK_EXCEPTION(load(sample.text), InputError, ([&](const InputError &problem) {
+                          BOOST_TEST_MESSAGE(problem.what());
+                          return Says{sample.message}(problem);
+                        }));
+}
+
+BOOST_AUTO_TEST_CASE(missing_file_directory_and_binary)
+{
+  const TemporaryDirectory directory;
+  BOOST_CHECK_EXCEPTION(load_input(directory / "no.prm", {}, tiny_registry()), InputError, Says{"There is no input file"});
+  BOOST_CHECK_EXCEPTION(load_input(directory.path, {}, tiny_registry()), InputError, Says{"it is a directory"});
+  set_content(directory / "b.prm", std::string("a\0b", 3));
+  BOOST_CHECK_EXCEPTION(load_input(directory / "b.prm", {}, tiny_registry()), InputError, Says{"is not a text file"});
+}
+
+BOOST_AUTO_TEST_CASE(comments_continuation_and_order)
+{
+  const PrmText text = parse_prm("# c\n set A B = 1 \\\n 2 # c\nsubsection S s # c\n  subsection T\nset x = a=b\nend\nend\n", "f");
+  BOOST_REQUIRE(text.settings.size() == 2u);
+  BOOST_TEST(text.settings[0].name == "A B");
+  BOOST_TEST(text.settings[0].value == "1 2");
+  BOOST_TEST(text.settings[1].path() == "S s/T/x");
+  BOOST_TEST(text.settings[1].value == "a=b");
+  BOOST_TEST(text.settings[1].where == "f, line 6");
+}
+
+BOOST_AUTO_TEST_CASE(overrides_win_and_are_checked)
+{
+  const std::string text = "set Scenario = tiny\nsubsection Law\nset Rate = 7\nend\n";
+  const Input input = load(text, {"Law/Rate = 9", "Steps=3"});
+  BOOST_TEST(input.text.find("set Rate = 9") != std::string::npos);
+  BOOST_TEST(input.text.find("set Steps = 3") != std::string::npos);
+  BOOST_CHECK_EXCEPTION(load(text, {"Law/Rate=-9"}), InputError, Says{"--set 'Law/Rate=-9': 'Law/Rate' = '-9' is not allowed"});
+  BOOST_CHECK_EXCEPTION(load(text, {"Law/Rat=9"}), InputError, Says{"Did you mean 'Rate'?"});
+  BOOST_CHECK_EXCEPTION(load(text, {"Lew/Rate=9"}), InputError, Says{"Did you mean 'Law'?"});
+  BOOST_CHECK_EXCEPTION(load(text, {"Rate"}), InputError, Says{"write --set 'Section/Name=value'"});
+}
+
+BOOST_AUTO_TEST_CASE(hash_names_the_values_not_the_spelling)
+{
+  const std::string hash = load("set Scenario = tiny\nsubsection Law\nset Rate = 100\nend\n").hash;
+  BOOST_TEST(load("# comment\nset Scenario = tiny\n").hash == hash); // 100 is the default
+  BOOST_TEST(load("set Scenario = tiny\n", {"Law/Rate=1.0e2"}).hash == hash);
+  BOOST_TEST(load("set Scenario = tiny\n", {"Law/Rate=101"}).hash != hash);
+}
+
+BOOST_AUTO_TEST_CASE(printed_parameters_are_an_input)
+{
+  const std::string text = parameters_text("tiny", tiny_registry());
+  BOOST_TEST(text.find("# Decay rate. Units: 1/s. Allowed: a finite number from 0 to 1000.") != std::string::npos);
+  BOOST_TEST(load(text).hash == load("set Scenario = tiny\n").hash);
+  BOOST_CHECK_EXCEPTION(parameters_text("tinny", tiny_registry()), InputError, Says{"Did you mean 'tiny'?"});
+}
+
+BOOST_AUTO_TEST_CASE(edit_distance_by_hand)
+{
+  BOOST_TEST(edit_distance("", "abc") == 3u);
+  BOOST_TEST(edit_distance("kitten", "sitting") == 3u);
+  BOOST_TEST(edit_distance("Turgor", "turgor") == 0u);
+  BOOST_TEST(nearest_name("Turgr", {"Depth", "Turgor", "Period"}) == "Turgor");
+  BOOST_TEST(nearest_name("xyzzy", {"Depth", "Turgor"}) == "");
+}
+
+BOOST_AUTO_TEST_SUITE_END()

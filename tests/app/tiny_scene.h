@@ -1,0 +1,97 @@
+// A scene for the tests of the machinery: x' = -rate x by explicit Euler, with a series, a
+// field-free checkpoint every ten steps and, if asked, a wish to stop or a divergence.
+#pragma once
+
+#include "app/input.h"
+#include "micro/io/run_context.h"
+#include "micro/io/stop_flag.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <istream>
+#include <limits>
+#include <ostream>
+
+namespace turgor::test
+{
+class TinyScene : public Scenario
+{
+public:
+  static inline int stop_at_step = -1; ///< what a person at the keyboard would do
+
+  std::string description() const override { return "Decay of one number."; }
+
+  void declare_parameters(dealii::ParameterHandler &prm) override
+  {
+    using namespace dealii::Patterns;
+    prm.add_parameter("Steps", steps, "Number of steps.", Integer(1, 100000));
+    prm.add_parameter("Mode", mode, "What happens in the middle.", Selection("decay|diverge|refuse"));
+    prm.enter_subsection("Law");
+    prm.add_parameter("Rate", rate, "Decay rate. Units: 1/s.", Double(0., 1e3));
+    prm.add_parameter("Weights", weights, "Weights.", List(Double(0., 1.), 1, 3));
+    prm.leave_subsection();
+  }
+
+  void check() const override
+  {
+    if (rate * 1e-3 > 0.5)
+      throw InputError("'Law/Rate' = " + std::to_string(rate) + " is too fast for the step; allowed: up to 500.");
+  }
+
+  void run(RunContext &context) override
+  {
+    if (mode == "refuse")
+      throw InputError("'Mode' = refuse is refused.");
+    double x = 1.;
+    unsigned int step = 0;
+    context.load_checkpoint([&](std::istream &in) {
+      in.read(reinterpret_cast<char *>(&x), sizeof(x));
+      in.read(reinterpret_cast<char *>(&step), sizeof(step));
+    });
+    const auto save = [&] {
+      context.save_checkpoint([&](std::ostream &out) {
+        out.write(reinterpret_cast<const char *>(&x), sizeof(x));
+        out.write(reinterpret_cast<const char *>(&step), sizeof(step));
+      });
+    };
+    context.active({"decay"}, {"x"});
+    const auto series = context.series("series", {{"time", "s"}, {"x", ""}});
+    for (; step < steps; ++step)
+      {
+        if (static_cast<int>(step) == stop_at_step)
+          request_stop();
+        if (context.stop_requested())
+          {
+            save();
+            throw RunStopped("Stopped at step " + std::to_string(step) + ".");
+          }
+        if (mode == "diverge" && step == steps / 2)
+          x = std::numeric_limits<double>::quiet_NaN();
+        x -= 1e-3 * rate * x;
+        series->add_row({1e-3 * (step + 1.), x});
+        context.progress((step + 1.) / steps, "decay");
+        if (step % 10 == 9)
+          {
+            ++step;
+            save();
+            --step;
+          }
+      }
+    context.result("x", x, "1");
+    context.note("scheme", "explicit Euler");
+  }
+
+private:
+  unsigned int steps = 25;
+  std::string mode = "decay";
+  double rate = 100.;
+  std::vector<double> weights = {0.5};
+};
+
+inline ScenarioRegistry tiny_registry()
+{
+  return {{"tiny"}, [](const std::string &name) -> std::unique_ptr<Scenario> {
+            return name == "tiny" ? std::make_unique<TinyScene>() : nullptr;
+          }};
+}
+} // namespace turgor::test
