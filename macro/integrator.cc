@@ -86,6 +86,20 @@ void Integrator<dim>::start()
 }
 
 template <int dim>
+void Integrator<dim>::place(const std::vector<double> &u, const std::vector<double> &v)
+{
+  if (!op.evaluate(state.time, 0., u, v))
+    throw TissueFailed(op.failure(), state.time, 0., 0);
+  state.u = u;
+  state.v = v;
+  accept(state.time);
+  op.law().commit();
+  if (parameters.estimate_every > 0)
+    stability.estimate(state.time, state.u, state.v);
+  since_estimate = 0;
+}
+
+template <int dim>
 void Integrator<dim>::accept(double time)
 {
   op.acceleration(state.a);

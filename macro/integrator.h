@@ -38,6 +38,10 @@ public:
   /// Stress and acceleration of the state at rest at t = 0; throws TissueFailed.
   void start();
 
+  /// Puts the tissue into another state (m, m/s) at its present time, e.g. the static one, and commits the law there;
+  /// throws TissueFailed.
+  void place(const std::vector<double> &u, const std::vector<double> &v);
+
   /// One accepted step, committed, not beyond `limit` (s). Throws TissueFailed; the state is then as before.
   virtual void step(double limit) = 0;
 

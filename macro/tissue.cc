@@ -26,6 +26,14 @@ bool Tissue<dim>::advance_to(double end, const std::function<bool(double, unsign
 }
 
 template <int dim>
+StaticAnswer<dim> Tissue<dim>::settle(const StaticSettings &settings)
+{
+  const StaticAnswer<dim> answer = static_equilibrium(op, integrator->state.u, settings);
+  integrator->place(answer.u, std::vector<double>(op.size(), 0.));
+  return answer;
+}
+
+template <int dim>
 std::vector<Tensor<1, dim>> Tissue<dim>::interpolate(const Probe &probe, const std::vector<double> &values) const
 {
   std::vector<Tensor<1, dim>> result(probe.node.size() / std::max(1u, probe.nodes_per_point));

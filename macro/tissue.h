@@ -9,6 +9,7 @@
 #pragma once
 
 #include "macro/integrator.h"
+#include "macro/static_equilibrium.h"
 
 #include <functional>
 
@@ -51,6 +52,10 @@ public:
   /// Steps until exactly `end` (s); after each accepted step calls after_step(time in s, step number), which
   /// returns false to stop early. Returns false if stopped.
   bool advance_to(double end, const std::function<bool(double time, unsigned long step)> &after_step = {});
+
+  /// The tissue at rest in its static state under the loads, by Newton from the present displacement
+  /// (static_equilibrium.h: needs tangents, throws as that does). The time stays.
+  StaticAnswer<dim> settle(const StaticSettings &settings = StaticSettings());
 
   double time() const { return integrator->state.time; }
   unsigned long steps() const { return integrator->counters.steps; }
