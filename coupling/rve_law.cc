@@ -320,6 +320,9 @@ void RveLaw<dim>::save(std::ostream &out) const
   ByteWriter head;
   head.put(static_cast<std::uint64_t>(texts.size()));
   head.put(m.statistics);
+  head.put(m.pressure.data(), m.pressure.size());
+  for (const Tensor2<dim> &sigma : m.sigma)
+    head.put(sigma.data(), dim * dim);
   for (const std::string &t : texts)
   {
     head.put(static_cast<std::uint64_t>(t.size()));
@@ -347,6 +350,9 @@ void RveLaw<dim>::load(std::istream &in)
     throw std::runtime_error("The checkpoint holds " + std::to_string(n) + " RVEs, the tissue has " +
                              std::to_string(m.points.size()) + ".");
   m.statistics = reader.get<RveLawStatistics>();
+  reader.get(m.pressure.data(), n);
+  for (Tensor2<dim> &sigma : m.sigma)
+    reader.get(sigma.data(), dim * dim);
   for (std::size_t p = 0; p < n; ++p)
   {
     const auto size = reader.get<std::uint64_t>();

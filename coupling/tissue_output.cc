@@ -1,0 +1,120 @@
+#include "coupling/tissue_output.h"
+
+#include <algorithm>
+#include <array>
+
+namespace turgor
+{
+using dealii::Point;
+using dealii::Tensor;
+
+FieldFrame tissue_frame(const Tissue<2> &tissue, const RveLaw<2> &law)
+{
+  TissueFields fields = tissue.fields();
+  FieldFrame frame;
+  frame.time = tissue.time();
+  frame.points = fields.points;
+  for (std::size_t i = 0; i < frame.points.size(); ++i)
+    frame.points[i] += fields.displacement[i];
+  frame.cells = std::move(fields.cells);
+  frame.nodes_per_cell = fields.nodes_per_cell;
+
+  const TissueMesh<2> &mesh = tissue.mesh();
+  std::vector<double> fluid;
+  for (const unsigned int element : mesh.picture_element)
+  {
+    double sum = 0., weight = 0.;
+    for (unsigned int q = element * mesh.gauss_points; q < (element + 1) * mesh.gauss_points; ++q)
+    {
+      sum += mesh.gauss_weight[q] * law.pressure()[q];
+      weight += mesh.gauss_weight[q];
+    }
+    fluid.push_back(sum / weight);
+  }
+  frame.fields.push_back({"displacement [m]", 3, std::move(fields.displacement), false});
+  frame.fields.push_back({"velocity [m/s]", 3, std::move(fields.velocity), false});
+  frame.fields.push_back({"stress [Pa]", 9, std::move(fields.stress), true});
+  frame.fields.push_back({"pressure [Pa]", 1, std::move(fields.pressure), true});
+  frame.fields.push_back({"fluid pressure [Pa]", 1, std::move(fluid), true});
+  return frame;
+}
+
+void write_cell_displacement(RunContext &context, const Tissue<2> &tissue, unsigned int cells, double period,
+                             unsigned int samples)
+{
+  std::vector<Point<2>> points;
+  for (unsigned int j = 0; j < cells; ++j)
+    for (unsigned int i = 0; i < cells; ++i)
+      for (unsigned int b = 0; b < samples; ++b)
+        for (unsigned int a = 0; a < samples; ++a)
+          points.emplace_back((i + (a + 0.5) / samples) * period, (j + (b + 0.5) / samples) * period);
+  const std::vector<Tensor<1, 2>> u = tissue.displacement_at(points);
+
+  const auto table = context.series("cell_displacement",
+                                    {{"cell_x", "1"}, {"cell_y", "1"}, {"displacement_x", "m"}, {"displacement_y", "m"}});
+  const std::size_t per_cell = std::size_t(samples) * samples;
+  for (unsigned int j = 0; j < cells; ++j)
+    for (unsigned int i = 0; i < cells; ++i)
+    {
+      Tensor<1, 2> mean;
+      for (std::size_t k = 0; k < per_cell; ++k)
+        mean += u[(std::size_t(j) * cells + i) * per_cell + k];
+      mean /= static_cast<double>(per_cell);
+      table->add_row({double(i), double(j), mean[0], mean[1]});
+    }
+}
+
+void write_rve_outlines(RunContext &context, const Tissue<2> &tissue, const RveLaw<2> &law, const Rve<2> &rve,
+                        unsigned int how_many, double width)
+{
+  // Where bending shows most first: at the clamp, above and below, then the free end.
+  static constexpr std::array<std::array<double, 2>, 9> places = {{{0.03, 0.97},
+                                                                  {0.97, 0.50},
+                                                                  {0.03, 0.03},
+                                                                  {0.50, 0.97},
+                                                                  {0.03, 0.50},
+                                                                  {0.50, 0.03},
+                                                                  {0.97, 0.97},
+                                                                  {0.97, 0.03},
+                                                                  {0.50, 0.50}}};
+  const std::vector<Point<2>> &points = tissue.quadrature_points();
+  std::vector<std::size_t> chosen;
+  for (const auto &place : places)
+  {
+    if (chosen.size() == how_many)
+      break;
+    const Point<2> target(place[0] * width, place[1] * width);
+    std::size_t nearest = 0;
+    for (std::size_t p = 1; p < points.size(); ++p)
+      if (points[p].distance_square(target) < points[nearest].distance_square(target))
+        nearest = p;
+    if (std::find(chosen.begin(), chosen.end(), nearest) == chosen.end())
+      chosen.push_back(nearest);
+  }
+  const std::vector<RveState<2>> states = law.states(chosen);
+
+  const auto table = context.series("rve_outlines", {{"rve", "1"},
+                                                     {"ring", "1"},
+                                                     {"point_x", "m"},
+                                                     {"point_y", "m"},
+                                                     {"F_xx", "1"},
+                                                     {"F_xy", "1"},
+                                                     {"F_yx", "1"},
+                                                     {"F_yy", "1"},
+                                                     {"period_x", "m"},
+                                                     {"period_y", "m"},
+                                                     {"pressure", "Pa"},
+                                                     {"x", "m"},
+                                                     {"y", "m"}});
+  for (std::size_t k = 0; k < chosen.size(); ++k)
+  {
+    const RveState<2> &state = states[k];
+    const Point<2> at = points[chosen[k]] + tissue.displacement_at(points[chosen[k]]);
+    const auto rings = rve.outlines(state);
+    for (std::size_t ring = 0; ring < rings.size(); ++ring)
+      for (const Vector<2> &x : rings[ring])
+        table->add_row({double(chosen[k]), double(ring), at[0], at[1], state.F(0, 0), state.F(0, 1), state.F(1, 0),
+                        state.F(1, 1), rve.lattice()(0, 0), rve.lattice()(1, 1), law.pressure()[chosen[k]], x[0], x[1]});
+  }
+}
+} // namespace turgor

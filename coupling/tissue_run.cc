@@ -1,0 +1,242 @@
+#include "coupling/tissue_run.h"
+
+#include "coupling/oscillation.h"
+#include "coupling/tissue_output.h"
+#include "macro/binary.h"
+#include "macro/tissue.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <optional>
+
+namespace turgor
+{
+namespace
+{
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double process_cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+// What the loop itself must remember over a checkpoint.
+struct Memory
+{
+  unsigned long frames = 0; // written so far; the next one is due at frames * output_interval
+  Oscillation swing;        // of the probe, downwards
+  double cpu_seconds = 0.;  // before the resume, all ranks
+  double wall_seconds = 0.;
+};
+
+class Run
+{
+public:
+  Run(RunContext &context_, const TissueRunSettings &settings_, const std::shared_ptr<const Rve<2>> &rve_)
+    : context(context_)
+    , settings(settings_)
+    , rve(*rve_)
+    , law(rve_, settings_.law)
+    , tissue(settings_.tissue, law)
+    , tip(tissue.probe({dealii::Point<2>(settings_.tissue.size[0], 0.5 * settings_.tissue.size[1])}))
+  {}
+
+  void go();
+
+private:
+  RunContext &context;
+  const TissueRunSettings &settings;
+  const Rve<2> &rve;
+  RveLaw<2> law;
+  Tissue<2> tissue;
+  const Probe tip;
+  Memory memory;
+  std::unique_ptr<Series> probe_series, energy_series, cost_series;
+  std::optional<FieldFile> fields;
+  RveLawStatistics before; // at the last row of cost.csv
+  const Clock::time_point started = Clock::now();
+  const double cpu_at_start = process_cpu_seconds();
+
+  void checkpoint();
+  void probe_row();
+  void frame();
+  void results();
+  double frame_time(unsigned long n) const
+  {
+    const double end = settings.tissue.end_time, t = static_cast<double>(n) * settings.tissue.output_interval;
+    return t < end * (1. - 1e-9) ? t : end; // rounding must not leave a sliver of a last step
+  }
+};
+
+void Run::checkpoint()
+{
+  Memory now = memory;
+  now.cpu_seconds += law.shares().sum(process_cpu_seconds() - cpu_at_start);
+  now.wall_seconds += seconds_since(started);
+  context.save_checkpoint([&](std::ostream &out) {
+    write_binary(out, now);
+    tissue.save(out);
+  });
+}
+
+void Run::probe_row()
+{
+  const dealii::Tensor<1, 2> u = tissue.displacement_at(tip).front();
+  probe_series->add_row({tissue.time(), u[0], u[1]});
+  memory.swing.add(tissue.time(), -u[1]);
+  const TissueEnergies e = tissue.energies();
+  energy_series->add_row({tissue.time(), e.kinetic, e.internal, e.external_work, e.balance()});
+  const RveLawStatistics &s = law.statistics();
+  const double calls = static_cast<double>(s.calls - before.calls);
+  cost_series->add_row({tissue.time(), tissue.last_step(), calls,
+                        calls > 0. ? static_cast<double>(s.iterations - before.iterations) / calls : 0.,
+                        double(s.max_iterations), double(s.failed_calls - before.failed_calls),
+                        double(s.skipped_calls - before.skipped_calls), s.rve_cpu_seconds - before.rve_cpu_seconds,
+                        s.imbalance});
+  before = s;
+}
+
+void Run::frame()
+{
+  if (fields)
+    fields->write(tissue_frame(tissue, law));
+  ++memory.frames;
+}
+
+void Run::results()
+{
+  const dealii::Tensor<1, 2> u = tissue.displacement_at(tip).front();
+  context.result("tip_displacement_x", u[0], "m");
+  context.result("tip_displacement_y", u[1], "m");
+  context.result("tip_largest_deflection", memory.swing.maximum().value, "m");
+  if (memory.swing.has_maximum())
+  {
+    context.result("time_of_largest_deflection", memory.swing.maximum().time, "s");
+    // A damped swing is at its maximum after half a period; the return is the better measure where it was reached.
+    context.result("period_from_maximum", 2. * memory.swing.maximum().time, "s");
+  }
+  if (memory.swing.has_return())
+  {
+    context.result("period_from_return", memory.swing.minimum().time, "s");
+    context.result("tip_deflection_at_return", memory.swing.minimum().value, "m");
+  }
+  const TissueEnergies e = tissue.energies();
+  context.result("energy_dissipated", -e.balance(), "J/m");
+
+  const RveLawStatistics &s = law.statistics();
+  const double cpu = memory.cpu_seconds + law.shares().sum(process_cpu_seconds() - cpu_at_start);
+  const double wall = memory.wall_seconds + seconds_since(started);
+  const auto count = [&](const char *name, std::uint64_t n) { context.result(name, static_cast<double>(n), "1"); };
+  count("steps", tissue.steps());
+  count("steps_rejected", tissue.counters().rejected);
+  count("rve_points", tissue.quadrature_points().size());
+  count("rve_calls", s.calls);
+  count("rve_calls_failed", s.failed_calls);
+  context.result("rve_iterations_mean", s.calls > 0 ? double(s.iterations) / double(s.calls) : 0., "1");
+  context.result("rve_iterations_max", s.max_iterations, "1");
+  context.result("rve_residual_max", s.max_residual, "1");
+  if (s.max_stress_spread > 0.)
+    context.result("rve_stress_spread_max", s.max_stress_spread, "Pa");
+  if (settings.law.skip_tolerance > 0.)
+  {
+    count("rve_calls_skipped", s.skipped_calls);
+    count("rve_calls_sampled", s.sampled_calls);
+    context.result("skip_error_rms", s.sampled_calls > 0 ? std::sqrt(s.skip_error_square / double(s.sampled_calls)) : 0.,
+                   "Pa");
+    context.result("skip_error_max", s.max_skip_error, "Pa");
+  }
+  context.result("rve_cpu_time", s.rve_cpu_seconds, "s");
+  context.result("rve_cpu_time_per_call", s.calls > 0 ? s.rve_cpu_seconds / double(s.calls) : 0., "s");
+  context.result("rve_calls_per_wall_second", double(s.calls) / wall, "1/s");
+  context.result("macro_cpu_time", std::max(0., cpu - s.rve_cpu_seconds), "s");
+  context.result("rve_share_of_cpu_time", cpu > 0. ? std::min(1., s.rve_cpu_seconds / cpu) : 0., "1");
+  if (law.shares().ranks() > 1)
+  {
+    context.result("rank_imbalance", s.imbalance, "1");
+    count("rank_rebalances", s.rebalances);
+  }
+}
+
+void Run::go()
+{
+  const double end = settings.tissue.end_time;
+  probe_series = context.series("probe", {{"time", "s"}, {"displacement_x", "m"}, {"displacement_y", "m"}});
+  energy_series = context.series("energies", {{"time", "s"},
+                                              {"kinetic", "J/m"},
+                                              {"internal", "J/m"},
+                                              {"external_work", "J/m"},
+                                              {"balance", "J/m"}});
+  cost_series = context.series("cost", {{"time", "s"},
+                                        {"step", "s"},
+                                        {"rve_calls", "1"},
+                                        {"iterations_mean", "1"},
+                                        {"iterations_max_so_far", "1"},
+                                        {"failed_calls", "1"},
+                                        {"skipped_calls", "1"},
+                                        {"rve_cpu_time", "s"},
+                                        {"rank_imbalance", "1"}});
+  try
+  {
+    const bool resumed = context.load_checkpoint([&](std::istream &in) {
+      read_binary(in, memory);
+      tissue.load(in);
+    });
+    if (context.is_writer())
+      fields.emplace(context.directory(), "tissue", resumed);
+    if (resumed)
+    {
+      before = law.statistics();
+      context.say("Resumed at t = " + std::to_string(tissue.time() * 1e3) + " ms.");
+    }
+    else
+    {
+      tissue.start();
+      probe_row();
+      frame();
+    }
+
+    Clock::time_point saved = Clock::now();
+    while (tissue.time() < end)
+    {
+      // Steps end on the times of the frames, also after a resume: the same limits, the same bits.
+      tissue.step(frame_time(memory.frames));
+      probe_row();
+      if (tissue.time() >= frame_time(memory.frames))
+        frame();
+      char what[96];
+      std::snprintf(what, sizeof(what), "t = %.4f ms, step %.2e s", tissue.time() * 1e3, tissue.last_step());
+      context.progress(tissue.time() / end, what);
+      if (context.stop_requested()) // agreed by all ranks
+      {
+        checkpoint();
+        throw RunStopped("Stopped at t = " + std::to_string(tissue.time() * 1e3) + " ms.");
+      }
+      // One clock decides for all ranks.
+      if (law.shares().any(context.is_writer() && seconds_since(saved) >= settings.tissue.checkpoint_interval))
+      {
+        checkpoint();
+        saved = Clock::now();
+      }
+    }
+  }
+  catch (const TissueFailed &why)
+  {
+    if (tissue.time() > 0.)
+      checkpoint();
+    throw RunFailed(why.what());
+  }
+  write_cell_displacement(context, tissue, settings.cells, settings.period, settings.cell_samples);
+  write_rve_outlines(context, tissue, law, rve, settings.outlined_rves, settings.tissue.size[0]);
+  results();
+}
+} // namespace
+
+void run_tissue(RunContext &context, const TissueRunSettings &settings, const std::shared_ptr<const Rve<2>> &rve)
+{
+  Run(context, settings, rve).go();
+}
+} // namespace turgor

@@ -1,0 +1,29 @@
+// One FE^2 run from rest to the end time: steps, series, fields, checkpoints, results.
+// A scene decides piece, load and RVE; this does the rest, for a square piece of cells.
+//
+// Writes probe.csv (middle of the right side), energies.csv (J per metre of depth), cost.csv,
+// tissue.xdmf, cell_displacement.csv and rve_outlines.csv. After --resume, all but the
+// measured times has the same bits as in a run that was never stopped.
+#pragma once
+
+#include "coupling/rve_law.h"
+#include "macro/tissue_parameters.h"
+#include "micro/io/run_context.h"
+
+#include <memory>
+
+namespace turgor
+{
+struct TissueRunSettings
+{
+  TissueParameters<2> tissue;      ///< size and load filled in
+  RveLawSettings law;
+  unsigned int cells = 16;         ///< along each side
+  double period = 100e-6;          ///< m, side of a cell
+  unsigned int cell_samples = 5;   ///< points per direction for the mean displacement of a cell
+  unsigned int outlined_rves = 6;
+};
+
+/// Throws RunFailed with place and reason when no shorter step helps (the last good state is saved), RunStopped.
+void run_tissue(RunContext &context, const TissueRunSettings &settings, const std::shared_ptr<const Rve<2>> &rve);
+} // namespace turgor
