@@ -1,8 +1,10 @@
 // The command line:
 //   turgor run FILE.prm [-o DIR] [--set 'Section/Name=value']... [--resume] [--threads N] [--ranks N]
+//   turgor list | parameters SCENARIO | check FILE.prm | study FILE.prm [--list] | plot DIR
 #include "app/plot_command.h"
 #include "app/ranks.h"
 #include "app/run_command.h"
+#include "app/study_runner.h"
 #include "micro/io/run_context.h"
 
 #include <CLI/CLI.hpp>
@@ -51,6 +53,14 @@ int dispatch(int argc, char **argv)
   input_options(check_app);
 
 
+  StudyOptions study;
+  CLI::App *study_app = app.add_subcommand("study", "Run many variants: error against run time");
+  study_app->add_option("FILE", study.file, "Study file (.prm)")->required();
+  study_app->add_option("-o,--output", study.directory, "Output directory (default runs/<name of the file>)");
+  study_app->add_flag("--list", study.list_only, "Only print the runs and what is cached");
+  study_app->add_flag("--fresh", study.fresh, "Compute every run again");
+  study_app->add_option("--only", study.only, "Only the run with this label; may be repeated")->allow_extra_args(false);
+
   std::string plot_directory;
   CLI::App *plot_app = app.add_subcommand("plot", "Pictures of a run, beside its results");
   plot_app->add_option("DIR", plot_directory, "Output directory of a run")->required();
@@ -91,6 +101,8 @@ int dispatch(int argc, char **argv)
     }
   if (check_app->parsed())
     return check_command(run, registry);
+  if (study_app->parsed())
+    return study_command(study, registry);
   if (plot_app->parsed())
     return plot_command(plot_directory);
   throw InputError("The tests are built and run by the launcher: ./turgor test");

@@ -1,0 +1,27 @@
+// A CSV of numbers with one header line, "time [s],tip [m]", read whole.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace turgor
+{
+struct CsvTable
+{
+  std::vector<std::string> names;            ///< without the unit
+  std::vector<std::vector<double>> columns;  ///< columns[c][row]
+
+  std::size_t rows() const { return columns.empty() ? 0 : columns[0].size(); }
+
+  /// By name without unit; throws std::runtime_error naming the file when it is missing.
+  const std::vector<double> &column(const std::string &name) const;
+  std::filesystem::path file;
+};
+
+/// Throws std::runtime_error with file and line for what is not a number.
+CsvTable read_csv(const std::filesystem::path &file);
+
+/// Quoted where a CSV needs it.
+std::string csv_field(const std::string &text);
+} // namespace turgor

@@ -1,0 +1,34 @@
+// The input of a study:
+//   set Reference = LABEL or DIRECTORY     the run all others are measured against
+//   subsection Run LABEL
+//     set Method = ..., set Settings = ...  for the table
+//     set Input = FILE.prm                  relative to the study file
+//     set Overrides = Sec/Name=value; Sec/Name=value
+//     set Threads = 1
+//   end
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace turgor
+{
+struct StudyRun
+{
+  std::string label, method, settings;
+  std::filesystem::path input;
+  std::vector<std::string> overrides;
+  unsigned int threads = 1;
+};
+
+struct StudyInput
+{
+  std::string reference;                     ///< label of a run; empty when it is a directory
+  std::filesystem::path reference_directory; ///< empty when it is a run
+  std::vector<StudyRun> runs;
+};
+
+/// Throws InputError as for any input file.
+StudyInput load_study(const std::filesystem::path &file);
+} // namespace turgor

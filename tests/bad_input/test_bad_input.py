@@ -1,0 +1,125 @@
+"""Wrong input, through the built program: each case ends with exit code 2, says what is wrong in
+the sentence, and has written nothing.
+
+A case: name, input text (or None), arguments, what the message has to hold. IN is the input
+file, OUT the output directory. Cases of a scene run once the scene is in the program.
+"""
+import os
+import subprocess
+import tempfile
+import unittest
+
+BUILD = os.environ["TURGOR_BUILD"]
+PROGRAM = os.path.join(BUILD, "app", "turgor")
+RUN = ["run", "IN", "-o", "OUT"]
+
+
+def program(arguments, directory):
+    return subprocess.run([PROGRAM] + arguments, cwd=directory, capture_output=True, text=True, timeout=120,
+                          stdin=subprocess.DEVNULL)
+
+
+SCENES = [line for line in program(["list"], ".").stdout.splitlines() if line and not line.startswith(" ")]
+
+
+def defaults(scene):
+    return program(["parameters", scene], ".").stdout
+
+
+def general():
+    """Cases of the command line and the file itself."""
+    some = SCENES[0] if SCENES else "none"
+    head = f"set Scenario = {some}\n"
+    return [
+        ("missing_file", None, ["run", "no_such.prm", "-o", "OUT"], ["There is no input file no_such.prm"]),
+        ("input_is_a_directory", None, ["run", ".", "-o", "OUT"], ["it is a directory"]),
+        ("no_arguments", None, [], ["subcommand is required"]),
+        ("unknown_command", None, ["rum"], ["rum"]),
+        ("unknown_option", head, RUN + ["--thread", "2"], ["--thread"]),
+        ("zero_threads", head, RUN + ["--threads", "0"], ["--threads", "1"]),
+        ("no_scenario", "set Steps = 3\n", RUN, ["the entry 'Scenario' is missing"]),
+        ("unknown_scenario", "set Scenario = tissue_gravitee\n", RUN, ["IN, line 1: there is no scenario 'tissue_gravitee'"]),
+        ("misspelt_scenario_entry", "set Scenaro = x\n", RUN, ["line 1", "Did you mean 'Scenario'?"]),
+        ("unclosed_subsection", head + "subsection A\n", RUN, ["line 2: subsection 'A' is never closed"]),
+        ("end_too_many", head + "end\n", RUN, ["line 2: this 'end' closes no subsection"]),
+        ("not_a_setting", head + "period: 3\n", RUN, ["line 2: 'period: 3' is not understood"]),
+        ("set_twice", head + head, RUN, ["line 2: 'Scenario' is set a second time"]),
+        ("not_text", "\0\0\0", RUN, ["is not a text file"]),
+        ("override_without_value", head, RUN + ["--set", "Rate"], ["write --set 'Section/Name=value'"]),
+        ("plot_without_a_run", None, ["plot", "nowhere"], ["There is no directory nowhere"]),
+        ("parameters_of_unknown_scene", None, ["parameters", "nonsense"], ["There is no scenario 'nonsense'"]),
+        ("check_missing_file", None, ["check", "no.prm"], ["There is no input file no.prm"]),
+        ("study_missing_file", None, ["study", "no.prm"], ["There is no input file no.prm"]),
+    ]
+
+
+def of_every_scene(scene):
+    """Cases that follow from what the scene declares."""
+    head = f"set Scenario = {scene}\n"
+    entries, section = [], []
+    for line in defaults(scene).splitlines():
+        words = line.strip()
+        if words.startswith("subsection "):
+            section.append(words[len("subsection "):])
+        elif words == "end":
+            section.pop()
+        elif words.startswith("# "):
+            comment = (comment + " " if entries and entries[-1] is None else "") + words[2:]
+            entries.append(None)
+        elif words.startswith("set "):
+            entries.append((tuple(section), words[4:].split(" = ")[0].strip(), comment))
+    entries = [e for e in entries if e is not None]
+    cases = [
+        ("unknown_entry", head + "set Xyzzyx = 1\n", RUN, ["IN, line 2: there is no entry 'Xyzzyx' in the top level"]),
+        ("unknown_subsection", head + "subsection Xyzzyx\nend\n", RUN, ["line 2: there is no subsection 'Xyzzyx'"]),
+        ("no_write_permission", head, ["run", "IN", "-o", "/proc/turgor_out"], ["cannot be", "-o DIR"]),
+        ("output_is_a_file", head, ["run", "IN", "-o", "IN"], ["is a file"]),
+    ]
+    numbers = [(path, name) for path, name, comment in entries if "Allowed: a finite number" in comment]
+    if numbers:
+        path, name = numbers[0]
+        where = "/".join(path + (name,))
+        for value in ("nan", "-inf", "1e999", "three", "1 mm"):
+            cases.append((f"number_{value}", head, RUN + ["--set", f"{where}={value}"],
+                          [f"'{where}' = '{value}' is not allowed; allowed: a finite number"]))
+        cases.append(("misspelt_entry", head, RUN + ["--set", f"{where}q=1"], [f"Did you mean '{name}'?"]))
+    return cases
+
+
+# Entry, wrong value, what the message has to hold beside the entry's name.
+BY_SCENE = {}
+
+
+class BadInput(unittest.TestCase):
+    maxDiff = None
+
+    def check(self, text, arguments, fragments):
+        with tempfile.TemporaryDirectory() as directory:
+            if text is not None:
+                with open(os.path.join(directory, "in.prm"), "w", encoding="utf-8") as file:
+                    file.write(text)
+            place = {"IN": "in.prm", "OUT": "out"}
+            before = sorted(os.listdir(directory))
+            done = program([place.get(a, a) for a in arguments], directory)
+            said = done.stdout + done.stderr
+            for fragment in fragments:
+                self.assertIn(fragment.replace("IN", "in.prm"), said)
+            self.assertEqual(done.returncode, 2, said)
+            self.assertEqual(sorted(os.listdir(directory)), before, "something was written")
+
+
+def add(name, case):
+    setattr(BadInput, "test_" + "".join(c if c.isalnum() else "_" for c in name), lambda self: self.check(*case))
+
+
+for case_name, *rest in general():
+    add(case_name, rest)
+for scene_name in SCENES:
+    for case_name, *rest in of_every_scene(scene_name):
+        add(scene_name + "_" + case_name, rest)
+    for entry, value, parts in BY_SCENE.get(scene_name, []):
+        add(f"{scene_name}_{entry}_{value}",
+            [f"set Scenario = {scene_name}\n", RUN + ["--set", f"{entry}={value}"], [entry.split("/")[-1]] + parts])
+
+if __name__ == "__main__":
+    unittest.main()
