@@ -1,0 +1,34 @@
+// A prescribed path of the deformation gradient: keyframes of F over time, linear in between.
+//
+//   "0 : 1, 0; 0, 1 | 1e-4 : 1, 0.1; 0, 1"      time (s) : F_xx, F_xy; F_yx, F_yy | next keyframe
+//
+// F_dot is the slope of the segment that ends at (or contains) the time. In: text. Out: F, F_dot (1/s).
+#pragma once
+
+#include "micro/engine/tensor.h"
+
+#include <string>
+#include <vector>
+
+namespace turgor
+{
+/// "a, b; c, d" as a matrix. Throws InputError naming the entry.
+Tensor2<2> parse_tensor(const std::string &text, const std::string &entry);
+
+class DeformationPath
+{
+public:
+  /// Throws InputError naming the entry for what cannot be read, times that do not rise, det F <= 0.
+  DeformationPath(const std::string &text, const std::string &entry);
+
+  double start() const { return times.front(); } ///< s
+  double end() const { return times.back(); }    ///< s
+  Tensor2<2> F(double time) const;
+  Tensor2<2> F_dot(double time) const;
+
+private:
+  std::size_t segment(double time) const;
+  std::vector<double> times;
+  std::vector<Tensor2<2>> keyframes;
+};
+} // namespace turgor

@@ -1,0 +1,208 @@
+#include "rve/rve_response.h"
+
+#include "micro/io/run_context.h"
+#include "rve/deformation_path.h"
+#include "rve/flat_wall_closed_form.h"
+#include "rve/make_rve.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+#include <utility>
+
+namespace turgor
+{
+namespace
+{
+const char *const component_names[4] = {"xx", "xy", "yx", "yy"};
+
+std::string printed(const Tensor2<2> &F)
+{
+  std::ostringstream out;
+  out << F(0, 0) << ", " << F(0, 1) << "; " << F(1, 0) << ", " << F(1, 1);
+  return out.str();
+}
+
+Tensor2<2> deviator(const Tensor2<2> &s) { return s - 0.5 * s.trace() * Tensor2<2>::Identity(); }
+} // namespace
+
+std::string RveResponse::description() const
+{
+  return "The stress of one RVE along a prescribed path of F(t), or at one F given by hand, beside the closed "
+         "form of flat walls.";
+}
+
+void RveResponse::declare_parameters(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  prm.enter_subsection("Path");
+  prm.add_parameter("Keyframes", path,
+                    "Deformation gradient over time, linear between keyframes: time : xx, xy; yx, yy | time : ... "
+                    "Units: s, 1.",
+                    Anything());
+  prm.add_parameter("Points", points, "Evenly spaced times at which the stress is asked for. Units: 1.",
+                    Integer(2, 1000000));
+  prm.add_parameter("F", F_by_hand,
+                    "One deformation gradient by hand, xx, xy; yx, yy, instead of the path. Units: 1.", Anything());
+  prm.add_parameter("F_dot", F_dot_by_hand,
+                    "Its rate, xx, xy; yx, yy; empty: the slope of the path, or zero where F is given by hand. "
+                    "Units: 1/s.",
+                    Anything());
+  prm.leave_subsection();
+  rve.add_parameters(prm);
+}
+
+void RveResponse::check() const
+{
+  if (!F_dot_by_hand.empty())
+    parse_tensor(F_dot_by_hand, "Path/F_dot");
+  if (F_by_hand.empty())
+    DeformationPath(path, "Path/Keyframes");
+  else if (!(parse_tensor(F_by_hand, "Path/F").determinant() > 0.))
+    throw InputError("Path/F is '" + F_by_hand + "', but its determinant has to be positive.");
+  try
+    {
+      make_parenchyma(rve.cell, rve.columns, rve.rows, true, true);
+    }
+  catch (const std::invalid_argument &wrong)
+    {
+      throw InputError(wrong.what());
+    }
+}
+
+void RveResponse::run(RunContext &context)
+{
+  const std::unique_ptr<Rve<2>> cells = make_rve(rve);
+  const FlatWallClosedForm closed(rve.cell);
+  const std::unique_ptr<Rve<2>::Workspace> workspace = cells->make_workspace();
+
+  std::vector<std::pair<double, std::pair<Tensor2<2>, Tensor2<2>>>> todo; // time, F, F_dot
+  if (!F_by_hand.empty())
+    todo.push_back({0., {parse_tensor(F_by_hand, "Path/F"), Tensor2<2>::Zero()}});
+  else
+    {
+      const DeformationPath way(path, "Path/Keyframes");
+      for (unsigned int i = 0; i < points; ++i)
+        {
+          const double time =
+            i + 1 == points ? way.end() : way.start() + (way.end() - way.start()) * i / (points - 1);
+          todo.push_back({time, {way.F(time), way.F_dot(time)}});
+        }
+    }
+  if (!F_dot_by_hand.empty())
+    for (auto &item : todo)
+      item.second.second = parse_tensor(F_dot_by_hand, "Path/F_dot");
+
+  context.active({"neo_hookean_wall", "wall_bending", "lamella_tie",
+                  rve.fluid == "hydrostatic" ? "hydrostatic_pressure" : "sph_fluid"},
+                 {});
+  std::vector<Column> columns = {{"time", "s"}};
+  for (const auto &[name, unit] : {Column{"F", "1"}, Column{"F_dot", "1/s"}, Column{"sigma", "Pa"}, Column{"P", "Pa"}})
+    for (const char *component : component_names)
+      columns.push_back({name + std::string("_") + component, unit});
+  columns.insert(columns.end(), {{"pressure", "Pa"},
+                                 {"energy", "J/m^3"},
+                                 {"closed_form_applies", "1"},
+                                 {"closed_sigma_xx", "Pa"},
+                                 {"closed_sigma_xy", "Pa"},
+                                 {"closed_sigma_yy", "Pa"},
+                                 {"closed_pressure", "Pa"},
+                                 {"deviatoric_deviation", "Pa"},
+                                 {"stress_spread", "Pa"},
+                                 {"iterations", "1"},
+                                 {"residual", "1"},
+                                 {"cpu_time", "s"}});
+  const std::unique_ptr<Series> table = context.series("stress", columns);
+
+  RveState<2> state = cells->initial_state();
+  double last_time = todo.front().first, cpu = 0., largest_deviation = 0.,
+         largest_pressure_deviation = 0., worst = 0.;
+  long iterations = 0, compared = 0;
+  const double floor = 0.005 * rve.cell.turgor;
+  RveAnswer<2> answer;
+  for (std::size_t i = 0; i < todo.size(); ++i)
+    {
+      const double time = todo[i].first;
+      const auto &[F, F_dot] = todo[i].second;
+      RveRequest request;
+      request.time_since_commit = time - last_time;
+      answer = cells->evaluate(state, F, F_dot, request, *workspace);
+      if (!answer.diagnostics.converged)
+        {
+          std::ostringstream sentence;
+          sentence << "The RVE gives no stress at time " << time << " s, F = " << printed(F) << ": "
+                   << answer.diagnostics.message;
+          throw RunFailed(sentence.str());
+        }
+      state = answer.trial;
+      last_time = time;
+
+      std::vector<double> row = {time};
+      for (const Tensor2<2> &tensor : {F, F_dot, answer.sigma, answer.P})
+        for (int c = 0; c < 4; ++c)
+          row.push_back(tensor(c / 2, c % 2));
+      // The closed form is elastic: it is compared with the stress without the viscous part of F_dot.
+      const bool applies = closed.applies(F);
+      Tensor2<2> exact = Tensor2<2>::Zero();
+      double exact_pressure = 0., deviation = 0.;
+      if (applies)
+        {
+          exact = closed.stress(F);
+          exact_pressure = closed.pressure(F);
+          const Tensor2<2> L = F_dot * F.inverse();
+          const Tensor2<2> viscous =
+            rve.cell.fluid_viscosity * (L + L.transpose() + L.trace() * Tensor2<2>::Identity());
+          deviation = (deviator(answer.sigma - viscous) - deviator(exact)).cwiseAbs().maxCoeff();
+          const double size = deviator(exact).cwiseAbs().maxCoeff();
+          ++compared;
+          largest_deviation = std::max(largest_deviation, deviation);
+          worst = std::max(worst, deviation / std::max(0.01 * size, floor));
+          largest_pressure_deviation =
+            std::max(largest_pressure_deviation, std::abs(answer.pressure - exact_pressure));
+        }
+      row.insert(row.end(),
+                 {answer.pressure, answer.energy, applies ? 1. : 0., exact(0, 0), exact(0, 1), exact(1, 1),
+                  exact_pressure, deviation, answer.diagnostics.stress_spread,
+                  double(answer.diagnostics.iterations), answer.diagnostics.residual,
+                  answer.diagnostics.cpu_seconds});
+      table->add_row(row);
+      cpu += answer.diagnostics.cpu_seconds;
+      iterations += answer.diagnostics.iterations;
+      context.progress(double(i + 1) / double(todo.size()), "stress along the path");
+      if (context.stop_requested())
+        throw RunStopped("Stopped after the stress of " + std::to_string(i + 1) + " of " +
+                         std::to_string(todo.size()) + " points was written.");
+    }
+
+  for (int c = 0; c < 4; ++c)
+    context.result(std::string("final_sigma_") + component_names[c], answer.sigma(c / 2, c % 2), "Pa");
+  context.result("final_pressure", answer.pressure, "Pa");
+  context.result("evaluations", double(todo.size()), "1");
+  context.result("iterations", double(iterations), "1");
+  context.result("cpu_time_per_evaluation", cpu / double(todo.size()), "s");
+  context.result("points_with_closed_form", double(compared), "1");
+  if (compared > 0)
+    {
+      context.result("max_deviatoric_deviation", largest_deviation, "Pa");
+      context.result("max_deviation_over_allowed", worst, "1");
+      context.result("max_pressure_deviation", largest_pressure_deviation, "Pa");
+    }
+  char line[200];
+  std::snprintf(line, sizeof line, "sigma = %.6g, %.6g; %.6g, %.6g kPa at the last point, pressure %.6g kPa",
+                1e-3 * answer.sigma(0, 0), 1e-3 * answer.sigma(0, 1), 1e-3 * answer.sigma(1, 0),
+                1e-3 * answer.sigma(1, 1), 1e-3 * answer.pressure);
+  context.say(line);
+  if (compared > 0)
+    {
+      std::snprintf(line, sizeof line,
+                    "largest deviatoric deviation from the flat-wall closed form %.4g kPa (%.2f of what is allowed)",
+                    1e-3 * largest_deviation, worst);
+      context.say(line);
+    }
+}
+
+std::unique_ptr<Scenario> make_rve_response() { return std::make_unique<RveResponse>(); }
+} // namespace turgor

@@ -1,0 +1,26 @@
+// Scenario rve_response: the stress of one RVE along a prescribed path of F(t), F_dot(t), or
+// at one F given by hand, beside the flat-wall closed form. Writes stress.csv.
+#pragma once
+
+#include "micro/scenarios/scenario.h"
+#include "rve/rve_parameters.h"
+
+namespace turgor
+{
+class RveResponse : public Scenario
+{
+public:
+  std::string description() const override;
+  void declare_parameters(dealii::ParameterHandler &prm) override;
+  void check() const override;
+  void run(RunContext &context) override;
+
+private:
+  RveParameters rve;
+  std::string path = "0 : 1, 0; 0, 1 | 1e-3 : 1, 0.3; 0, 1";
+  std::string F_by_hand, F_dot_by_hand;
+  unsigned int points = 31;
+};
+
+std::unique_ptr<Scenario> make_rve_response();
+} // namespace turgor

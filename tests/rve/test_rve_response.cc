@@ -1,0 +1,119 @@
+// The user's entries: path of F, factory, and the scene against the closed form.
+#include "micro/io/run_context.h"
+#include "rve/deformation_path.h"
+#include "rve/make_rve.h"
+#include "rve/rve_response.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <map>
+
+using namespace turgor;
+
+namespace
+{
+auto says(const std::string &words)
+{
+  return [words](const InputError &e) { return std::string(e.what()).find(words) != std::string::npos; };
+}
+
+// Keeps in memory what a scene writes.
+class Memory : public RunContext
+{
+public:
+  struct Rows : Series
+  {
+    std::vector<std::vector<double>> *rows;
+    void add_row(const std::vector<double> &values) override { rows->push_back(values); }
+  };
+  std::map<std::string, double> results;
+  std::vector<std::vector<double>> rows;
+  std::vector<Column> header;
+  std::filesystem::path where = ".";
+
+  const std::filesystem::path &directory() const override { return where; }
+  unsigned int threads() const override { return 1; }
+  bool is_writer() const override { return true; }
+  void result(const std::string &name, double value, const std::string &) override { results[name] = value; }
+  void note(const std::string &, const std::string &) override {}
+  void active(const std::vector<std::string> &, const std::vector<std::string> &) override {}
+  std::unique_ptr<Series> series(const std::string &, const std::vector<Column> &columns) override
+  {
+    header = columns;
+    auto s = std::make_unique<Rows>();
+    s->rows = &rows;
+    return s;
+  }
+  void progress(double, const std::string &) override {}
+  void say(const std::string &) override {}
+  bool stop_requested() const override { return false; }
+  void save_checkpoint(const std::function<void(std::ostream &)> &) override {}
+  bool load_checkpoint(const std::function<void(std::istream &)> &) override { return false; }
+};
+
+void run(Memory &memory, const std::string &entries)
+{
+  const auto scene = make_rve_response();
+  dealii::ParameterHandler prm;
+  scene->declare_parameters(prm);
+  prm.parse_input_from_string(entries);
+  scene->check();
+  scene->run(memory);
+}
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(rve_response)
+
+BOOST_AUTO_TEST_CASE(path_is_linear_between_keyframes)
+{
+  const DeformationPath path("0 : 1, 0; 0, 1 | 2 : 1, 0.4; 0, 1 | 3 : 1.5, 0.4; 0, 1", "Path/Keyframes");
+  BOOST_TEST(path.F(1.)(0, 1) == 0.2);
+  BOOST_TEST(path.F_dot(1.)(0, 1) == 0.2);
+  BOOST_TEST(path.F(2.)(0, 1) == 0.4);
+  BOOST_TEST(path.F_dot(2.)(0, 1) == 0.2); // the segment that ends there
+  BOOST_TEST(path.F(2.5)(0, 0) == 1.25);
+  BOOST_TEST(path.F_dot(2.5)(0, 0) == 0.5);
+  BOOST_TEST(path.F(3.)(0, 0) == 1.5);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_paths_are_named)
+{
+  const auto path = [](const std::string &text) { DeformationPath(text, "Path/Keyframes"); };
+  BOOST_CHECK_EXCEPTION(path("0 : 1, 0; 0, 1"), InputError, says("at least two"));
+  BOOST_CHECK_EXCEPTION(path("0 : 1, 0; 0, 1 | 0 : 1, 0; 0, 1"), InputError, says("times have to rise"));
+  BOOST_CHECK_EXCEPTION(path("0 : 1, 0; 0, 1 | 1 : 1, 0; 0, -1"), InputError, says("det F has to be positive"));
+  BOOST_CHECK_EXCEPTION(path("0 : 1, 0, 0, 1 | 1 : 1, 0; 0, 1"), InputError, says("xx, xy; yx, yy"));
+  BOOST_CHECK_EXCEPTION(path("0 : 1, nan; 0, 1 | 1 : 1, 0; 0, 1"), InputError, says("finite number"));
+  Memory memory;
+  BOOST_CHECK_EXCEPTION(run(memory, "subsection Path\nset F = 1, 0; 0, -1\nend\n"), InputError,
+                        says("determinant has to be positive"));
+  BOOST_TEST(memory.rows.empty());
+}
+
+BOOST_AUTO_TEST_CASE(factory_refuses_what_does_not_exist)
+{
+  RveParameters p;
+  p.rule = "constrained_runs";
+  BOOST_CHECK_EXCEPTION(make_rve(p), InputError, says("RVE/Rule"));
+  p = {};
+  p.cell.depth = -1.;
+  BOOST_CHECK_EXCEPTION(make_rve(p), InputError, says("Cell/Depth"));
+}
+
+BOOST_AUTO_TEST_CASE(scene_agrees_with_the_closed_form)
+{
+  Memory memory;
+  run(memory, "subsection Path\nset F = 1, 0.05; 0, 1\nend\n");
+  BOOST_TEST(memory.rows.size() == 1u);
+  BOOST_TEST(memory.rows[0].size() == memory.header.size());
+  BOOST_TEST(std::abs(memory.results["final_sigma_xy"] - 10.47e3) < 0.01 * 10.47e3);
+  BOOST_TEST(memory.results["max_deviation_over_allowed"] < 1.);
+  Memory path;
+  run(path, "subsection Path\nset Points = 5\nend\n");
+  BOOST_TEST(path.rows.size() == 5u);
+  BOOST_TEST(std::abs(path.results["final_sigma_xy"] - 150.6e3) < 0.01 * 150.6e3);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
