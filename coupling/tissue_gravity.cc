@@ -1,0 +1,83 @@
+#include "coupling/tissue_gravity.h"
+
+#include "rve/make_rve.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <cmath>
+
+namespace turgor
+{
+namespace Patterns = dealii::Patterns;
+
+TissueGravity::TissueGravity()
+{
+  rve_parameters.cell.fluid_viscosity = 1.; // at water's nothing damps within a period
+}
+
+std::string TissueGravity::description() const
+{
+  return "A square piece of plant tissue, clamped at its left side, bends under a body force (thesis 3.4.3). "
+         "Two scales: finite elements whose stress comes from RVEs of cells.";
+}
+
+void TissueGravity::declare_parameters(dealii::ParameterHandler &prm)
+{
+  prm.enter_subsection("Tissue gravity");
+  prm.add_parameter("Cells", settings.cells,
+                    "Cells along each side of the square; its width is W = Cells * Cell/Period. Units: 1.",
+                    Patterns::Integer(1, 100000));
+  prm.add_parameter("Load", load,
+                    "Body force as the stress rho b W it would make at the clamp if spread evenly; acts downwards from "
+                    "t = 0. Units: Pa.",
+                    Patterns::Double(0., 1e9));
+  prm.add_parameter("Cell samples", settings.cell_samples,
+                    "Points per direction over which the displacement of a cell is averaged. Units: 1.",
+                    Patterns::Integer(1, 100));
+  prm.add_parameter("Outlined RVEs", settings.outlined_rves,
+                    "RVEs whose cells are written at the end, for the picture. Units: 1.", Patterns::Integer(0, 9));
+  prm.add_parameter("Steps between rebalances", settings.law.rebalance_every,
+                    "With several MPI ranks: steps between two looks at which rank computes which RVE; 0 = never. "
+                    "The results do not depend on it. Units: 1.",
+                    Patterns::Integer(0, 1000000));
+  prm.leave_subsection();
+  settings.tissue.declare(prm, false);
+  rve_parameters.add_parameters(prm);
+}
+
+void TissueGravity::check() const
+{
+  try
+  {
+    settings.tissue.check();
+  }
+  catch (const std::invalid_argument &e)
+  {
+    throw InputError(e.what());
+  }
+  (void)make_rve(rve_parameters);
+}
+
+void TissueGravity::run(RunContext &context)
+{
+  const std::shared_ptr<const Rve<2>> rve = make_rve(rve_parameters);
+  settings.period = rve_parameters.cell.period;
+  const double width = settings.cells * settings.period;
+  settings.tissue.size = {{width, width}};
+  settings.tissue.body_force = dealii::Tensor<1, 2>();
+  settings.tissue.body_force[1] = -load / (rve->density() * width);
+  settings.law.threads = context.threads();
+
+  context.result("width", width, "m");
+  context.result("density", rve->density(), "kg/m^3");
+  context.result("body_force", settings.tissue.body_force.norm(), "N/kg");
+  context.note("rve", rve_parameters.rule + ", " + rve_parameters.fluid + " fluid, " +
+                        std::to_string(rve_parameters.columns) + " x " + std::to_string(rve_parameters.rows) + " cells");
+  run_tissue(context, settings, rve);
+}
+
+std::unique_ptr<Scenario> make_tissue_gravity()
+{
+  return std::make_unique<TissueGravity>();
+}
+} // namespace turgor

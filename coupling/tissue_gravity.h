@@ -1,0 +1,33 @@
+// Scene tissue_gravity: the example of thesis 3.4.3. A square of cells x cells parenchyma
+// cells, W = cells * period, clamped at x = 0, under a body force b in -y that is switched on
+// at t = 0:
+//
+//   rho b W = load,   rho = density of the RVE
+//
+// FE^2: the stress of every quadrature point is that of an RVE (rve_law.h). Units SI.
+#pragma once
+
+#include "coupling/tissue_run.h"
+#include "micro/scenarios/scenario.h"
+#include "rve/rve_parameters.h"
+
+namespace turgor
+{
+class TissueGravity : public Scenario
+{
+public:
+  TissueGravity();
+  std::string description() const override;
+  void declare_parameters(dealii::ParameterHandler &prm) override;
+  void check() const override;
+  bool uses_ranks() const override { return true; }
+  void run(RunContext &context) override;
+
+private:
+  double load = 20e3; ///< Pa
+  TissueRunSettings settings;
+  RveParameters rve_parameters;
+};
+
+std::unique_ptr<Scenario> make_tissue_gravity();
+} // namespace turgor
