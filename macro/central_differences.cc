@@ -40,7 +40,6 @@ void CentralDifferences<dim>::step(double limit)
   u.resize(n);
   v_half.resize(n);
   v_predicted.resize(n);
-  unsigned int tries = 0;
   while (true)
     {
       // equal steps up to the limit rather than a tiny last one
@@ -66,7 +65,7 @@ void CentralDifferences<dim>::step(double limit)
       ++this->counters.rejected;
       ++this->counters.failures;
       successes = 0;
-      if (tries++ == most_halvings)
+      if (halvings == most_halvings) // in all: steps that shrink towards a failure would never reach it
         throw TissueFailed(this->op.failure(), now.time, dt, most_halvings);
       ++halvings;
     }
