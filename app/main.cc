@@ -1,6 +1,7 @@
 // The command line:
 //   turgor run FILE.prm [-o DIR] [--set 'Section/Name=value']... [--resume] [--threads N] [--ranks N]
 //   turgor list | parameters SCENARIO | check FILE.prm | study FILE.prm [--list] | plot DIR
+#include "app/nearest_name.h"
 #include "app/plot_command.h"
 #include "app/ranks.h"
 #include "app/run_command.h"
@@ -9,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -66,6 +68,14 @@ int dispatch(int argc, char **argv)
   plot_app->add_option("DIR", plot_directory, "Output directory of a run")->required();
   app.add_subcommand("test", "Build and run all tests (by the launcher ./turgor)");
 
+  if (argc > 1 && argv[1][0] != '-')
+    {
+      std::vector<std::string> commands;
+      for (const CLI::App *command : app.get_subcommands([](const CLI::App *) { return true; }))
+        commands.push_back(command->get_name());
+      if (std::find(commands.begin(), commands.end(), argv[1]) == commands.end())
+        throw InputError("There is no command '" + std::string(argv[1]) + "'." + suggestion(argv[1], commands));
+    }
   try
     {
       app.parse(argc, argv);

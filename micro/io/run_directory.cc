@@ -7,11 +7,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include <unistd.h>
-
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
-#include <cstdio>
+#include <cstring>
+#include <fstream>
 #include <iostream>
 #include <limits>
 #include <sstream>
@@ -63,19 +63,39 @@ void put(std::vector<std::pair<std::string, Value>> &list, const std::string &na
     there->second = std::move(value);
 }
 
+/// By trying, because permission bits do not tell for root, for /proc or for a read-only disk. Leaves no trace.
 void require_writable(const std::filesystem::path &directory)
 {
   if (std::filesystem::exists(directory) && !std::filesystem::is_directory(directory))
     throw InputError("The output directory " + directory.string() + " is a file. Choose another with -o DIR.");
-  std::filesystem::path place = std::filesystem::absolute(directory);
-  while (!std::filesystem::exists(place) && place.has_parent_path() && place != place.parent_path())
-    place = place.parent_path();
-  if (!std::filesystem::is_directory(place))
-    throw InputError("The output directory " + directory.string() + " cannot be made: " + place.string() +
-                     " is a file. Choose another with -o DIR.");
-  if (::access(place.c_str(), W_OK | X_OK) != 0)
-    throw InputError("The output directory " + directory.string() + " cannot be written: there is no write permission for " +
-                     place.string() + ". Choose another with -o DIR.");
+  std::filesystem::path place = std::filesystem::absolute(directory).lexically_normal(), topmost_made;
+  while (!std::filesystem::exists(place) && place != place.parent_path())
+    {
+      topmost_made = place;
+      place = place.parent_path();
+    }
+  std::error_code problem;
+  std::filesystem::create_directories(directory, problem);
+  std::string reason = problem.message();
+  if (!problem)
+    {
+      const std::filesystem::path trial = directory / ".turgor_trial";
+      errno = 0;
+      const bool written = static_cast<bool>(std::ofstream(trial) << "x" << std::flush);
+      reason = std::strerror(errno);
+      std::error_code ignored;
+      std::filesystem::remove(trial, ignored);
+      if (written)
+        reason.clear();
+    }
+  if (!topmost_made.empty())
+    {
+      std::error_code ignored;
+      std::filesystem::remove_all(topmost_made, ignored);
+    }
+  if (!reason.empty())
+    throw InputError("The output directory " + directory.string() + " cannot be written: " + reason +
+                     ". Choose another with -o DIR.");
 }
 } // namespace
 
@@ -84,7 +104,8 @@ RunDirectory::RunDirectory(RunSettings settings_)
     checkpoints(settings.directory, settings.version, settings.input_hash),
     bar(settings.writer && !settings.quiet)
 {
-  require_writable(settings.directory);
+  if (settings.writer)
+    require_writable(settings.directory);
   if (!settings.resume)
     return;
   std::string damage;

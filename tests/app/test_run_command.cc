@@ -179,7 +179,7 @@ BOOST_AUTO_TEST_CASE(output_directory_that_is_a_file)
   options.directory = directory / "in.prm";
   BOOST_CHECK_EXCEPTION(go(), InputError, Says{"is a file"});
   options.directory = directory / "in.prm/deeper";
-  BOOST_CHECK_EXCEPTION(go(), InputError, Says{"cannot be made"});
+  BOOST_CHECK_EXCEPTION(go(), InputError, Says{"cannot be written"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -34,7 +34,7 @@ def general():
         ("missing_file", None, ["run", "no_such.prm", "-o", "OUT"], ["There is no input file no_such.prm"]),
         ("input_is_a_directory", None, ["run", ".", "-o", "OUT"], ["it is a directory"]),
         ("no_arguments", None, [], ["subcommand is required"]),
-        ("unknown_command", None, ["rum"], ["rum"]),
+        ("unknown_command", None, ["rum"], ["There is no command 'rum'. Did you mean 'run'?"]),
         ("unknown_option", head, RUN + ["--thread", "2"], ["--thread"]),
         ("zero_threads", head, RUN + ["--threads", "0"], ["--threads", "1"]),
         ("no_scenario", "set Steps = 3\n", RUN, ["the entry 'Scenario' is missing"]),
@@ -72,7 +72,9 @@ def of_every_scene(scene):
     cases = [
         ("unknown_entry", head + "set Xyzzyx = 1\n", RUN, ["IN, line 2: there is no entry 'Xyzzyx' in the top level"]),
         ("unknown_subsection", head + "subsection Xyzzyx\nend\n", RUN, ["line 2: there is no subsection 'Xyzzyx'"]),
-        ("no_write_permission", head, ["run", "IN", "-o", "/proc/turgor_out"], ["cannot be", "-o DIR"]),
+        ("no_write_permission", head, ["run", "IN", "-o", "/proc/turgor_out"], ["cannot be written", "-o DIR"]),
+        ("corrupt_checkpoint", head, RUN + ["--resume"], ["out/checkpoint.0 is damaged", "No usable checkpoint is left"],
+         [("out/checkpoint.0", "TURGORcp torn"), ("out/checkpoint.1", "")]),
         ("output_is_a_file", head, ["run", "IN", "-o", "IN"], ["is a file"]),
     ]
     numbers = [(path, name) for path, name, comment in entries if "Allowed: a finite number" in comment]
@@ -90,22 +92,30 @@ def of_every_scene(scene):
 BY_SCENE = {}
 
 
+def tree(directory):
+    return sorted(os.path.join(place, name) for place, folders, files in os.walk(directory) for name in folders + files)
+
+
 class BadInput(unittest.TestCase):
     maxDiff = None
 
-    def check(self, text, arguments, fragments):
+    def check(self, text, arguments, fragments, files=()):
         with tempfile.TemporaryDirectory() as directory:
+            for name, content in files:
+                os.makedirs(os.path.dirname(os.path.join(directory, name)), exist_ok=True)
+                with open(os.path.join(directory, name), "w", encoding="utf-8") as file:
+                    file.write(content)
             if text is not None:
                 with open(os.path.join(directory, "in.prm"), "w", encoding="utf-8") as file:
                     file.write(text)
             place = {"IN": "in.prm", "OUT": "out"}
-            before = sorted(os.listdir(directory))
+            before = tree(directory)
             done = program([place.get(a, a) for a in arguments], directory)
             said = done.stdout + done.stderr
             for fragment in fragments:
                 self.assertIn(fragment.replace("IN", "in.prm"), said)
             self.assertEqual(done.returncode, 2, said)
-            self.assertEqual(sorted(os.listdir(directory)), before, "something was written")
+            self.assertEqual(tree(directory), before, "something was written")
 
 
 def add(name, case):
