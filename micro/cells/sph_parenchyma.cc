@@ -77,7 +77,6 @@ std::unique_ptr<SphPatch> make_sph_patch(const ParenchymaPatch &patch, const Sph
   system.box.periodic = {patch.periodic_x, patch.periodic_y};
 
   const NeoHookeanWall law(p.wall_stiffness, p.depth, p.wall_beta);
-  const double wall_spring = law.derivative(1.) / patch.rest_length;
   system.add(std::make_unique<RingWall>(law, patch.rest_length, p.wall_bending ? patch.bending_stiffness : 0.,
                                         patch.spacing, p.nodes_per_side, patch.node_mass));
 
@@ -96,7 +95,7 @@ std::unique_ptr<SphPatch> make_sph_patch(const ParenchymaPatch &patch, const Sph
     for (std::uint32_t *node : {&tie.a, &tie.b})
       *node = std::uint32_t(*node / nw * per_cell + *node % nw);
   if (!ties.empty())
-    system.add(std::make_unique<LamellaTies>(std::move(ties), patch.tie_stiffness, wall_spring, patch.node_mass));
+    system.add(std::make_unique<LamellaTies>(std::move(ties), patch.tie_stiffness, patch.node_mass));
   return result;
 }
 } // namespace turgor

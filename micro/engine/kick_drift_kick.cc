@@ -7,19 +7,7 @@ namespace turgor
 template <int dim>
 KickDriftKick<dim>::KickDriftKick(ParticleSystem<dim> &system_)
   : system(system_)
-{
-  static const char *const names[3] = {"velocity_now_x", "velocity_now_y", "velocity_now_z"};
-  for (int d = 0; d < dim; ++d)
-    now[d] = system.particles.has(names[d]) ? &system.particles.field(names[d]) : nullptr;
-}
-
-template <int dim>
-void KickDriftKick<dim>::set_velocity_now()
-{
-  for (int d = 0; d < dim; ++d)
-    if (now[d] != nullptr)
-      *now[d] = system.particles.v[d];
-}
+{}
 
 template <int dim>
 void KickDriftKick<dim>::step(const double dt, const double damping)
@@ -33,23 +21,11 @@ void KickDriftKick<dim>::step(const double dt, const double damping)
       {
         double *x = p.x[d].data(), *v = p.v[d].data();
         const double *f = p.f[d].data();
-        if (now[d] != nullptr)
+        for (std::uint32_t i = g.begin; i < g.end; ++i)
           {
-            double *w = now[d]->data();
-            for (std::uint32_t i = g.begin; i < g.end; ++i)
-              {
-                const double kick = half * f[i] * im[i];
-                v[i] += kick;
-                x[i] += dt * v[i];
-                w[i] = v[i] + kick;
-              }
+            v[i] += half * f[i] * im[i];
+            x[i] += dt * v[i];
           }
-        else
-          for (std::uint32_t i = g.begin; i < g.end; ++i)
-            {
-              v[i] += half * f[i] * im[i];
-              x[i] += dt * v[i];
-            }
       }
   });
   system.box.H += dt * system.box.H_dot;

@@ -100,10 +100,14 @@ Tensor2<dim> ParticleSystem<dim>::virial() const
 template <int dim>
 double ParticleSystem<dim>::stable_time_step() const
 {
-  double dt = std::numeric_limits<double>::infinity();
+  Rates total;
   for (const auto &term : terms)
-    dt = std::min(dt, term->stable_time_step(particles));
-  return dt;
+    {
+      const Rates own = term->rates(particles);
+      total.wall += own.wall;
+      total.fluid += own.fluid;
+    }
+  return std::min(total.wall.stable_time_step(), total.fluid.stable_time_step());
 }
 
 template <int dim>

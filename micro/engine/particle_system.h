@@ -48,7 +48,7 @@ public:
   /// over the particles instead of a second pair loop. Only for systems without external forces.
   Tensor2<dim> virial() const;
 
-  /// s; smallest of the terms' limits.
+  /// s; largest stable step of kick-drift-kick, from the sum of the terms' rates.
   double stable_time_step() const;
 
   std::vector<std::string> term_names() const;

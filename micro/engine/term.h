@@ -6,12 +6,36 @@
 #include "micro/engine/box.h"
 #include "micro/engine/particles.h"
 
+#include <cmath>
 #include <iosfwd>
 #include <limits>
 #include <string>
 
 namespace turgor
 {
+/// How fast a law can make particles move, by kind of particle: squared angular frequency (1/s^2) of its
+/// stiffest mode and decay rate (1/s) of its strongest drag. Rates of several laws on one kind add up.
+struct Rates
+{
+  struct OfKind
+  {
+    double frequency_squared = 0., drag = 0.;
+    OfKind &operator+=(const OfKind &other)
+    {
+      frequency_squared += other.frequency_squared;
+      drag += other.drag;
+      return *this;
+    }
+    /// Largest stable step of kick-drift-kick with half-step drag: w^2 dt^2 + 2 drag dt = 4.
+    double stable_time_step() const
+    {
+      const double root = drag + std::sqrt(drag * drag + 4. * frequency_squared);
+      return root > 0. ? 4. / root : std::numeric_limits<double>::infinity();
+    }
+  };
+  OfKind wall, fluid;
+};
+
 template <int dim>
 class Term
 {
@@ -37,11 +61,8 @@ public:
     return Tensor2<dim>::Zero();
   }
 
-  /// s; the largest step at which this law alone is stable under kick-drift-kick.
-  virtual double stable_time_step(const Particles<dim> &) const
-  {
-    return std::numeric_limits<double>::infinity();
-  }
+  /// Upper bounds, for the step that the program chooses by itself.
+  virtual Rates rates(const Particles<dim> &) const { return {}; }
 
   /// History that affects later bits (the positions at which lists were built).
   virtual void save(std::ostream &) const {}

@@ -4,11 +4,9 @@
 
 namespace turgor
 {
-LamellaTies::LamellaTies(std::vector<LamellaTie> ties_, const double stiffness, const double wall_stiffness_,
-                         const double node_mass_)
+LamellaTies::LamellaTies(std::vector<LamellaTie> ties_, const double stiffness, const double node_mass_)
   : ties(std::move(ties_))
   , spring{stiffness}
-  , wall_stiffness(wall_stiffness_)
   , node_mass(node_mass_)
 {}
 
@@ -62,9 +60,11 @@ Tensor2<2> LamellaTies::image_virial(const Particles<2> &particles, const Box<2>
   return total;
 }
 
-double LamellaTies::stable_time_step(const Particles<2> &) const
+Rates LamellaTies::rates(const Particles<2> &) const
 {
-  // A corner node carries two ties and two wall springs: Gershgorin on its row.
-  return 2. / std::sqrt((4. * spring.stiffness + 4. * wall_stiffness) / node_mass);
+  // A corner node carries two ties, each to a node that carries two: Gershgorin on its row.
+  Rates bound;
+  bound.wall.frequency_squared = 4. * spring.stiffness / node_mass;
+  return bound;
 }
 } // namespace turgor

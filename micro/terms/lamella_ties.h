@@ -15,14 +15,14 @@ class LamellaTies final : public Term<2>
 {
 public:
   /// Tie entries a, b are particle indices here (not node indices of the patch).
-  LamellaTies(std::vector<LamellaTie> ties, double stiffness, double wall_stiffness, double node_mass);
+  LamellaTies(std::vector<LamellaTie> ties, double stiffness, double node_mass);
 
   std::string name() const override { return "lamella_ties"; }
   void declare(Particles<2> &particles) override;
   void add_forces(Particles<2> &particles, const Box<2> &box, std::size_t group) override;
   double energy(const Particles<2> &particles, const Box<2> &box, std::size_t group) const override;
   Tensor2<2> image_virial(const Particles<2> &particles, const Box<2> &box, std::size_t group) const override;
-  double stable_time_step(const Particles<2> &particles) const override;
+  Rates rates(const Particles<2> &particles) const override;
 
 private:
   struct Side ///< a tie seen from the group's own node
@@ -32,7 +32,7 @@ private:
   };
   std::vector<LamellaTie> ties;
   LamellaSpring spring;
-  double wall_stiffness, node_mass;
+  double node_mass;
   std::vector<std::vector<Side>> sides; ///< per group
 };
 } // namespace turgor

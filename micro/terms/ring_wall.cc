@@ -105,12 +105,12 @@ double RingWall::energy(const Particles<2> &particles, const Box<2> &, const std
   return total;
 }
 
-double RingWall::stable_time_step(const Particles<2> &) const
+Rates RingWall::rates(const Particles<2> &) const
 {
   // Highest mode of a chain of masses: 2 sqrt(k/m) axially; 4 sqrt(B/(l^3 m)) in bending.
-  const double k = law.derivative(1.) / rest_length;
-  const double axial = 2. * std::sqrt(k / node_mass);
-  const double flexural = 4. * std::sqrt(bending / (spacing * spacing * node_mass));
-  return 2. / std::hypot(axial, flexural);
+  Rates bound;
+  bound.wall.frequency_squared = 4. * law.derivative(1.) / rest_length / node_mass
+                                 + 16. * bending / (spacing * spacing * node_mass);
+  return bound;
 }
 } // namespace turgor

@@ -55,9 +55,6 @@ void SphFluid::declare(Particles<2> &particles)
   particles.declare("density");
   particles.declare("pressure");
   particles.declare("wall_share");
-  if (parameters.viscosity > 0.)
-    for (const char *component : {"velocity_now_x", "velocity_now_y"})
-      particles.declare(component);
   cells.assign(particles.groups.size(), Cell());
 }
 
@@ -265,7 +262,6 @@ void SphFluid::add_forces(Particles<2> &particles, const Box<2> &, const std::si
   view.gamma = particles.field("wall_share").data() + g.fluid;
 
   const bool viscous = parameters.viscosity > 0.;
-  const char *velocity_fields[2] = {"velocity_now_x", "velocity_now_y"};
   for (int d = 0; d < 2; ++d)
     {
       view.x[d] = particles.x[d].data() + g.fluid;
@@ -278,7 +274,7 @@ void SphFluid::add_forces(Particles<2> &particles, const Box<2> &, const std::si
       std::fill(ring_f, ring_f + used, 0.);
       if (viscous)
         {
-          const double *v = particles.field(velocity_fields[d]).data();
+          const double *v = particles.v[d].data();
           view.v[d] = v + g.fluid;
           for (std::size_t k = 0, node = 0; k < used; ++k, node = node + 1 < nw ? node + 1 : 0)
             ring_v[k] = v[g.begin + node];
@@ -312,21 +308,34 @@ double SphFluid::energy(const Particles<2> &particles, const Box<2> &, const std
   return total;
 }
 
-double SphFluid::stable_time_step(const Particles<2> &particles) const
+Rates SphFluid::rates(const Particles<2> &particles) const
 {
-  // Acoustic and viscous limits of the pair sums on the particle spacing h = support/2.6;
-  // the factors are measured by doc/results/stability (largest eigenvalue of the linearised cell).
-  double dt = std::numeric_limits<double>::infinity();
-  for (std::size_t group = 0; group < particles.groups.size(); ++group)
+  Rates bound;
+  const double R = parameters.support, rho = eos.reference_density(), c = eos.sound_speed(1.05 * rho);
+  // Stiffest acoustic mode of the pair sums: wave number about 6.5 / R.
+  bound.fluid.frequency_squared = 6.5 * 6.5 * c * c / (R * R);
+  if (parameters.viscosity > 0.)
     {
-      const double rho = eos.reference_density();
-      const double h = 0.5 * parameters.support, c = eos.sound_speed(1.05 * rho);
-      dt = std::min(dt, 0.8 * h / c);
-      if (parameters.viscosity > 0.)
-        dt = std::min(dt, 0.125 * h * h * rho / parameters.viscosity);
-      break;
+      // Wendland C2, continuous limit: sum V |W'|/r = 14/R^2; the central pair drag takes half of
+      // it in one direction, chi mu/2 = 8 mu, and the highest mode moves neighbours oppositely.
+      bound.fluid.drag = 2. * 8. * 7. * parameters.viscosity / (rho * R * R);
+      // No slip drags the wall's light nodes: mu z0 l over the least gap that counts, half a
+      // spacing (doc/validation.md has the measured limit beside this bound).
+      for (const Group &g : particles.groups)
+        {
+          double heaviest = 0.; // inverse mass of the lightest node
+          for (std::uint32_t i = g.begin; i < g.fluid; ++i)
+            heaviest = std::max(heaviest, particles.inverse_mass[i]);
+          const std::uint32_t n = g.wall_count();
+          double length = 0.;
+          for (std::uint32_t k = 0; k < n; ++k)
+            length += (particles.position(g.begin + (k + 1) % n) - particles.position(g.begin + k)).norm() / n;
+          bound.wall.drag = std::max(bound.wall.drag, parameters.viscosity * parameters.depth * length * heaviest
+                                                        / (0.5 * R / 2.6));
+          break; // all cells start as copies
+        }
     }
-  return dt;
+  return bound;
 }
 
 double SphFluid::mean_pressure(const Particles<2> &particles, const std::size_t group) const

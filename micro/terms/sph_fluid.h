@@ -33,7 +33,7 @@ public:
   void declare(Particles<2> &particles) override;
   void add_forces(Particles<2> &particles, const Box<2> &box, std::size_t group) override;
   double energy(const Particles<2> &particles, const Box<2> &box, std::size_t group) const override;
-  double stable_time_step(const Particles<2> &particles) const override;
+  Rates rates(const Particles<2> &particles) const override;
   void save(std::ostream &out) const override;
   void load(std::istream &in, Particles<2> &particles) override;
 

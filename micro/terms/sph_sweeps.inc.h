@@ -243,7 +243,7 @@ void density(CellView &c)
                   // |integral of W over the face| / distance to its plane, split between its nodes;
                   // the tangent direction of the face
                   const V ilen = rsqrt(ex * ex + ey * ey + tiny), distance = cross * ilen;
-                  const V least = splat(0.1 * R);
+                  const V least = splat(0.2 * R); // half a particle spacing
                   const V weight = splat(scale) / (ilen * select_less(distance, least, least, distance));
                   slip[4 * chunks] = select_less(lane, live, wa * weight, zero);
                   slip[4 * chunks + 1] = select_less(lane, live, wb * weight, zero);

@@ -1,0 +1,80 @@
+#include "micro/cells/turgid_reference.h"
+
+#include "micro/engine/kick_drift_kick.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace turgor
+{
+namespace
+{
+/// Pressure of the fluid alone as its virial: total virial less that of a cell without fluid pressure
+/// is not separable pair by pair, so it is measured as -(sigma_total - sigma_walls) from a dry copy.
+double fluid_virial_pressure(const SphPatch &wet, const SphParameters &sph, const ReferenceCell &cell,
+                             const Tensor2<2> &sigma, const double volume)
+{
+  ReferenceCell empty = cell;
+  empty.x.resize(cell.wall_count);
+  empty.y.resize(cell.wall_count);
+  const auto walls = make_sph_patch(wet.patch, sph, empty);
+  walls->system.compute_forces();
+  return -(sigma - walls->system.virial() / volume).trace() / 2.;
+}
+} // namespace
+
+ReferenceCell make_turgid_reference(const ParenchymaParameters &cell, const SphParameters &sph,
+                                    const std::function<void(double)> &progress)
+{
+  ParenchymaParameters p = cell;
+  p.fluid_viscosity = 0.; // the reference does not depend on it; damping brings the fluid to rest
+  const ParenchymaPatch patch = make_parenchyma(p, 1, 1, true, true);
+  ReferenceCell reference = unannealed_cell(patch, sph);
+  const auto wet = make_sph_patch(patch, sph, reference);
+  ParticleSystem<2> &system = wet->system;
+  Particles<2> &particles = system.particles;
+  const double volume = patch.lattice.determinant() * p.depth, bulk = 7. * p.fluid_modulus;
+  const double dt = 0.9 * system.stable_time_step();
+  // Sound crosses the cell in L/c; damping over a few crossings anneals best.
+  const double crossing = p.period / wet->fluid->equation_of_state().sound_speed(p.fluid_density);
+  KickDriftKick<2> integrator(system);
+  system.compute_forces();
+
+  const unsigned int steps = sph.anneal_steps;
+  for (unsigned int s = 0; s < steps; ++s)
+    {
+      const double through = double(s) / steps;
+      const double damping = (through < 0.2 ? 1. : through < 0.8 ? 0.2 : 1.) / crossing * 0.5;
+      integrator.step(dt, damping);
+      if (s % 20 == 19)
+        {
+          const double mean = system.virial().trace() / (2. * volume);
+          if (!std::isfinite(mean))
+            throw std::runtime_error("the cell fluid did not come to rest while annealing (stress is not finite at step "
+                                     + std::to_string(s) + "): use a larger Fluid modulus or a softer wall");
+          const double gain = 0.05 * mean / bulk;
+          wet->fluid->set_particle_mass(particles, 0, wet->fluid->particle_mass()[0] * (1. + gain));
+        }
+      if (progress && s % 1000 == 0)
+        progress(through);
+    }
+  // Mass so that the mean stress is zero exactly, positions held.
+  for (int k = 0; k < 6; ++k)
+    {
+      system.compute_forces();
+      const double mean = system.virial().trace() / (2. * volume);
+      wet->fluid->set_particle_mass(particles, 0, wet->fluid->particle_mass()[0] * (1. + mean / bulk));
+    }
+  system.compute_forces();
+  const Tensor2<2> sigma = system.virial() / volume;
+  reference.x = particles.x[0];
+  reference.y = particles.x[1];
+  reference.particle_mass = wet->fluid->particle_mass()[0];
+  reference.residual_stress[0] = sigma(0, 0);
+  reference.residual_stress[1] = sigma(1, 1);
+  reference.residual_stress[2] = sigma(0, 1);
+  reference.mean_pressure = wet->fluid->mean_pressure(particles, 0);
+  reference.fluid_pressure = fluid_virial_pressure(*wet, sph, reference, sigma, volume);
+  return reference;
+}
+} // namespace turgor

@@ -1,0 +1,302 @@
+#include "micro/scenarios/full_micro.h"
+
+#include "micro/cells/turgid_reference.h"
+#include "micro/engine/binary.h"
+#include "micro/io/field_file.h"
+#include "micro/processes/osmosis.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <sstream>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace turgor
+{
+struct FullMicro::Progress
+{
+  std::uint64_t step = 0, steps = 0;
+  double dt = 0.;
+  double start_energy = 0.;
+  std::vector<double> x0[2]; ///< m, positions at t = 0
+  double time() const { return double(step) * dt; }
+
+  void save(std::ostream &out) const
+  {
+    write_binary(out, step);
+    write_binary(out, start_energy);
+    for (const auto &x : x0)
+      write_binary(out, x);
+  }
+  void load(std::istream &in)
+  {
+    read_binary(in, step);
+    read_binary(in, start_energy);
+    for (auto &x : x0)
+      read_binary(in, x);
+  }
+};
+
+std::string FullMicro::description() const
+{
+  return "All cells of a clamped piece of tissue as one particle system under a body force: the full run that FE^2 is "
+         "compared with.";
+}
+
+void FullMicro::declare_parameters(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  prm.add_parameter("Columns", columns, "Cells in x. Units: none.", Integer(1, 1000));
+  prm.add_parameter("Rows", rows, "Cells in y. Units: none.", Integer(1, 1000));
+  prm.add_parameter("Load", load, "Tissue density times body force times width, downward. Units: Pa.",
+                    Double(-1e8, 1e8));
+  prm.add_parameter("End time", end_time, "Simulated time. Units: s.", Double(1e-9, 10.));
+  prm.add_parameter("Step fraction", step_fraction,
+                    "Time step over the stable limit that the terms state. Units: none.", Double(0.01, 1.));
+  prm.add_parameter("Window", window,
+                    "Share of the steps that is really run, to time a scene too large to finish; 0 runs all. Units: none.",
+                    Double(0., 1.));
+  prm.add_parameter("Surfaces", surfaces,
+                    "frozen: the missing neighbours' reference forces stay; free: turgid cells bulge, fixed mass; "
+                    "osmosis: free, turgor restored; slab: periodic in y. Units: none.",
+                    Selection("frozen|free|osmosis|slab"));
+  prm.add_parameter("Relax steps", relax_steps, "Damped steps before t = 0 for free surfaces. Units: steps.",
+                    Integer(0, 100000000));
+  prm.add_parameter("Samples", samples, "Rows of probe.csv. Units: none.", Integer(1, 1000000));
+  prm.add_parameter("Frames", frames, "Frames of the field file after the first; 0 writes no fields. Units: none.",
+                    Integer(0, 100000));
+  prm.add_parameter("Checkpoints", checkpoints, "Checkpoints during the run; 0: none. Units: none.",
+                    Integer(0, 100000));
+  prm.enter_subsection("Cell");
+  cell.add_parameters(prm);
+  prm.leave_subsection();
+  prm.enter_subsection("SPH");
+  sph.add_parameters(prm);
+  prm.leave_subsection();
+}
+
+void FullMicro::check() const
+{
+  if (double(columns) * rows * sph.particles_per_side * sph.particles_per_side > 2e8)
+    throw InputError("Columns x Rows x Particles per side^2 is more than 2e8 particles: choose a smaller block.");
+  if (2 * cell.period / sph.particles_per_side * sph.support_ratio > cell.period)
+    throw InputError("SPH/Support ratio: the kernel's diameter is larger than a cell; use more Particles per side or a "
+                     "smaller ratio.");
+  make_parenchyma(cell, 1, 1, true, true);
+}
+
+Vector<2> FullMicro::probe_displacement(const TissueBlock &block, const Progress &at) const
+{
+  Vector<2> mean = Vector<2>::Zero();
+  for (const std::uint32_t node : block.probe)
+    for (int d = 0; d < 2; ++d)
+      mean[d] += block.cells->system.particles.x[d][node] - at.x0[d][node];
+  return mean / double(block.probe.size());
+}
+
+void FullMicro::require_finite(RunContext &, const TissueBlock &block, const Progress &at) const
+{
+  const Particles<2> &p = block.cells->system.particles;
+  const double box = 100. * std::max(columns, rows) * cell.period;
+  for (std::size_t c = 0; c < p.groups.size(); ++c)
+    for (std::uint32_t i = p.groups[c].begin; i < p.groups[c].end; ++i)
+      if (!(std::abs(p.x[0][i]) < box && std::abs(p.x[1][i]) < box))
+        {
+          std::ostringstream sentence;
+          sentence << "the run diverged before t = " << at.time() << " s (step " << at.step << "): a particle of cell ("
+                   << c % columns << ", " << c / columns << ") left the scene. The last checkpoint holds the last good "
+                   << "state; use a smaller Step fraction (now " << step_fraction << ") or a smaller Load (now " << load
+                   << " Pa).";
+          throw RunFailed(sentence.str());
+        }
+}
+
+void FullMicro::relax(RunContext &context, TissueBlock &block, const ReferenceCell &reference) const
+{
+  ParticleSystem<2> &system = block.cells->system;
+  const Osmosis osmosis(reference.mean_pressure, 1e5, 7. * cell.fluid_modulus);
+  const double dt = step_fraction * system.stable_time_step();
+  KickDriftKick<2> integrator(system);
+  system.compute_forces();
+  for (unsigned int s = 0; s < relax_steps; ++s)
+    {
+      integrator.step(dt, 1e6 * (s < relax_steps / 2 ? 0.1 : 1.));
+      if (surfaces == "osmosis" && s % 10 == 0)
+        osmosis.apply(system, *block.cells->fluid, 10. * dt);
+      if (s % 50 == 0)
+        context.progress(double(s) / relax_steps, "relaxing the free surface");
+    }
+  for (int d = 0; d < 2; ++d)
+    std::fill(system.particles.v[d].begin(), system.particles.v[d].end(), 0.);
+}
+
+void FullMicro::write_tables(RunContext &context, const TissueBlock &block, const Progress &at) const
+{
+  const Particles<2> &p = block.cells->system.particles;
+  const auto table = context.series("cell_displacement", {{"cell_x", ""}, {"cell_y", ""}, {"displacement_x", "m"},
+                                                          {"displacement_y", "m"}});
+  for (std::size_t c = 0; c < p.groups.size(); ++c)
+    {
+      const Group &g = p.groups[c];
+      Vector<2> sum = Vector<2>::Zero();
+      for (std::uint32_t i = g.fluid; i < g.end; ++i)
+        for (int d = 0; d < 2; ++d)
+          sum[d] += p.x[d][i] - at.x0[d][i];
+      sum /= g.fluid_count();
+      table->add_row({double(c % columns), double(c / columns), sum[0], sum[1]});
+    }
+}
+
+namespace
+{
+FieldFrame frame_of(const Particles<2> &p, const std::vector<double> (&x0)[2], const double time)
+{
+  FieldFrame frame;
+  frame.time = time;
+  NamedField displacement{"displacement [m]", 3, {}, false}, velocity{"velocity [m/s]", 3, {}, false},
+    pressure{"pressure [Pa]", 1, {}, false}, wall{"wall [-]", 1, {}, false}, cell{"cell [-]", 1, {}, false};
+  for (std::size_t c = 0; c < p.groups.size(); ++c)
+    for (std::uint32_t i = p.groups[c].begin; i < p.groups[c].end; ++i)
+      {
+        for (int d = 0; d < 2; ++d)
+          {
+            frame.points.push_back(p.x[d][i]);
+            displacement.values.push_back(p.x[d][i] - x0[d][i]);
+            velocity.values.push_back(p.v[d][i]);
+          }
+        frame.points.push_back(0.);
+        displacement.values.push_back(0.);
+        velocity.values.push_back(0.);
+        pressure.values.push_back(p.field("pressure")[i]);
+        wall.values.push_back(i < p.groups[c].fluid);
+        cell.values.push_back(double(c));
+      }
+  frame.fields = {displacement, velocity, pressure, wall, cell};
+  return frame;
+}
+
+double thread_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
+} // namespace
+
+void FullMicro::run(RunContext &context)
+{
+  context.say("annealing the reference cell (" + std::to_string(sph.anneal_steps) + " steps)");
+  const ReferenceCell reference = make_turgid_reference(cell, sph, [&](double f) { context.progress(f, "annealing"); });
+  TissueBlock block = make_tissue_block(cell, sph, reference, columns, rows, surfaces_from(surfaces));
+  ParticleSystem<2> &system = block.cells->system;
+  system.threads = context.threads();
+  Particles<2> &particles = system.particles;
+  context.active(system.term_names(), particles.field_names());
+
+  Progress at;
+  at.dt = step_fraction * system.stable_time_step();
+  at.steps = std::uint64_t(std::ceil(end_time / at.dt));
+  at.dt = end_time / double(at.steps);
+  const std::uint64_t last = window > 0. ? std::max<std::uint64_t>(1, std::uint64_t(window * double(at.steps))) : at.steps;
+  const double acceleration = -load / (block.density * block.width);
+
+  KickDriftKick<2> integrator(system);
+  const auto save = [&](std::ostream &out) {
+    at.save(out);
+    system.save(out);
+  };
+  const bool resumed = context.load_checkpoint([&](std::istream &in) {
+    at.load(in);
+    system.load(in);
+    block.body_force->set({0., acceleration});
+  });
+  if (!resumed)
+    {
+      if (surfaces == "free" || surfaces == "osmosis")
+        relax(context, block, reference);
+      for (int d = 0; d < 2; ++d)
+        at.x0[d] = particles.x[d];
+      block.body_force->set({0., acceleration});
+      system.compute_forces();
+      at.start_energy = system.potential_energy() + system.kinetic_energy();
+    }
+
+  const auto probe = context.series("probe", {{"time", "s"}, {"displacement_x", "m"}, {"displacement_y", "m"}});
+  const auto energy = context.series("energy", {{"time", "s"}, {"potential", "J"}, {"kinetic", "J"},
+                                                {"dissipated", "J"}, {"mean_pressure", "Pa"}, {"crossed", ""}});
+  std::unique_ptr<FieldFile> fields;
+  if (frames > 0 && context.is_writer())
+    fields = std::make_unique<FieldFile>(context.directory(), "cells", resumed);
+
+  const std::uint64_t sample_every = std::max<std::uint64_t>(1, at.steps / samples);
+  const std::uint64_t frame_every = frames > 0 ? std::max<std::uint64_t>(1, at.steps / frames) : 0;
+  const std::uint64_t checkpoint_every =
+    checkpoints > 0 ? std::max<std::uint64_t>(1, last / (checkpoints + 1)) : 0;
+  const auto record = [&] {
+    require_finite(context, block, at);
+    const Vector<2> u = probe_displacement(block, at);
+    probe->add_row({at.time(), u[0], u[1]});
+    const double potential = system.potential_energy(), kinetic = system.kinetic_energy();
+    double pressure = 0.;
+    for (std::size_t c = 0; c < particles.groups.size(); ++c)
+      pressure += block.cells->fluid->mean_pressure(particles, c);
+    energy->add_row({at.time(), potential, kinetic, at.start_energy - potential - kinetic,
+                     pressure / double(particles.groups.size()), double(block.cells->fluid->crossed())});
+  };
+  if (!resumed)
+    {
+      record();
+      if (fields)
+        fields->write(frame_of(particles, at.x0, 0.));
+    }
+
+  const auto wall_start = std::chrono::steady_clock::now();
+  const double cpu_start = thread_seconds();
+  const std::uint64_t first = at.step;
+  while (at.step < last)
+    {
+      integrator.step(at.dt);
+      ++at.step;
+      if (at.step % sample_every == 0)
+        record();
+      if (fields && at.step % frame_every == 0)
+        fields->write(frame_of(particles, at.x0, at.time()));
+      if (at.step % 16 == 0)
+        context.progress(double(at.step) / double(last), "full run");
+      const bool stop = context.stop_requested();
+      if (stop || (checkpoint_every > 0 && at.step % checkpoint_every == 0 && at.step < last))
+        {
+          require_finite(context, block, at);
+          context.save_checkpoint(save);
+        }
+      if (stop)
+        throw RunStopped("stopped at t = " + std::to_string(at.time() * 1e3) + " ms; --resume goes on from there");
+    }
+  require_finite(context, block, at);
+
+  const double steps_run = double(at.step - first), n = double(particles.size());
+  if (steps_run > 0.)
+    {
+      const double cpu = thread_seconds() - cpu_start;
+      const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
+      context.result("cpu_per_particle_step", cpu / steps_run / n * 1e9, "ns");
+      context.result("wall_per_particle_step", wall / steps_run / n * 1e9, "ns");
+      context.result("step_loop_cpu", cpu, "s");
+      context.result("step_loop_cpu_whole_run", cpu / steps_run * double(at.steps), "s");
+    }
+  if (window > 0. && window < 1.)
+    context.note("window", "only a share of the steps was run, for timing");
+  const Vector<2> u = probe_displacement(block, at);
+  context.result("probe_displacement_y", u[1], "m");
+  context.result("steps", double(at.steps), "");
+  context.result("time_step", at.dt, "s");
+  context.result("particles", n, "");
+  context.result("density", block.density, "kg/m^3");
+  context.result("body_force", acceleration, "m/s^2");
+  context.result("reference_eos_pressure", reference.mean_pressure, "Pa");
+  context.result("reference_virial_pressure", reference.fluid_pressure, "Pa");
+  context.result("reference_residual_shear", reference.residual_stress[2], "Pa");
+  context.result("neighbours_per_particle", block.cells->fluid->mean_neighbours(particles), "");
+  context.result("list_builds_per_cell", double(block.cells->fluid->list_builds()) / double(particles.groups.size()), "");
+  write_tables(context, block, at);
+}
+
+std::unique_ptr<Scenario> make_full_micro() { return std::make_unique<FullMicro>(); }
+} // namespace turgor

@@ -1,0 +1,89 @@
+// Forces from outside: a body force (acceleration b, m/s^2, on every particle's mass) and dead
+// forces (N, constant in size and direction, on single particles).
+#pragma once
+
+#include "micro/engine/term.h"
+
+#include <utility>
+#include <vector>
+
+namespace turgor
+{
+class BodyForce final : public Term<2>
+{
+public:
+  explicit BodyForce(const Vector<2> &acceleration_)
+    : acceleration(acceleration_)
+  {}
+  std::string name() const override { return "body_force"; }
+  void declare(Particles<2> &) override {}
+  void set(const Vector<2> &value) { acceleration = value; }
+
+  void add_forces(Particles<2> &particles, const Box<2> &, const std::size_t group) override
+  {
+    const Group &g = particles.groups[group];
+    for (std::uint32_t i = g.begin; i < g.end; ++i)
+      if (particles.inverse_mass[i] > 0.)
+        for (int d = 0; d < 2; ++d)
+          particles.f[d][i] += acceleration[d] / particles.inverse_mass[i];
+  }
+
+  /// J, zero at the coordinates' origin.
+  double energy(const Particles<2> &particles, const Box<2> &, const std::size_t group) const override
+  {
+    const Group &g = particles.groups[group];
+    double total = 0.;
+    for (std::uint32_t i = g.begin; i < g.end; ++i)
+      if (particles.inverse_mass[i] > 0.)
+        total -= acceleration.dot(particles.position(i)) / particles.inverse_mass[i];
+    return total;
+  }
+
+private:
+  Vector<2> acceleration;
+};
+
+class DeadForce final : public Term<2>
+{
+public:
+  struct Entry
+  {
+    std::uint32_t particle;
+    Vector<2> force; ///< N
+  };
+
+  explicit DeadForce(std::vector<Entry> entries_)
+    : entries(std::move(entries_))
+  {}
+  std::string name() const override { return "dead_force"; }
+
+  void declare(Particles<2> &particles) override
+  {
+    of_group.assign(particles.groups.size(), {});
+    for (const Entry &entry : entries)
+      for (std::size_t group = 0; group < particles.groups.size(); ++group)
+        if (entry.particle >= particles.groups[group].begin && entry.particle < particles.groups[group].end)
+          of_group[group].push_back(entry);
+    entries.clear();
+  }
+
+  void add_forces(Particles<2> &particles, const Box<2> &, const std::size_t group) override
+  {
+    for (const Entry &entry : of_group[group])
+      for (int d = 0; d < 2; ++d)
+        particles.f[d][entry.particle] += entry.force[d];
+  }
+
+  double energy(const Particles<2> &particles, const Box<2> &, const std::size_t group) const override
+  {
+    double total = 0.;
+    for (const Entry &entry : of_group[group])
+      total -= entry.force.dot(particles.position(entry.particle));
+    return total;
+  }
+
+private:
+  std::vector<Entry> entries;
+  std::vector<std::vector<Entry>> of_group;
+};
+} // namespace turgor
