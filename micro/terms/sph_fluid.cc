@@ -11,9 +11,11 @@ namespace turgor
 {
 namespace
 {
-double eos_pressure(const void *eos, const double rho)
+void eos_pressure(const void *data, const std::uint32_t n, const double *rho, double *p)
 {
-  return static_cast<const EquationOfState *>(eos)->pressure(rho);
+  const EquationOfState eos = *static_cast<const EquationOfState *>(data);
+  for (std::uint32_t i = 0; i < n; ++i)
+    p[i] = eos.pressure(rho[i]);
 }
 
 /// Scratch of one thread, grown to the largest cell it met.
@@ -237,8 +239,8 @@ void SphFluid::add_forces(Particles<2> &particles, const Box<2> &, const std::si
 
   thread_local Scratch scratch;
   const std::size_t ring = round_up(2 * nw + sph::list_padding + 1), rows = std::size_t(n + 1) * sph::row_doubles;
-  const std::size_t half = std::size_t(4) * sph::list_padding * (cell.chunks + 1);
-  double *memory = scratch.get(rows + 2 * half + 6 * ring);
+  const std::size_t half = std::size_t(4) * sph::list_padding * sph::block * (cell.chunks + 1);
+  double *memory = scratch.get(rows + 2 * half + 8 * ring);
   double *wall = memory + rows + 2 * half;
 
   sph::CellView view;
@@ -266,12 +268,12 @@ void SphFluid::add_forces(Particles<2> &particles, const Box<2> &, const std::si
     {
       view.x[d] = particles.x[d].data() + g.fluid;
       view.f[d] = particles.f[d].data() + g.fluid;
-      double *ring_x = wall + (3 * d) * ring, *ring_v = wall + (3 * d + 1) * ring, *ring_f = wall + (3 * d + 2) * ring;
+      double *ring_x = wall + (4 * d) * ring, *ring_v = ring_x + ring, *ring_f = ring_v + ring, *ring_next = ring_f + ring;
       const double *x = particles.x[d].data() + g.begin;
       const std::size_t used = 2 * nw + sph::list_padding + 1;
       for (std::size_t k = 0, node = 0; k < used; ++k, node = node + 1 < nw ? node + 1 : 0)
         ring_x[k] = x[node];
-      std::fill(ring_f, ring_f + used, 0.);
+      std::fill(ring_f, ring_f + 2 * ring, 0.);
       if (viscous)
         {
           const double *v = particles.v[d].data();
@@ -282,6 +284,7 @@ void SphFluid::add_forces(Particles<2> &particles, const Box<2> &, const std::si
       view.wall_x[d] = ring_x;
       view.wall_v[d] = ring_v;
       view.wall_f[d] = ring_f;
+      view.wall_f_next[d] = ring_next;
     }
 
   const sph::Sweeps &sweeps = sph::sweeps();
@@ -292,9 +295,14 @@ void SphFluid::add_forces(Particles<2> &particles, const Box<2> &, const std::si
   for (int d = 0; d < 2; ++d)
     {
       double *f = particles.f[d].data() + g.begin;
-      const double *ring_f = view.wall_f[d];
-      for (std::size_t k = 0, node = 0; k < 2 * nw + sph::list_padding + 1; ++k, node = node + 1 < nw ? node + 1 : 0)
-        f[node] += ring_f[k];
+      const double *own = view.wall_f[d], *next = view.wall_f_next[d];
+      const std::size_t used = 2 * nw + sph::list_padding;
+      for (std::size_t k = 0, node = 0; k < used; ++k)
+        {
+          f[node] += own[k];
+          node = node + 1 < nw ? node + 1 : 0;
+          f[node] += next[k];
+        }
     }
 }
 

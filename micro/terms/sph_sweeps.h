@@ -27,6 +27,7 @@ struct Arc
 };
 
 constexpr unsigned int row_doubles = 8; ///< a row is one cache line: x, y, vx, vy, a, V, 1/gamma, unused
+constexpr unsigned int block = 16;       ///< particles treated together in density()
 constexpr unsigned int list_padding = 8; ///< lists are padded with the dummy row to this many entries
 
 /// One cell, raw. Lengths: n fluid particles, n_wall nodes.
@@ -40,19 +41,20 @@ struct CellView
   double *pressure = nullptr;     ///< out, Pa
   /// Wall nodes with the ring repeated: 2 n_wall + list_padding + 1 entries each.
   const double *wall_x[2]{}, *wall_v[2]{};
-  double *wall_f[2]{};            ///< accumulated; the caller folds the repeats back
+  double *wall_f[2]{};            ///< accumulated on face k's own node k; the caller folds the repeats back
+  double *wall_f_next[2]{};       ///< accumulated on face k's other node k + 1
   const std::uint16_t *neighbours = nullptr; ///< local fluid indices, padded with n
   const std::uint32_t *first_neighbour = nullptr; ///< n + 1 offsets
   const Arc *arcs = nullptr;
   const std::uint32_t *first_arc = nullptr; ///< n + 1 offsets
   double *rows = nullptr;         ///< (n + 1) * row_doubles, 64-byte aligned scratch
   double *scratch = nullptr;      ///< 2 * scratch_half, 64-byte aligned
-  std::uint32_t scratch_half = 0; ///< 4 list_padding * (chunks of list_padding faces one particle can see)
+  std::uint32_t scratch_half = 0; ///< 4 list_padding * block * (chunks of faces one particle can see)
   double support = 0.;            ///< m
   double mass = 0.;               ///< kg, of one fluid particle
   double depth = 1.;              ///< m, slab depth: W is per area, rho per volume
   double viscosity = 0.;          ///< Pa s; 0 compiles the viscous part out
-  double (*eos)(const void *, double rho) = nullptr; ///< p(rho), Pa
+  void (*eos)(const void *, std::uint32_t n, const double *rho, double *p) = nullptr; ///< p(rho), Pa
   const void *eos_data = nullptr;
   std::uint32_t crossed = 0;      ///< out: particles found outside the wall
 };

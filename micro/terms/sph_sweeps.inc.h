@@ -30,6 +30,13 @@ inline V rsqrt(V a)
   y = _mm512_mul_pd(y, _mm512_fnmadd_pd(_mm512_mul_pd(h, y), y, splat(1.5)));
   return y;
 }
+/// 1/a: hardware estimate and two Newton steps.
+inline V reciprocal(V a)
+{
+  V y = _mm512_rcp14_pd(a);
+  y = _mm512_mul_pd(y, _mm512_fnmadd_pd(a, y, splat(2.)));
+  return _mm512_mul_pd(y, _mm512_fnmadd_pd(a, y, splat(2.)));
+}
 inline void load_xy(const double *rows, const std::uint16_t *j, V &x, V &y)
 {
   const auto at = [&](int k) { return _mm_load_pd(rows + std::uint32_t(j[k]) * row_doubles); };
@@ -80,6 +87,7 @@ inline V rsqrt(V a)
     y[k] = 1. / __builtin_sqrt(a[k]);
   return y;
 }
+inline V reciprocal(V a) { return splat(1.) / a; }
 inline void load_xy(const double *rows, const std::uint16_t *j, V &x, V &y)
 {
   for (int k = 0; k < W; ++k)
@@ -114,9 +122,9 @@ inline V angle(V s, V c)
 {
   const V zero = splat(0.), as = select_less(s, zero, -s, s), ac = select_less(c, zero, -c, c);
   const V big = select_less(as, ac, ac, as), small = select_less(as, ac, as, ac);
-  const V q = small / (big + splat(1e-300));
-  const V tan_pi_8 = splat(0.41421356237309503);
-  const V t = select_less(tan_pi_8, q, (q - splat(1.)) / (q + splat(1.)), q);
+  const V wide = big * splat(0.41421356237309503); // tan(pi/8) < small/big: reduce by pi/4
+  const V t = select_less(wide, small, small - big, small)
+              * reciprocal(select_less(wide, small, small + big, big) + splat(1e-290));
   const V z = t * t;
   const V p = ((((splat(-8.750608600031904122785E-1) * z + splat(-1.615753718733365076637E1)) * z
                  + splat(-7.500855792314704667340E1)) * z + splat(-1.228866684490136173410E2)) * z
@@ -124,8 +132,8 @@ inline V angle(V s, V c)
   const V d = ((((z + splat(2.485846490142306297962E1)) * z + splat(1.650270098316988542046E2)) * z
                 + splat(4.328810604912902668951E2)) * z + splat(4.853903996359136964868E2)) * z
               + splat(1.945506571482613964425E2);
-  V a = t + t * (p / d);
-  a = select_less(tan_pi_8, q, a + splat(pi / 4), a);
+  V a = t + t * (p * reciprocal(d));
+  a = select_less(wide, small, a + splat(pi / 4), a);
   a = select_less(as, ac, a, splat(pi / 2) - a);
   a = select_less(c, zero, splat(pi) - a, a);
   return select_less(s, zero, -a, a);
@@ -171,8 +179,16 @@ void density(CellView &c)
   V *slip = reinterpret_cast<V *>(c.scratch + c.scratch_half);
   c.crossed = 0;
 
-  for (std::uint32_t i = 0; i < c.n; ++i)
+  // In blocks of particles: shares and sums first, then the law for the whole block, then the wall's forces.
+  std::uint32_t first_chunk[block + 1];
+  double rho[block], pressure[block];
+  for (std::uint32_t begin = 0; begin < c.n; begin += block)
+  {
+  const std::uint32_t end = begin + block < c.n ? begin + block : c.n;
+  std::uint32_t chunks = 0;
+  for (std::uint32_t i = begin; i < end; ++i)
     {
+      first_chunk[i - begin] = chunks;
       double *row = c.rows + std::size_t(i) * row_doubles;
       const V xi = splat(row[0]), yi = splat(row[1]);
       V acc = splat(0.);
@@ -188,7 +204,6 @@ void density(CellView &c)
       const double kernel_sum = C * (1. + sum(acc));
 
       double gamma = 1.;
-      unsigned int chunks = 0;
       for (std::uint32_t arc = c.first_arc[i]; arc < c.first_arc[i + 1]; ++arc)
         {
           const std::uint32_t first = c.arcs[arc].first, count = c.arcs[arc].count;
@@ -226,8 +241,8 @@ void density(CellView &c)
                     }
                 }
               const double scale = 7. / (pi * R * R), scale_grad = scale * iR * iR;
-              const V a2 = splat(1. / (2. * pi)) / (ax * ax + ay * ay + tiny);
-              const V b2 = splat(1. / (2. * pi)) / (bx * bx + by * by + tiny);
+              const V a2 = splat(1. / (2. * pi)) * reciprocal(ax * ax + ay * ay + tiny);
+              const V b2 = splat(1. / (2. * pi)) * reciprocal(bx * bx + by * by + tiny);
               const V S = s * splat(scale);
               const V cg = cross * splat(scale_grad);
               const V zero = splat(0.);
@@ -244,7 +259,7 @@ void density(CellView &c)
                   // the tangent direction of the face
                   const V ilen = rsqrt(ex * ex + ey * ey + tiny), distance = cross * ilen;
                   const V least = splat(0.2 * R); // half a particle spacing
-                  const V weight = splat(scale) / (ilen * select_less(distance, least, least, distance));
+                  const V weight = splat(scale) * reciprocal(ilen * select_less(distance, least, least, distance));
                   slip[4 * chunks] = select_less(lane, live, wa * weight, zero);
                   slip[4 * chunks + 1] = select_less(lane, live, wb * weight, zero);
                   slip[4 * chunks + 2] = ex * ilen;
@@ -260,34 +275,40 @@ void density(CellView &c)
         }
       if (gamma < 0.02)
         gamma = 0.02;
-      const double ig = 1. / gamma, rho = c.mass * kernel_sum * ig, p = c.eos(c.eos_data, rho);
-      const double volume = c.mass / rho;
-      c.rho[i] = rho;
+      rho[i - begin] = c.mass * kernel_sum / gamma;
       c.gamma[i] = gamma;
+    }
+  first_chunk[end - begin] = chunks;
+  c.eos(c.eos_data, end - begin, rho, pressure);
+  for (std::uint32_t i = begin; i < end; ++i)
+    {
+      double *row = c.rows + std::size_t(i) * row_doubles;
+      const double ig = 1. / c.gamma[i], ir = 1. / rho[i - begin], p = pressure[i - begin], volume = c.mass * ir;
+      c.rho[i] = rho[i - begin];
       c.pressure[i] = p;
-      row[4] = volume * p / rho * ig;
+      row[4] = volume * p * ir * ig;
       row[5] = volume;
       row[6] = ig;
       row[7] = 0.;
 
-      if (chunks > 0)
+      std::uint32_t chunk = first_chunk[i - begin];
+      if (chunk < first_chunk[i - begin + 1])
         {
           const V b = splat(volume * p * ig);
           const double drag = 2. * c.viscosity * volume * ig;
           V fx = splat(0.), fy = splat(0.);
-          chunks = 0;
           for (std::uint32_t arc = c.first_arc[i]; arc < c.first_arc[i + 1]; ++arc)
-            for (std::uint32_t k = 0; k < c.arcs[arc].count; k += W, ++chunks)
+            for (std::uint32_t k = 0; k < c.arcs[arc].count; k += W, ++chunk)
               {
                 const std::uint32_t at = c.arcs[arc].first + k;
-                const Gradient &g = gradients[chunks];
+                const Gradient &g = gradients[chunk];
                 V fax = b * g.ax, fay = b * g.ay, fbx = b * g.bx, fby = b * g.by;
                 if (viscous)
                   {
-                    const V tx = slip[4 * chunks + 2], ty = slip[4 * chunks + 3], vx = splat(row[2]), vy = splat(row[3]);
-                    const V sa = splat(drag) * slip[4 * chunks]
+                    const V tx = slip[4 * chunk + 2], ty = slip[4 * chunk + 3], vx = splat(row[2]), vy = splat(row[3]);
+                    const V sa = splat(drag) * slip[4 * chunk]
                                  * ((vx - load(c.wall_v[0] + at)) * tx + (vy - load(c.wall_v[1] + at)) * ty);
-                    const V sb = splat(drag) * slip[4 * chunks + 1]
+                    const V sb = splat(drag) * slip[4 * chunk + 1]
                                  * ((vx - load(c.wall_v[0] + at + 1)) * tx + (vy - load(c.wall_v[1] + at + 1)) * ty);
                     fax += sa * tx;
                     fay += sa * ty;
@@ -296,8 +317,8 @@ void density(CellView &c)
                   }
                 store(c.wall_f[0] + at, load(c.wall_f[0] + at) + fax);
                 store(c.wall_f[1] + at, load(c.wall_f[1] + at) + fay);
-                store(c.wall_f[0] + at + 1, load(c.wall_f[0] + at + 1) + fbx);
-                store(c.wall_f[1] + at + 1, load(c.wall_f[1] + at + 1) + fby);
+                store(c.wall_f_next[0] + at, load(c.wall_f_next[0] + at) + fbx);
+                store(c.wall_f_next[1] + at, load(c.wall_f_next[1] + at) + fby);
                 fx += fax + fbx;
                 fy += fay + fby;
               }
@@ -305,6 +326,7 @@ void density(CellView &c)
           c.f[1][i] -= sum(fy);
         }
     }
+  }
 }
 
 template <bool viscous>

@@ -213,11 +213,11 @@ BOOST_AUTO_TEST_CASE(four_and_eight_lanes_agree)
       sph::CellView c;
       c.n = n;
       c.n_wall = nw;
-      c.scratch_half = 4 * sph::list_padding * (nw + 2);
+      c.scratch_half = 4 * sph::list_padding * sph::block * (nw / 4 + 2);
       const auto scratch = aligned(2 * c.scratch_half);
       c.rows = rows.get();
       c.scratch = scratch.get();
-      std::vector<double> f[2], rho(n), gamma(n), pressure(n), wall_x[2], wall_v[2], wall_f[2];
+      std::vector<double> f[2], rho(n), gamma(n), pressure(n), wall_x[2], wall_v[2], wall_f[2], wall_next[2];
       for (int d = 0; d < 2; ++d)
         {
           f[d].assign(n, 0.);
@@ -227,6 +227,8 @@ BOOST_AUTO_TEST_CASE(four_and_eight_lanes_agree)
               wall_v[d].push_back(p.v[d][k % nw]);
             }
           wall_f[d].assign(wall_x[d].size(), 0.);
+          wall_next[d].assign(wall_x[d].size(), 0.);
+          c.wall_f_next[d] = wall_next[d].data();
           c.x[d] = p.x[d].data() + g.fluid;
           c.v[d] = p.v[d].data() + g.fluid;
           c.f[d] = f[d].data();
@@ -246,11 +248,14 @@ BOOST_AUTO_TEST_CASE(four_and_eight_lanes_agree)
       c.depth = cell.depth;
       c.viscosity = 1.;
       c.eos_data = &patch->fluid->equation_of_state();
-      c.eos = [](const void *eos, double density) { return static_cast<const EquationOfState *>(eos)->pressure(density); };
+      c.eos = [](const void *eos, std::uint32_t count, const double *density, double *p_out) {
+        for (std::uint32_t k = 0; k < count; ++k)
+          p_out[k] = static_cast<const EquationOfState *>(eos)->pressure(density[k]);
+      };
       const sph::Sweeps &sweeps = variant == 0 ? sph::sweeps_avx2() : sph::sweeps_avx512();
       sweeps.density(c);
       sweeps.force(c);
-      for (const auto *part : {&f[0], &f[1], &wall_f[0], &wall_f[1]})
+      for (const auto *part : {&f[0], &f[1], &wall_f[0], &wall_f[1], &wall_next[0], &wall_next[1]})
         results[variant].insert(results[variant].end(), part->begin(), part->end());
     }
   double largest = 0., difference = 0.;
