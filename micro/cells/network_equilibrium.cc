@@ -8,11 +8,6 @@
 
 namespace turgor
 {
-namespace
-{
-using Triplet = Eigen::Triplet<double, int>;
-}
-
 NetworkEquilibrium::NetworkEquilibrium(const HydrostaticNetwork &network_, std::vector<std::uint32_t> clamped)
   : network(network_)
 {
@@ -39,94 +34,79 @@ NetworkEquilibrium::NetworkEquilibrium(const HydrostaticNetwork &network_, std::
 void NetworkEquilibrium::build_pattern()
 {
   const ParenchymaPatch &patch = network.patch();
-  const std::size_t n = patch.nodes.size();
-  std::vector<Triplet> entries;
-  const auto block = [&](const std::size_t i, const std::size_t j, const double value) {
-    for (int a = 0; a < 2; ++a)
-      for (int b = 0; b < 2; ++b)
-        {
-          const int r = unknown[2 * i + a], c = unknown[2 * j + b];
-          if (r >= 0 && c >= 0 && (i != j || r >= c))
-            entries.emplace_back(std::max(r, c), std::min(r, c), a == b ? value : 0.);
-        }
+  const auto block = [&](const std::size_t node) {
+    return unknown[2 * node] < 0 ? fixed : static_cast<std::uint32_t>(unknown[2 * node] / 2);
   };
-  for (const WallRing &ring : patch.rings)
-    for (std::uint32_t k = 0; k < ring.count; ++k)
+  const auto cell_block = [&](const std::size_t c) { return static_cast<std::uint32_t>(n_free / 2 + c); };
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  const auto pair = [&](const std::uint32_t i, const std::uint32_t j) {
+    if (i != fixed && j != fixed)
+      pairs.emplace_back(i, j);
+  };
+  for (std::size_t c = 0; c < patch.rings.size(); ++c)
+    for (std::uint32_t k = 0; k < patch.rings[c].count; ++k)
       {
-        block(ring.first + k, ring.first + k, 0.);
-        block(ring.first + k, ring.first + (k + 1) % ring.count, 0.);
-        block(ring.first + k, ring.first + (k + 2) % ring.count, 0.);
+        const WallRing &ring = patch.rings[c];
+        pair(block(ring.first + k), block(ring.first + (k + 1) % ring.count));
+        pair(block(ring.first + k), block(ring.first + (k + 2) % ring.count));
+        pair(block(ring.first + k), cell_block(c));
       }
   for (const LamellaTie &tie : patch.ties)
-    {
-      block(tie.a, tie.a, patch.tie_stiffness);
-      block(tie.b, tie.b, patch.tie_stiffness);
-      block(tie.a, tie.b, -patch.tie_stiffness);
-    }
-  for (std::size_t c = 0; c < patch.rings.size(); ++c)
-    {
-      const int row = n_free + static_cast<int>(c);
-      for (std::size_t d = 2 * patch.rings[c].first; d < 2 * (patch.rings[c].first + patch.rings[c].count); ++d)
-        if (unknown[d] >= 0)
-          entries.emplace_back(row, unknown[d], 0.);
-      entries.emplace_back(row, row, -1.);
-    }
-  const int size = n_free + n_cells;
-  matrix.resize(size, size);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  matrix.makeCompressed();
-  tie_values.assign(matrix.valuePtr(), matrix.valuePtr() + matrix.nonZeros());
-  solver.analyzePattern(matrix);
+    pair(block(tie.a), block(tie.b));
+  size = n_free + 2 * n_cells;
+  solver.analyse(static_cast<std::uint32_t>(size / 2), pairs);
 
-  const auto slot = [&](const int r, const int c) {
-    if (r < 0 || c < 0)
-      return -1;
-    const int row = std::max(r, c), column = std::min(r, c);
-    const int *begin = matrix.innerIndexPtr() + matrix.outerIndexPtr()[column],
-              *end = matrix.innerIndexPtr() + matrix.outerIndexPtr()[column + 1];
-    return static_cast<int>(std::lower_bound(begin, end, row) - matrix.innerIndexPtr());
+  const auto place = [&](const std::uint32_t i, const std::uint32_t j) {
+    return i == fixed || j == fixed ? BlockLdlt::Place{fixed, false} : solver.place(i, j);
   };
-  diagonal_slots.resize(n_free);
-  for (int u = 0; u < n_free; ++u)
-    diagonal_slots[u] = slot(u, u);
-  own_slots.reserve(3 * n);
-  next_slots.reserve(4 * n);
-  second_slots.reserve(4 * n);
-  border_slots.resize(2 * n);
   for (std::size_t c = 0; c < patch.rings.size(); ++c)
+    for (std::uint32_t k = 0; k < patch.rings[c].count; ++k)
+      {
+        const WallRing &ring = patch.rings[c];
+        const std::uint32_t i = block(ring.first + k);
+        own.push_back(place(i, i));
+        next.push_back(place(i, block(ring.first + (k + 1) % ring.count)));
+        second.push_back(place(i, block(ring.first + (k + 2) % ring.count)));
+        border.push_back(place(cell_block(c), i));
+      }
+
+  constant_part.assign(solver.values().size(), Block2{});
+  const auto add_isotropic = [&](const BlockLdlt::Place &at, const double k) {
+    if (at.index == fixed)
+      return;
+    constant_part[at.index][0] += k;
+    constant_part[at.index][3] += k;
+  };
+  for (const LamellaTie &tie : patch.ties)
     {
-      const WallRing &ring = patch.rings[c];
-      for (std::uint32_t k = 0; k < ring.count; ++k)
-        {
-          const std::size_t i = ring.first + k;
-          const int *u = &unknown[2 * i], *v = &unknown[2 * (ring.first + (k + 1) % ring.count)],
-                    *w = &unknown[2 * (ring.first + (k + 2) % ring.count)];
-          own_slots.insert(own_slots.end(), {slot(u[0], u[0]), slot(u[1], u[0]), slot(u[1], u[1])});
-          next_slots.insert(next_slots.end(),
-                            {slot(u[0], v[0]), slot(u[0], v[1]), slot(u[1], v[0]), slot(u[1], v[1])});
-          second_slots.insert(second_slots.end(),
-                              {slot(u[0], w[0]), slot(u[0], w[1]), slot(u[1], w[0]), slot(u[1], w[1])});
-          const int row = n_free + static_cast<int>(c);
-          border_slots[2 * i] = slot(row, u[0]);
-          border_slots[2 * i + 1] = slot(row, u[1]);
-        }
+      add_isotropic(place(block(tie.a), block(tie.a)), patch.tie_stiffness);
+      add_isotropic(place(block(tie.b), block(tie.b)), patch.tie_stiffness);
+      add_isotropic(place(block(tie.a), block(tie.b)), -patch.tie_stiffness);
     }
+  for (std::size_t c = 0; c < patch.rings.size(); ++c)
+    constant_part[place(cell_block(c), cell_block(c)).index] = {-1., 0., 0., 1.};
 }
 
 void NetworkEquilibrium::assemble(const double shift)
 {
-  double *value = matrix.valuePtr();
-  std::copy(tie_values.begin(), tie_values.end(), value);
-  const auto add = [value](const int slot, const double v) {
-    if (slot >= 0)
-      value[slot] += v;
+  std::vector<Block2> &value = solver.values();
+  std::copy(constant_part.begin(), constant_part.end(), value.begin());
+  const auto add = [&value](const BlockLdlt::Place &at, const double xx, const double yx, const double xy,
+                            const double yy) {
+    if (at.index == fixed)
+      return;
+    Block2 &to = value[at.index];
+    to[0] += xx;
+    to[1] += at.transposed ? xy : yx;
+    to[2] += at.transposed ? yx : xy;
+    to[3] += yy;
   };
   const double z0 = network.depth(), B = network.hinge_stiffness();
   const std::vector<WallRing> &rings = network.patch().rings;
   for (std::size_t c = 0; c < rings.size(); ++c)
     {
       const std::size_t first = rings[c].first, count = rings[c].count;
-      const double half_pressure = 0.5 * now.pressure[c] * z0, border = 0.5 * z0 * std::sqrt(now.stiffness[c]);
+      const double half_pressure = 0.5 * now.pressure[c] * z0, b = 0.5 * z0 * std::sqrt(now.stiffness[c]);
       // C_i = -B/l g_i g_(i+1)^T couples edge i to the next one; carried along the ring
       const std::size_t last = first + count - 1;
       double Pxx = -B * now.gx[last] * now.gx[first], Pxy = -B * now.gx[last] * now.gy[first],
@@ -136,50 +116,29 @@ void NetworkEquilibrium::assemble(const double shift)
           const std::size_t i = first + k, before = k == 0 ? last : i - 1, after = i == last ? first : i + 1;
           const double Cxx = -B * now.gx[i] * now.gx[after], Cxy = -B * now.gx[i] * now.gy[after],
                        Cyx = -B * now.gy[i] * now.gx[after], Cyy = -B * now.gy[i] * now.gy[after];
-          const int *own = &own_slots[3 * i], *next = &next_slots[4 * i], *second = &second_slots[4 * i];
-          add(own[0], now.Sxx[before] + now.Sxx[i] - 2. * Pxx);
-          add(own[1], now.Sxy[before] + now.Sxy[i] - Pxy - Pyx);
-          add(own[2], now.Syy[before] + now.Syy[i] - 2. * Pyy);
-          add(next[0], -now.Sxx[i] + Pxx + Cxx);
-          add(next[1], -now.Sxy[i] + Pxy + Cxy - half_pressure);
-          add(next[2], -now.Sxy[i] + Pyx + Cyx + half_pressure);
-          add(next[3], -now.Syy[i] + Pyy + Cyy);
-          add(second[0], -Cxx);
-          add(second[1], -Cxy);
-          add(second[2], -Cyx);
-          add(second[3], -Cyy);
-          add(border_slots[2 * i], border * (now.ey[before] + now.ey[i]));
-          add(border_slots[2 * i + 1], -border * (now.ex[before] + now.ex[i]));
+          const double xy = now.Sxy[before] + now.Sxy[i] - Pxy - Pyx;
+          add(own[i], now.Sxx[before] + now.Sxx[i] - 2. * Pxx + shift, xy, xy,
+              now.Syy[before] + now.Syy[i] - 2. * Pyy + shift);
+          add(next[i], -now.Sxx[i] + Pxx + Cxx, -now.Sxy[i] + Pyx + Cyx + half_pressure,
+              -now.Sxy[i] + Pxy + Cxy - half_pressure, -now.Syy[i] + Pyy + Cyy);
+          add(second[i], -Cxx, -Cyx, -Cxy, -Cyy);
+          add(border[i], b * (now.ey[before] + now.ey[i]), 0., -b * (now.ex[before] + now.ex[i]), 0.);
           Pxx = Cxx, Pxy = Cxy, Pyx = Cyx, Pyy = Cyy;
         }
     }
-  if (shift > 0.)
-    for (const int slot : diagonal_slots)
-      value[slot] += shift;
 }
 
 Eigen::SparseMatrix<double> NetworkEquilibrium::system(const std::vector<double> &x, const Tensor2<2> &H)
 {
   network.evaluate(x, H, NetworkOrder::hessian, now);
   assemble(0.);
-  return matrix;
+  return solver.matrix();
 }
 
 bool NetworkEquilibrium::factorise(const double shift)
 {
   assemble(shift);
-  solver.factorize(matrix);
-  if (solver.info() != Eigen::Success)
-    return false;
-  const auto D = solver.vectorD();
-  int negative = 0;
-  for (Eigen::Index i = 0; i < D.size(); ++i)
-    {
-      if (!std::isfinite(D[i]))
-        return false;
-      negative += D[i] < 0.;
-    }
-  return negative == n_cells;
+  return solver.factorise() && solver.negative_pivots() == static_cast<unsigned int>(n_cells);
 }
 
 double NetworkEquilibrium::residual(const NetworkEvaluation &at) const
@@ -199,21 +158,28 @@ bool NetworkEquilibrium::leave_saddle(std::vector<double> &x, const Tensor2<2> &
 {
   // Inverse iteration with the shifted factor (positive definite) towards the lowest eigenvector,
   // from a fixed start without symmetry.
-  Eigen::VectorXd v = Eigen::VectorXd::Zero(n_free + n_cells);
+  step.assign(size, 0.);
   double seed = 0.5;
   for (int u = 0; u < n_free; ++u)
     {
       seed = std::fmod(seed + 0.6180339887498949, 1.);
-      v[u] = seed - 0.5;
+      step[u] = seed - 0.5;
     }
+  const auto largest = [&] {
+    double m = 0.;
+    for (int u = 0; u < n_free; ++u)
+      m = std::max(m, std::abs(step[u]));
+    return m;
+  };
   for (int i = 0; i < 30; ++i)
     {
-      v.head(n_free).normalize();
-      v.tail(n_cells).setZero();
-      v = solver.solve(v).eval();
+      const double scale = 1. / largest();
+      for (int u = 0; u < size; ++u)
+        step[u] = u < n_free ? scale * step[u] : 0.;
+      solver.solve(step.data());
     }
-  const double size = v.head(n_free).cwiseAbs().maxCoeff();
-  if (!(size > 0.) || !std::isfinite(size))
+  const double amount = largest();
+  if (!(amount > 0.) || !std::isfinite(amount))
     return false;
   network.evaluate(x, H, NetworkOrder::energy, trial);
   const double here = trial.energy;
@@ -221,7 +187,7 @@ bool NetworkEquilibrium::leave_saddle(std::vector<double> &x, const Tensor2<2> &
     for (const double sign : {1., -1.})
       {
         for (std::size_t d = 0; d < x.size(); ++d)
-          x_trial[d] = x[d] + (unknown[d] >= 0 ? sign * amplitude / size * v[unknown[d]] : 0.);
+          x_trial[d] = x[d] + (unknown[d] >= 0 ? sign * amplitude / amount * step[unknown[d]] : 0.);
         network.evaluate(x_trial, H, NetworkOrder::energy, trial);
         if (trial.energy < here)
           {
@@ -243,7 +209,6 @@ EquilibriumReport NetworkEquilibrium::solve(std::vector<double> &x, const Tensor
   double shift = 0.;
   bool minimum = true; // the last Hessian was positive definite
   x_trial.resize(x.size());
-  right.setZero(n_free + n_cells);
 
   network.evaluate(x, H, NetworkOrder::hessian, now);
   report.residual = residual(now);
@@ -295,11 +260,11 @@ EquilibriumReport NetworkEquilibrium::solve(std::vector<double> &x, const Tensor
           continue;
         }
 
+      step.assign(size, 0.);
       for (std::size_t d = 0; d < unknown.size(); ++d)
         if (unknown[d] >= 0)
-          right[unknown[d]] = -now.gradient[d];
-      right.tail(n_cells).setZero();
-      step = solver.solve(right);
+          step[unknown[d]] = -now.gradient[d];
+      solver.solve(step.data());
       ++report.iterations;
 
       // No edge may change by more than half its length in one step.
@@ -334,14 +299,14 @@ EquilibriumReport NetworkEquilibrium::solve(std::vector<double> &x, const Tensor
           for (std::size_t d = 0; d < x.size(); ++d)
             x_trial[d] = x[d] + length * moved(d);
           network.evaluate(x_trial, H, NetworkOrder::hessian, trial);
-          const double next = residual(trial);
+          const double residual_there = residual(trial);
           bool inside_out = false;
           for (const double v : trial.volume)
             inside_out = inside_out || !(v > 0.);
-          if (inside_out || !std::isfinite(next))
+          if (inside_out || !std::isfinite(residual_there))
             continue;
           // Newton's method at work: no energy needed.
-          accepted = minimum && length == 1. && (next <= 0.5 * report.residual || next <= tolerance);
+          accepted = minimum && length == 1. && (residual_there <= 0.5 * report.residual || residual_there <= tolerance);
           if (!accepted)
             {
               NetworkEvaluation &energy = energy_scratch;
@@ -355,13 +320,13 @@ EquilibriumReport NetworkEquilibrium::solve(std::vector<double> &x, const Tensor
               const double wanted = 1e-4 * length * slope;
               accepted = energy.energy <= here + wanted ||
                          // the difference is lost in round-off: forces decide
-                         (-wanted < 1e-13 * std::abs(here) && next <= report.residual);
+                         (-wanted < 1e-13 * std::abs(here) && residual_there <= report.residual);
             }
           if (accepted)
             {
               std::swap(x, x_trial);
               std::swap(now, trial);
-              report.residual = next;
+              report.residual = residual_there;
               break;
             }
         }
@@ -385,13 +350,20 @@ bool NetworkEquilibrium::relaxed_curvature(const std::vector<double> &x, const T
     return false;
   std::array<std::vector<double>, 4> forces;
   network.affine_response(x, H, now, L, forces, curvature);
-  Eigen::MatrixXd b = Eigen::MatrixXd::Zero(n_free + n_cells, 4);
+  std::array<std::vector<double>, 4> follow;
   for (int k = 0; k < 4; ++k)
-    for (std::size_t d = 0; d < unknown.size(); ++d)
-      if (unknown[d] >= 0)
-        b(unknown[d], k) = forces[k][d];
-  const Eigen::MatrixXd answer = solver.solve(b);
-  curvature -= b.topRows(n_free).transpose() * answer.topRows(n_free);
+    {
+      follow[k].assign(size, 0.);
+      for (std::size_t d = 0; d < unknown.size(); ++d)
+        if (unknown[d] >= 0)
+          follow[k][unknown[d]] = forces[k][d];
+      solver.solve(follow[k].data());
+    }
+  for (int k = 0; k < 4; ++k)
+    for (int l = 0; l < 4; ++l)
+      for (std::size_t d = 0; d < unknown.size(); ++d)
+        if (unknown[d] >= 0)
+          curvature(k, l) -= forces[k][d] * follow[l][unknown[d]];
   curvature = (0.5 * (curvature + curvature.transpose())).eval();
   return curvature.allFinite();
 }

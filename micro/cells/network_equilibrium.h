@@ -5,9 +5,9 @@
 //   [ K    b ] [ dx ]   [ -dE/dx ]
 //   [ b^T -1 ] [  q ] = [    0   ]        K + b b^T = d2E/dx2, see hydrostatic_network.h
 //
-// factorised as L D L^T with one symbolic analysis for the life of the object. By Sylvester's law
-// d2E/dx2 is positive definite if and only if D has exactly one negative entry per cell; otherwise
-// a multiple of the identity is added. Steps are limited, and checked against the energy unless the
+// factorised as L D L^T (block_ldlt.h) with one symbolic analysis for the life of the object. By
+// Sylvester's law d2E/dx2 is positive definite if and only if D has exactly one negative eigenvalue
+// per cell; otherwise a multiple of the identity is added. Steps are limited, and checked against the energy unless the
 // residual falls as Newton's method should. A stationary point that is no minimum (walls about to
 // buckle) is left along the direction of most negative curvature, so what is found is a minimum.
 //
@@ -15,10 +15,9 @@
 // Out: x and how it was reached. Never NaN: a failed search returns the best x and a sentence.
 #pragma once
 
+#include "micro/cells/block_ldlt.h"
 #include "micro/cells/hydrostatic_network.h"
 
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
 
 #include <string>
 #include <vector>
@@ -57,7 +56,8 @@ public:
   bool relaxed_curvature(const std::vector<double> &x, const Tensor2<2> &H, const std::array<Tensor2<2>, 4> &L,
                          Tensor4<2> &curvature);
 
-  /// The matrix above at x (lower triangle; free unknowns in the order of x, then one row per cell).
+  /// The matrix above at x: free unknowns in the order of x, then two rows per cell, q and an
+  /// idle one (1 on the diagonal) that fills up its block.
   Eigen::SparseMatrix<double> system(const std::vector<double> &x, const Tensor2<2> &H);
 
   const NetworkEvaluation &last_evaluation() const { return now; }
@@ -71,16 +71,13 @@ private:
 
   const HydrostaticNetwork &network;
   std::vector<int> unknown; ///< per degree of freedom: index in the system, -1 where fixed
-  int n_free = 0, n_cells = 0;
-  Eigen::SparseMatrix<double> matrix; ///< lower triangle
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> solver;
-  std::vector<int> diagonal_slots;           ///< per free unknown
-  std::vector<int> own_slots, next_slots, second_slots; ///< per node: 3, 4, 4 entries
-  std::vector<int> border_slots;             ///< per degree of freedom: its entry in b
-  std::vector<double> tie_values;            ///< the matrix of the ties alone, constant
+  int n_free = 0, n_cells = 0, size = 0;
+  BlockLdlt solver;
+  static constexpr std::uint32_t fixed = 0xffffffffu;
+  std::vector<BlockLdlt::Place> own, next, second, border; ///< per node: with itself, the next two, its cell
+  std::vector<Block2> constant_part;                       ///< ties and the rows of q
   NetworkEvaluation now, trial, energy_scratch;
-  Eigen::VectorXd right, step;
-  std::vector<double> x_trial;
+  std::vector<double> step, x_trial;
   double round_off_floor;
 };
 

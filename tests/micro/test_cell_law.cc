@@ -147,6 +147,9 @@ BOOST_AUTO_TEST_CASE(hinge_forces)
   // sign and value by hand: a left turn of 90 degrees
   BOOST_TEST(WallBending::angle({2., 0.}, {0., 3.}) == std::numbers::pi / 2.);
   BOOST_TEST(WallBending::angle({2., 0.}, {0., -3.}) == -std::numbers::pi / 2.);
+  // the series of nearly flat hinges is atan2
+  for (double t = -0.2; t < 0.2; t += 0.00731)
+    BOOST_TEST(std::abs(WallBending::angle({2., 0.}, {3. * std::cos(t), 3. * std::sin(t)}) - t) < 1e-16 + 2e-16 * std::abs(t));
   // curvature of the direction angle
   const Vector<2> v(0.7, -0.4);
   for (int c = 0; c < 2; ++c)
