@@ -9,6 +9,7 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
 #include <thread>
 
@@ -77,7 +78,11 @@ int run_command(const RunOptions &options, const ScenarioRegistry &registry, Mpi
 
   const unsigned int cores = std::max(1u, std::thread::hardware_concurrency());
   const unsigned int threads = options.threads > 0 ? options.threads : std::max(1u, cores / ranks);
-  dealii::MultithreadInfo::set_thread_limit(threads);
+  // Never one for deal.II: with one thread its FEValues reuses the geometry of the cell before it
+  // where the two look alike, with more it does not, and the last bits of a run would depend on
+  // --threads. TBB's own limit below is what counts.
+  ::unsetenv("DEAL_II_NUM_THREADS");
+  dealii::MultithreadInfo::set_thread_limit(std::max(2u, threads));
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   install_stop_handler();
 
