@@ -204,8 +204,10 @@ EquilibriumReport NetworkEquilibrium::solve(std::vector<double> &x, const Tensor
   EquilibriumReport report;
   const ParenchymaPatch &patch = network.patch();
   const double tolerance = std::max(settings.tolerance, round_off_floor);
-  const double smallest_shift = 1e-4 * patch.tie_stiffness / patch.parameters.lamella_ratio,
-               largest_shift = 1e6 * smallest_shift;
+  // Against the stiffness of a wall spring. The smallest has to lie below the softest negative curvature
+  // of several cells that buckle together, or the way down it takes hundreds of steps.
+  const double spring = patch.tie_stiffness / patch.parameters.lamella_ratio, smallest_shift = 1e-8 * spring,
+               largest_shift = 1e2 * spring;
   double shift = 0.;
   bool minimum = true; // the last Hessian was positive definite
   x_trial.resize(x.size());
@@ -231,11 +233,11 @@ EquilibriumReport NetworkEquilibrium::solve(std::vector<double> &x, const Tensor
         }
 
       // A positive definite model of the energy.
-      shift = shift <= smallest_shift || report.residual <= tolerance ? 0. : 0.25 * shift;
+      shift = shift <= smallest_shift || report.residual <= tolerance ? 0. : 0.2 * shift;
       ++report.factorisations;
       while (!factorise(shift))
         {
-          shift = shift == 0. ? smallest_shift : 4. * shift;
+          shift = shift == 0. ? smallest_shift : 5. * shift;
           ++report.factorisations;
           if (shift > largest_shift)
             {
