@@ -2,6 +2,7 @@
 
 #include "micro/io/run_context.h"
 #include "rve/hydrostatic_rve.h"
+#include "rve/sph_rve.h"
 
 #include <stdexcept>
 
@@ -27,7 +28,20 @@ std::unique_ptr<Rve<2>> make_rve(const RveParameters &p)
           settings.equilibrium = {p.tolerance, p.max_iterations};
           return std::make_unique<HydrostaticRve>(p.cell, settings);
         }
-      throw InputError("RVE/Fluid is " + p.fluid + ", but allowed is hydrostatic.");
+      SphRveSettings settings;
+      settings.rule = p.rule == "cauchy_born"         ? SphRule::cauchy_born :
+                      p.rule == "elastic_equilibrium" ? SphRule::elastic_equilibrium :
+                                                        SphRule::constrained_runs;
+      settings.columns = p.columns;
+      settings.rows = p.rows;
+      settings.sph = p.sph;
+      settings.step_fraction = p.step_fraction;
+      settings.burst = p.burst;
+      settings.bursts = p.bursts;
+      settings.window = p.window;
+      settings.tolerance = p.tolerance;
+      settings.relax_steps = p.relax_steps;
+      return std::make_unique<SphRve>(p.cell, settings);
     }
   catch (const std::invalid_argument &wrong)
     {

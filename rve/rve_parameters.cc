@@ -29,7 +29,16 @@ void RveParameters::add_parameters(dealii::ParameterHandler &prm)
                     "Time over which the virial stress is averaged (Eq. 3.17), where the rule runs dynamics. Units: s.",
                     Double(0., 1.));
   prm.add_parameter("Burst length", burst, "Time a constrained-runs burst lasts. Units: s.", Double(0., 1.));
-  prm.add_parameter("Seed", seed, "Of the fluid particles' disorder. Units: 1.", Integer(0, 2147483647));
+  prm.add_parameter("Bursts", bursts, "Bursts of one constrained-runs call. Units: 1.", Integer(1, 1000));
+  prm.add_parameter("Step fraction", step_fraction,
+                    "Micro time step over the stable limit that the terms state; for Fluid = sph. Units: 1.",
+                    Double(0.01, 1.));
+  prm.add_parameter("Relax steps", relax_steps,
+                    "Damped steps that one call of elastic_equilibrium may take with Fluid = sph. Units: steps.",
+                    Integer(0, 10000000));
+  prm.leave_subsection();
+  prm.enter_subsection("SPH");
+  sph.add_parameters(prm);
   prm.leave_subsection();
   prm.enter_subsection("Cell");
   cell.add_parameters(prm);

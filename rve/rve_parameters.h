@@ -2,7 +2,7 @@
 // (micro/cells/parenchyma.h). Declared once, used by every scene that has RVEs.
 #pragma once
 
-#include "micro/cells/parenchyma.h"
+#include "micro/cells/sph_parenchyma.h"
 
 #include <string>
 
@@ -20,9 +20,12 @@ struct RveParameters
   unsigned int columns = 1, rows = 1;       ///< cells in the RVE
   double tolerance = 1e-9;                  ///< largest unbalanced force / (turgor * spacing * depth)
   unsigned int max_iterations = 300;        ///< Newton iterations of one call
-  double window = 1e-6;                     ///< s, tau_0 of the averaged virial stress (Eq. 3.17)
-  double burst = 2e-6;                      ///< s, length of a constrained-runs burst
-  unsigned int seed = 1;                    ///< of the particles' disorder
+  double window = 1e-7;                     ///< s, tau_0 of the averaged virial stress (Eq. 3.17)
+  double burst = 2e-7;                      ///< s, length of a constrained-runs burst
+  unsigned int bursts = 1;                  ///< bursts per call
+  double step_fraction = 0.9;               ///< micro step over its stable limit
+  unsigned int relax_steps = 2000;          ///< elastic_equilibrium with particles: damped steps of one call
+  SphParameters sph;                        ///< used with fluid = sph only
   ParenchymaParameters cell;
 
   /// Declares subsections "RVE" and "Cell" in the current subsection of prm.

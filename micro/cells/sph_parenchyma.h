@@ -17,7 +17,7 @@ struct SphParameters
 {
   unsigned int particles_per_side = 22; ///< fluid particles along a cell side (its square in a cell)
   double support_ratio = 2.6;           ///< kernel radius / particle spacing (h = 1.3 spacings)
-  double skin_ratio = 0.3;              ///< list skin / particle spacing
+  double skin_ratio = 0.1;              ///< list skin / particle spacing
   unsigned int seed = 1;                ///< of the initial disorder
   unsigned int anneal_steps = 20000;    ///< steps of damped motion before the reference
 

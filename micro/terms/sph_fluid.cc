@@ -356,6 +356,13 @@ double SphFluid::mean_pressure(const Particles<2> &particles, const std::size_t 
   return total / g.fluid_count();
 }
 
+void SphFluid::forget_lists()
+{
+  for (Cell &cell : cells)
+    for (auto &positions : cell.built_at)
+      positions.clear();
+}
+
 std::size_t SphFluid::crossed() const
 {
   std::size_t total = 0;

@@ -48,6 +48,9 @@ public:
   /// Mean of the particles' EOS pressure, Pa; after add_forces.
   double mean_pressure(const Particles<2> &particles, std::size_t group) const;
 
+  /// The next force evaluation builds all lists anew, whatever came before.
+  void forget_lists();
+
   /// Particles found outside their wall in the last force evaluation, all groups.
   std::size_t crossed() const;
   std::size_t list_builds() const;

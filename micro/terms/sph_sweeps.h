@@ -7,7 +7,7 @@
 //   E       = sum_i m e(rho_i)
 //   f_k     = - sum_i m p_i / rho_i^2 d rho_i / d x_k      for fluid and wall alike
 // gamma from the wall alone: gamma_i = 1 + sum_faces [ integral G(r) r.n dS - angle / (2 pi) ],
-// div(r G) = W, by 4-point Gauss on the face; the discrete expression itself is differentiated,
+// div(r G) = W, by 3-point Gauss on the face; the discrete expression itself is differentiated,
 // so F = -dE/dx and momentum hold to round-off (compare Ferrand et al. 2013,
 // 10.1002/fld.3666, for the continuous correction).
 // Kernel: Wendland C2 (no pairing instability), W = C (1 - u)^4 (4 u + 1), u = r / support.

@@ -172,8 +172,9 @@ void density(CellView &c)
     dummy[k] = 0.;
 
   // Gauss points and weights on [0, 1].
-  const double gauss_x[4] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813, 0.93056815579702629};
-  const double gauss_w[4] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307, 0.17392742256872693};
+  constexpr int gauss_points = 3;
+  const double gauss_x[gauss_points] = {0.11270166537925831, 0.5, 0.88729833462074169};
+  const double gauss_w[gauss_points] = {5. / 18., 8. / 18., 5. / 18.};
 
   Gradient *gradients = reinterpret_cast<Gradient *>(c.scratch);
   V *slip = reinterpret_cast<V *>(c.scratch + c.scratch_half);
@@ -216,7 +217,7 @@ void density(CellView &c)
               const V cross = ax * by - ay * bx, dot = ax * bx + ay * by;
               const V ex = bx - ax, ey = by - ay;
               V s = splat(0.), sax = s, say = s, sbx = s, sby = s, wa = s, wb = s;
-              for (int g = 0; g < 4; ++g)
+              for (int g = 0; g < gauss_points; ++g)
                 {
                   const V rx = ax + splat(gauss_x[g]) * ex, ry = ay + splat(gauss_x[g]) * ey;
                   const V r2 = rx * rx + ry * ry + tiny, ir = rsqrt(r2), u = r2 * ir * viR, u2 = u * u;
