@@ -1,0 +1,118 @@
+"""Through the built program: same bits on threads and ranks, kill -9 and resume, plot, study."""
+import csv
+import json
+import os
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+BUILD = os.environ["TURGOR_BUILD"]
+PROGRAM = os.path.join(BUILD, "app", "turgor")
+SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+# A few steps each.
+FE2 = [os.path.join(SOURCE, "inputs", "tissue_gravity.prm"), "--set", "Time/End time=3e-6"]
+FULL = [os.path.join(SOURCE, "inputs", "full_micro.prm"), "--set", "Columns=2", "--set", "Rows=2", "--set", "End time=1e-6"]
+
+
+def content(*path):
+    with open(os.path.join(*path), "rb") as file:
+        return file.read()
+
+
+class Product(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.directory = self.temporary.name
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def command(self, *arguments):
+        return [PROGRAM] + list(arguments)
+
+    def run_program(self, *arguments):
+        done = subprocess.run(self.command(*arguments), cwd=self.directory, capture_output=True, text=True,
+                              timeout=600, stdin=subprocess.DEVNULL)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return done.stdout
+
+    def assert_same(self, one, other):
+        for name in ("probe.csv", "cell_displacement.csv"):
+            self.assertEqual(content(self.directory, one, name), content(self.directory, other, name), name)
+
+    def test_same_bits_on_threads_and_ranks(self):
+        self.run_program("run", *FE2, "-o", "one", "--threads", "1")
+        self.run_program("run", *FE2, "-o", "two", "--threads", "2")
+        self.run_program("run", *FE2, "-o", "ranks", "--threads", "1", "--ranks", "2")
+        self.assert_same("one", "two")
+        self.assert_same("one", "ranks")
+
+    def test_same_bits_of_the_full_run_on_threads(self):
+        self.run_program("run", *FULL, "-o", "one", "--threads", "1")
+        self.run_program("run", *FULL, "-o", "two", "--threads", "2")
+        self.assert_same("one", "two")
+
+    def kill_and_resume(self, arguments):
+        self.run_program("run", *arguments, "-o", "whole")
+        for pause in (0., 0.05, 0.3):
+            child = subprocess.Popen(self.command("run", *arguments, "-o", "cut", "--quiet"), cwd=self.directory)
+            while child.poll() is None and not os.path.exists(os.path.join(self.directory, "cut", "probe.csv")):
+                time.sleep(0.005)
+            time.sleep(pause)
+            child.send_signal(signal.SIGKILL)
+            child.wait()
+            self.run_program("run", *arguments, "-o", "cut", "--resume")
+            self.assert_same("whole", "cut")
+
+    def test_killed_fe2_resumes_to_the_same_bits(self):
+        self.kill_and_resume(FE2)
+
+    def test_killed_full_run_resumes_to_the_same_bits(self):
+        self.kill_and_resume(FULL)
+
+    def test_ranks_are_refused_by_a_scene_without_them(self):
+        done = subprocess.run(self.command("run", *FULL, "-o", "out", "--ranks", "2"), cwd=self.directory,
+                              capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("does not share its work over ranks", done.stderr)
+        self.assertEqual(os.listdir(self.directory), [])
+
+    def test_checkpoint_of_another_input_is_refused(self):
+        self.run_program("run", *FULL, "-o", "out")
+        done = subprocess.run(self.command("run", *FULL, "--set", "Load=1e3", "-o", "out", "--resume"), cwd=self.directory,
+                              capture_output=True, text=True, timeout=60)
+        if not any(name.startswith("checkpoint") for name in os.listdir(os.path.join(self.directory, "out"))):
+            self.skipTest("the run was too short for a checkpoint")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("belongs to another input", done.stderr)
+
+    def test_study_and_plot(self):
+        with open(os.path.join(self.directory, "s.prm"), "w", encoding="utf-8") as file:
+            file.write("set Reference = a\n")
+            for label, values in (("a", ""), ("b", "Step fraction=0.5"), ("c", "Load=0")):
+                file.write(f"subsection Run {label}\nset Method = {label}\nset Input = {FULL[0]}\n"
+                           f"set Overrides = Columns=1; Rows=1; End time=1e-7; {values}\nend\n")
+        self.run_program("study", "s.prm")
+        with open(os.path.join(self.directory, "runs", "s", "error_vs_time.csv"), newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(list(rows[0]), ["method", "settings", "error_history", "error_field", "cpu_time_s", "wall_time_s",
+                                         "peak_memory_bytes"])
+        self.assertEqual([row["method"] for row in rows], ["a", "b", "c"])
+        self.assertEqual(float(rows[0]["error_history"]), 0)
+        self.assertGreater(float(rows[2]["error_field"]), 0.5)  # without load there is next to no displacement
+        for name in ("error_vs_time.png", "probe_history.png"):
+            self.assertTrue(content(self.directory, "runs", "s", name).startswith(b"\x89PNG"))
+        self.assertNotIn("Running", self.run_program("study", "s.prm"))  # all cached
+        with open(os.path.join(self.directory, "runs", "s", "runs.csv"), newline="", encoding="utf-8") as file:
+            place = list(csv.DictReader(file))[0]["directory"]
+        self.run_program("plot", place)
+        self.assertTrue(content(self.directory, place, "probe.png").startswith(b"\x89PNG"))
+        with open(os.path.join(self.directory, place, "summary.json"), encoding="utf-8") as file:
+            self.assertLessEqual({"scenario", "version", "status", "wall_time_s", "cpu_time_s", "peak_memory_bytes",
+                                  "active_terms", "fields", "results"}, set(json.load(file)))
+
+
+if __name__ == "__main__":
+    unittest.main()
