@@ -28,8 +28,6 @@ struct RveLawSettings
 {
   unsigned int threads = 1;          ///< inside a rank
   unsigned int rebalance_every = 50; ///< commits; 0 = never
-  double skip_tolerance = 0.;        ///< Pa, error allowed to a skipped call (skip_gate.h); 0 = every call is made
-  unsigned int skip_sample = 50;     ///< every n-th skipped call is made all the same, to measure the error
 };
 
 /// What the batches have cost so far. Sums over all points and ranks.
@@ -41,10 +39,6 @@ struct RveLawStatistics
   std::uint64_t failed_batches = 0; ///< batches with at least one failed call
   std::uint64_t iterations = 0;     ///< sum over calls
   int max_iterations = 0;
-  std::uint64_t skipped_calls = 0;
-  std::uint64_t sampled_calls = 0;  ///< skipped calls that were made to measure the error
-  double skip_error_square = 0.;    ///< Pa^2, sum over the sampled calls of |P_predicted - P|^2
-  double max_skip_error = 0.;       ///< Pa
   double max_residual = 0.;         ///< largest RveDiagnostics::residual of a converged call
   double max_stress_spread = 0.;    ///< Pa
   double rve_cpu_seconds = 0.;      ///< inside RVEs, all threads and ranks

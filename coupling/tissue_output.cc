@@ -64,8 +64,7 @@ void write_cell_displacement(RunContext &context, const Tissue<2> &tissue, unsig
     }
 }
 
-void write_rve_outlines(RunContext &context, const Tissue<2> &tissue, const RveLaw<2> &law, const Rve<2> &rve,
-                        unsigned int how_many, double width)
+RveOutlines::RveOutlines(RunContext &context, const Tissue<2> &tissue, unsigned int how_many, double width)
 {
   // Where bending shows most first: at the clamp, above and below, then the free end.
   static constexpr std::array<std::array<double, 2>, 9> places = {{{0.03, 0.97},
@@ -78,7 +77,6 @@ void write_rve_outlines(RunContext &context, const Tissue<2> &tissue, const RveL
                                                                   {0.97, 0.03},
                                                                   {0.50, 0.50}}};
   const std::vector<Point<2>> &points = tissue.quadrature_points();
-  std::vector<std::size_t> chosen;
   for (const auto &place : places)
   {
     if (chosen.size() == how_many)
@@ -91,21 +89,27 @@ void write_rve_outlines(RunContext &context, const Tissue<2> &tissue, const RveL
     if (std::find(chosen.begin(), chosen.end(), nearest) == chosen.end())
       chosen.push_back(nearest);
   }
-  const std::vector<RveState<2>> states = law.states(chosen);
+  table = context.series("rve_outlines", {{"time", "s"},
+                                          {"rve", "1"},
+                                          {"ring", "1"},
+                                          {"point_x", "m"},
+                                          {"point_y", "m"},
+                                          {"F_xx", "1"},
+                                          {"F_xy", "1"},
+                                          {"F_yx", "1"},
+                                          {"F_yy", "1"},
+                                          {"period_x", "m"},
+                                          {"period_y", "m"},
+                                          {"pressure", "Pa"},
+                                          {"stress_xy", "Pa"},
+                                          {"x", "m"},
+                                          {"y", "m"}});
+}
 
-  const auto table = context.series("rve_outlines", {{"rve", "1"},
-                                                     {"ring", "1"},
-                                                     {"point_x", "m"},
-                                                     {"point_y", "m"},
-                                                     {"F_xx", "1"},
-                                                     {"F_xy", "1"},
-                                                     {"F_yx", "1"},
-                                                     {"F_yy", "1"},
-                                                     {"period_x", "m"},
-                                                     {"period_y", "m"},
-                                                     {"pressure", "Pa"},
-                                                     {"x", "m"},
-                                                     {"y", "m"}});
+void RveOutlines::write(const Tissue<2> &tissue, const RveLaw<2> &law, const Rve<2> &rve)
+{
+  const std::vector<Point<2>> &points = tissue.quadrature_points();
+  const std::vector<RveState<2>> states = law.states(chosen);
   for (std::size_t k = 0; k < chosen.size(); ++k)
   {
     const RveState<2> &state = states[k];
@@ -113,8 +117,9 @@ void write_rve_outlines(RunContext &context, const Tissue<2> &tissue, const RveL
     const auto rings = rve.outlines(state);
     for (std::size_t ring = 0; ring < rings.size(); ++ring)
       for (const Vector<2> &x : rings[ring])
-        table->add_row({double(chosen[k]), double(ring), at[0], at[1], state.F(0, 0), state.F(0, 1), state.F(1, 0),
-                        state.F(1, 1), rve.lattice()(0, 0), rve.lattice()(1, 1), law.pressure()[chosen[k]], x[0], x[1]});
+        table->add_row({tissue.time(), double(chosen[k]), double(ring), at[0], at[1], state.F(0, 0), state.F(0, 1),
+                        state.F(1, 0), state.F(1, 1), rve.lattice()(0, 0), rve.lattice()(1, 1),
+                        law.pressure()[chosen[k]], law.cauchy_stress()[chosen[k]](0, 1), x[0], x[1]});
   }
 }
 } // namespace turgor

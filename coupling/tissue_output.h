@@ -18,8 +18,19 @@ FieldFrame tissue_frame(const Tissue<2> &tissue, const RveLaw<2> &law);
 void write_cell_displacement(RunContext &context, const Tissue<2> &tissue, unsigned int cells, double period,
                              unsigned int samples);
 
-/// rve_outlines.csv: rings of points (m) of the RVEs nearest to up to 9 spread places of the piece of side `width` (m),
-/// with their quadrature point (m, deformed), F, period (m) and fluid pressure (Pa). Collective.
-void write_rve_outlines(RunContext &context, const Tissue<2> &tissue, const RveLaw<2> &law, const Rve<2> &rve,
-                        unsigned int how_many, double width);
+/// rve_outlines.csv: rings of points (m) of the RVEs nearest to up to 9 spread places of the piece, with their
+/// quadrature point (m, deformed), F, period (m), fluid pressure and shear stress (Pa); one block a call.
+class RveOutlines
+{
+public:
+  /// width: m, of the square piece.
+  RveOutlines(RunContext &context, const Tissue<2> &tissue, unsigned int how_many, double width);
+
+  /// The committed state. Collective.
+  void write(const Tissue<2> &tissue, const RveLaw<2> &law, const Rve<2> &rve);
+
+private:
+  std::vector<std::size_t> chosen;
+  std::unique_ptr<Series> table;
+};
 } // namespace turgor

@@ -57,6 +57,7 @@ private:
   Memory memory;
   std::unique_ptr<Series> probe_series, energy_series, cost_series;
   std::optional<FieldFile> fields;
+  std::optional<RveOutlines> outlines;
   RveLawStatistics before; // at the last row of cost.csv
   const Clock::time_point started = Clock::now();
   const double cpu_at_start = process_cpu_seconds();
@@ -95,7 +96,7 @@ void Run::probe_row()
   cost_series->add_row({tissue.time(), tissue.last_step(), calls,
                         calls > 0. ? static_cast<double>(s.iterations - before.iterations) / calls : 0.,
                         double(s.max_iterations), double(s.failed_calls - before.failed_calls),
-                        double(s.skipped_calls - before.skipped_calls), s.rve_cpu_seconds - before.rve_cpu_seconds,
+                        s.rve_cpu_seconds - before.rve_cpu_seconds,
                         s.imbalance});
   before = s;
 }
@@ -104,6 +105,7 @@ void Run::frame()
 {
   if (fields)
     fields->write(tissue_frame(tissue, law));
+  outlines->write(tissue, law, rve);
   ++memory.frames;
 }
 
@@ -141,14 +143,6 @@ void Run::results()
   context.result("rve_residual_max", s.max_residual, "1");
   if (s.max_stress_spread > 0.)
     context.result("rve_stress_spread_max", s.max_stress_spread, "Pa");
-  if (settings.law.skip_tolerance > 0.)
-  {
-    count("rve_calls_skipped", s.skipped_calls);
-    count("rve_calls_sampled", s.sampled_calls);
-    context.result("skip_error_rms", s.sampled_calls > 0 ? std::sqrt(s.skip_error_square / double(s.sampled_calls)) : 0.,
-                   "Pa");
-    context.result("skip_error_max", s.max_skip_error, "Pa");
-  }
   context.result("rve_cpu_time", s.rve_cpu_seconds, "s");
   context.result("rve_cpu_time_per_call", s.calls > 0 ? s.rve_cpu_seconds / double(s.calls) : 0., "s");
   context.result("rve_calls_per_wall_second", double(s.calls) / wall, "1/s");
@@ -176,9 +170,9 @@ void Run::go()
                                         {"iterations_mean", "1"},
                                         {"iterations_max_so_far", "1"},
                                         {"failed_calls", "1"},
-                                        {"skipped_calls", "1"},
                                         {"rve_cpu_time", "s"},
                                         {"rank_imbalance", "1"}});
+  outlines.emplace(context, tissue, settings.outlined_rves, settings.tissue.size[0]);
   try
   {
     const bool resumed = context.load_checkpoint([&](std::istream &in) {
@@ -230,7 +224,6 @@ void Run::go()
     throw RunFailed(why.what());
   }
   write_cell_displacement(context, tissue, settings.cells, settings.period, settings.cell_samples);
-  write_rve_outlines(context, tissue, law, rve, settings.outlined_rves, settings.tissue.size[0]);
   results();
 }
 } // namespace

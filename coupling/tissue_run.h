@@ -2,7 +2,7 @@
 // A scene decides piece, load and RVE; this does the rest, for a square piece of cells.
 //
 // Writes probe.csv (middle of the right side), energies.csv (J per metre of depth), cost.csv,
-// tissue.xdmf, cell_displacement.csv and rve_outlines.csv. After --resume, all but the
+// tissue.xdmf and rve_outlines.csv every output interval, cell_displacement.csv at the end. After --resume, all but the
 // measured times has the same bits as in a run that was never stopped.
 #pragma once
 
