@@ -1,5 +1,6 @@
 #include "app/run_command.h"
 
+#include "app/plot_command.h"
 #include "app/ranks.h"
 #include "micro/io/run_directory.h"
 #include "micro/io/stop_flag.h"
@@ -105,7 +106,12 @@ int run_command(const RunOptions &options, const ScenarioRegistry &registry, Mpi
   directory.finish(ending.status, ending.message);
   const std::string place = settings.directory.string();
   if (ending.code == 0)
-    directory.say("Finished; results are in " + place + ".");
+    {
+      directory.say("Finished; results are in " + place + ".");
+      // Pictures are a service: the run has its results whether or not they can be drawn.
+      if (settings.writer && !options.quiet && run_plot_script("plot.py", {place}) != 0)
+        directory.say("The pictures could not be drawn; try: turgor plot " + place);
+    }
   else if (settings.writer)
     std::cerr << "turgor: " << ending.message << "\n"
               << (ending.code == 130 ? "Stopped; continue with --resume. " : "The run has failed. ") << "What there is, is in "

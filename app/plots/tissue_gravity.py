@@ -7,7 +7,6 @@ tissue_gravity.png into the same directory: the frame nearest to the probe's dee
 import csv
 import os
 import sys
-import xml.etree.ElementTree as xml
 
 import matplotlib
 
@@ -16,6 +15,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import LineCollection
 from matplotlib.patches import ConnectionPatch
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from fields import frames  # noqa: E402
 
 INK = "#22313f"
 ACCENT = "#b5432e"
@@ -27,34 +29,6 @@ def read_table(path):
         rows = list(csv.reader(file))
     data = np.array([[float(x) for x in row] for row in rows[1:]]).reshape(-1, len(rows[0]))
     return {name.strip(): data[:, k] for k, name in enumerate(rows[0])}
-
-
-def read_frames(path):
-    """The grids of an XDMF file as (time, function that reads points, cells, {field: values})."""
-    import h5py
-
-    def values(item):
-        name, key = item.text.strip().split(":", 1)
-        with h5py.File(os.path.join(os.path.dirname(path), name), "r") as file:
-            return np.array(file[key])
-
-    def reader(grid):
-        def read():
-            points = values(grid.find("Geometry").find("DataItem")).reshape(-1, 3)[:, :2]
-            cells = values(grid.find("Topology").find("DataItem")).reshape(-1, 4)
-            return points, cells, {a.get("Name"): values(a.find("DataItem")) for a in grid.findall("Attribute")}
-
-        return read
-
-    grids = [g for g in xml.parse(path).getroot().iter("Grid") if g.get("GridType", "Uniform") == "Uniform"]
-    return [(float(g.find("Time").get("Value")), reader(g)) for g in grids]
-
-
-def field(fields, start):
-    for name, values in fields.items():
-        if name.startswith(start):
-            return values
-    return None
 
 
 def read_rves(path, time):
@@ -145,14 +119,13 @@ def draw_rve(axis, rve, colour, reach):
 
 
 def picture(directory):
-    frames = read_frames(os.path.join(directory, "tissue.xdmf"))
     probe_table = read_table(os.path.join(directory, "probe.csv"))
     deepest = probe_table["time [s]"][np.argmin(probe_table["displacement_y [m]"])]
-    time, read = min(frames, key=lambda frame: abs(frame[0] - deepest))
-    points, cells, fields = read()
-    displacement = field(fields, "displacement").reshape(len(points), -1)
-    reference = points - displacement[:, :2]
-    shear = np.abs(field(fields, "stress").reshape(len(cells), 9)[:, 1]) / 1e3
+    frame = min(frames(directory, "tissue"), key=lambda one: abs(one.time - deepest))
+    time, points = frame.time, frame.points[:, :2]
+    cells = frame.cells.reshape(-1, 4)
+    reference = points - frame.field("displacement").reshape(len(points), 3)[:, :2]
+    shear = np.abs(frame.field("stress").reshape(len(cells), 9)[:, 1]) / 1e3
     outlines = os.path.join(directory, "rve_outlines.csv")
     rves = read_rves(outlines, time) if os.path.exists(outlines) else []
     width = np.ptp(reference[:, 0]) * 1e3

@@ -33,8 +33,8 @@ std::string command(const fs::path &directory, const std::string &more)
 {
   std::string text = program + " run " + input + " -o " + directory.string() + " --quiet";
   for (const char *set : {"Tissue gravity/Cells=4", "Tissue/Elements x=2", "Tissue/Elements y=2", "Tissue/Degree=1",
-                          "Cell/Nodes per side=8", "Time/End time=1.2e-4", "Time/Checkpoint interval=0",
-                          "Time/Output interval=3e-5", "Tissue gravity/Steps between rebalances=3"})
+                          "Cell/Nodes per side=8", "Time/End time=4e-5", "Time/Checkpoint interval=0",
+                          "Time/Output interval=1.5e-5", "Tissue gravity/Steps between rebalances=3"})
     text += std::string(" --set '") + set + "'";
   return text + " " + more + " > " + directory.string() + ".log 2>&1";
 }
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(same_bits_on_threads_ranks_and_after_kill)
 
   // Killed three times at unequal moments of its work, then left to finish.
   const fs::path killed = folder.path / "killed";
-  for (const int rows : {3, 20, 60})
+  for (const int rows : {3, 12, 30})
   {
     const pid_t child = ::fork();
     if (child == 0)

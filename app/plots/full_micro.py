@@ -1,0 +1,84 @@
+"""The picture of a full_micro run: all particles at the probe's deepest point, fluid coloured by
+pressure, walls dark, one corner magnified, and the probe's history below.
+
+main(directory) reads cells.xdmf and its frames and probe.csv, and writes full_micro.png there.
+"""
+import os
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from fields import frames  # noqa: E402
+from tissue_gravity import INK, plot_history, read_table  # noqa: E402
+
+
+def scatter(axis, points, pressure, wall, norm, colours, spot):
+    axis.scatter(*points[~wall].T, c=pressure[~wall], s=spot, cmap=colours, norm=norm, linewidths=0, rasterized=True)
+    axis.scatter(*points[wall].T, color=INK, s=0.6 * spot, linewidths=0, rasterized=True)
+    axis.set_aspect("equal")
+
+
+def picture(directory):
+    table = read_table(os.path.join(directory, "probe.csv"))
+    deepest = table["time [s]"][np.argmin(table["displacement_y [m]"])]
+    frame = min(frames(directory, "cells"), key=lambda one: abs(one.time - deepest))
+    points = frame.points[:, :2] * 1e3
+    reference = points - frame.field("displacement").reshape(len(points), 3)[:, :2] * 1e3
+    pressure = frame.field("pressure").ravel() / 1e3
+    wall = frame.field("wall").ravel() > 0.5
+    low, high = reference.min(axis=0), reference.max(axis=0)
+    width = high[0] - low[0]
+    norm = matplotlib.colors.Normalize(*np.percentile(pressure[~wall], [2, 98]))
+    colours = plt.get_cmap("viridis")
+
+    figure = plt.figure(figsize=(11.5, 8.0), facecolor="white")
+    axis = figure.add_axes([0.03, 0.30, 0.56, 0.64])
+    scatter(axis, points, pressure, wall, norm, colours, 1500.0 / np.sqrt(len(points)) / 4)
+    axis.plot([low[0], low[0]], [low[1], high[1]], color=INK, linewidth=2.5)
+    axis.axis("off")
+    axis.set_title(f"Every cell as particles, t = {frame.time * 1e3:.3f} ms (true scale)", color=INK, fontsize=12)
+
+    cells = frame.field("cell").ravel()
+    side = width / max(1.0, np.sqrt(cells.max() + 1))
+    centre = np.array([low[0] + 1.5 * side, 0.5 * (low[1] + high[1])])
+    centre = points[np.argmin(np.sum((reference - centre) ** 2, axis=1))]
+    reach = 1.15 * side
+    zoom = figure.add_axes([0.62, 0.36, 0.36, 0.52])
+    near = np.all(np.abs(points - centre) < 1.5 * reach, axis=1)
+    scatter(zoom, points[near], pressure[near], wall[near], norm, colours, 22)
+    zoom.set_xlim(centre[0] - reach, centre[0] + reach)
+    zoom.set_ylim(centre[1] - reach, centre[1] + reach)
+    zoom.set_xticks([])
+    zoom.set_yticks([])
+    axis.indicate_inset_zoom(zoom, edgecolor=INK)
+    bar = figure.add_axes([0.66, 0.315, 0.28, 0.014])
+    scale = figure.colorbar(plt.cm.ScalarMappable(norm=norm, cmap=colours), cax=bar, orientation="horizontal")
+    scale.set_label("fluid pressure [kPa]", color=INK, fontsize=9)
+    scale.ax.tick_params(labelsize=8, colors=INK)
+    scale.outline.set_visible(False)
+
+    below = figure.add_axes([0.085, 0.075, 0.88, 0.155])
+    plot_history(below, table)
+    below.axvline(frame.time * 1e3, color=INK, linewidth=0.9, linestyle=(0, (4, 3)))
+    path = os.path.join(directory, "full_micro.png")
+    figure.savefig(path, dpi=150)
+    plt.close(figure)
+    return path
+
+
+def main(directory):
+    """Paths of the pictures made."""
+    if not all(os.path.exists(os.path.join(directory, name)) for name in ("probe.csv", "cells.xdmf")):
+        return []
+    if len(read_table(os.path.join(directory, "probe.csv"))["time [s]"]) < 2:
+        return []
+    return [picture(directory)]
+
+
+if __name__ == "__main__":
+    main(sys.argv[1] if len(sys.argv) > 1 else ".")
