@@ -4,7 +4,7 @@
 //
 //   1 - exp(-d t) cos(w t):  first maximum near w t = pi, first return near w t = 2 pi
 //
-// An extremum counts once the signal has moved away from it by 1 % of the largest value seen;
+// An extremum counts once the signal has moved away from it by half a per cent of the largest value seen;
 // smaller wiggles are not the tissue's own mode. Plain data: goes into checkpoints as it is.
 // Units: t in s, y in any (m).
 #pragma once
@@ -42,7 +42,7 @@ public:
     if (samples >= 3 && sign * y[1] >= sign * y[0] && sign * y[1] >= sign * y[2] && sign * y[1] >= sign * best.value)
       best = vertex();
     largest = std::max(largest, found == 0 ? best.value : largest);
-    if (sign * (best.value - value) > 0.01 * largest && largest > 0.)
+    if (sign * (best.value - value) > 0.005 * largest && largest > 0.)
     {
       (found == 0 ? first_maximum : first_return) = best;
       ++found;
