@@ -1,0 +1,318 @@
+#include "micro/scenarios/cell_endurance.h"
+
+#include "micro/cells/turgid_reference.h"
+#include "micro/engine/binary.h"
+#include "micro/engine/counter_random.h"
+#include "micro/engine/kick_drift_kick.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace turgor
+{
+namespace
+{
+/// xx, xy; yx, yy; the pattern of the entry has been checked.
+Tensor2<2> matrix_from(std::string text)
+{
+  std::replace(text.begin(), text.end(), ';', ' ');
+  std::replace(text.begin(), text.end(), ',', ' ');
+  std::istringstream in(text);
+  Tensor2<2> matrix;
+  in >> matrix(0, 0) >> matrix(0, 1) >> matrix(1, 0) >> matrix(1, 1);
+  return matrix;
+}
+
+/// N m, what crosses the period: the virial without its part from inside the cell, -sum f (x) x.
+Tensor2<2> image_virial(const ParticleSystem<2> &system)
+{
+  const Particles<2> &p = system.particles;
+  Tensor2<2> total = system.virial();
+  for (int a = 0; a < 2; ++a)
+    for (int b = 0; b < 2; ++b)
+      {
+        double sum = 0.;
+        for (std::size_t i = 0; i < p.size(); ++i)
+          sum += p.f[a][i] * p.x[b][i];
+        total(a, b) += sum;
+      }
+  return total;
+}
+} // namespace
+
+struct CellEndurance::Progress
+{
+  std::uint64_t step = 0;
+  double dt = 0.;           ///< s
+  double work = 0.;         ///< J, done by the moving period
+  double start_energy = 0.; ///< J
+  double start_momentum[2]{};
+  double dissipated = 0., most_dissipated = 0., energy_gain = 0.; ///< J
+  double eos_start = 0., virial_start = 0.;                       ///< Pa, at the first sample (F = I)
+  double most_off[2]{};                 ///< largest |pressure / p(A) - 1| of a sample: EOS mean, virial
+  double late_off[2]{}, late_count = 0; ///< sums of pressure / p(A) - 1 over the last tenth
+  double most_kinetic = 0.;             ///< J
+  double most_crossed = 0.;
+  double list_builds = 0.; ///< before a resume
+  double time() const { return double(step) * dt; }
+};
+
+struct CellEndurance::Sample
+{
+  Tensor2<2> sigma;                                    ///< Pa, virial
+  double eos_pressure = 0., virial_pressure = 0.;      ///< Pa, of the fluid
+  double eos_closed_form = 0., virial_closed_form = 0.; ///< Pa, p(A)
+  double potential = 0., kinetic = 0.;                 ///< J
+  Vector<2> momentum;                                  ///< kg m/s
+};
+
+std::string CellEndurance::description() const
+{
+  return "One periodic SPH cell for a million micro steps at F = I or constant F_dot: drift of pressure, momentum and "
+         "energy.";
+}
+
+void CellEndurance::declare_parameters(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  prm.add_parameter("Steps", steps, "Micro steps. Units: steps.", Double(1., 1e12));
+  prm.add_parameter("F_dot", F_dot, "Constant rate of the deformation gradient, xx, xy; yx, yy, from F = I. Units: 1/s.",
+                    List(List(Double(-1e6, 1e6), 2, 2, ","), 2, 2, ";"));
+  prm.add_parameter("Start speed", start_speed,
+                    "Largest component of random velocities that disturb the cell at the start; 0: none. Units: m/s.",
+                    Double(0., 100.));
+  prm.add_parameter("Step fraction", step_fraction,
+                    "Time step over the stable limit that the terms state. Units: none.", Double(0.01, 1.));
+  prm.add_parameter("Samples", samples, "Rows of endurance.csv. Units: none.", Integer(10, 1000000));
+  prm.add_parameter("Checkpoints", checkpoints, "Checkpoints during the run; 0: none. Units: none.",
+                    Integer(0, 100000));
+  prm.enter_subsection("Cell");
+  cell.add_parameters(prm);
+  prm.leave_subsection();
+  prm.enter_subsection("SPH");
+  sph.add_parameters(prm);
+  prm.leave_subsection();
+}
+
+void CellEndurance::check() const
+{
+  if (2 * cell.period / sph.particles_per_side * sph.support_ratio > cell.period)
+    throw InputError("SPH/Support ratio: the kernel's diameter is larger than a cell; use more Particles per side or a "
+                     "smaller ratio.");
+  if (steps != std::floor(steps))
+    throw InputError("Steps is " + std::to_string(steps) + ", but has to be a whole number.");
+  try
+    {
+      make_parenchyma(cell, 1, 1, true, true);
+    }
+  catch (const std::invalid_argument &wrong)
+    {
+      throw InputError(wrong.what());
+    }
+}
+
+double CellEndurance::pressure_of_area(const double pressure_at_reference, const double J) const
+{
+  const EquationOfState eos(cell.fluid_density, cell.fluid_modulus, cell.cavitation_pressure);
+  return eos.pressure(eos.density_at(pressure_at_reference) / J);
+}
+
+CellEndurance::Sample CellEndurance::measure(const SphPatch &wet, SphPatch &walls, const Progress &at) const
+{
+  const ParticleSystem<2> &system = wet.system;
+  Sample now;
+  const double volume = system.box.volume() * cell.depth;
+  now.sigma = system.virial() / volume;
+  now.eos_pressure = wet.fluid->mean_pressure(system.particles, 0);
+  // The fluid's own virial is what the stress has more than that of a dry copy of the walls.
+  ParticleSystem<2> &dry = walls.system;
+  dry.box = system.box;
+  for (std::size_t i = 0; i < dry.particles.size(); ++i)
+    for (int d = 0; d < 2; ++d)
+      dry.particles.x[d][i] = system.particles.x[d][i];
+  dry.compute_forces();
+  now.virial_pressure = -(now.sigma - dry.virial() / volume).trace() / 2.;
+  const double J = system.box.volume() / wet.patch.lattice.determinant();
+  now.eos_closed_form = pressure_of_area(at.step > 0 ? at.eos_start : now.eos_pressure, J);
+  now.virial_closed_form = pressure_of_area(at.step > 0 ? at.virial_start : now.virial_pressure, J);
+  now.potential = system.potential_energy();
+  now.kinetic = system.kinetic_energy();
+  now.momentum = system.momentum();
+  return now;
+}
+
+void CellEndurance::run(RunContext &context)
+{
+  context.say("annealing the reference cell (" + std::to_string(sph.anneal_steps) + " steps)");
+  const ReferenceCell reference = make_turgid_reference(cell, sph, [&](double f) { context.progress(f, "annealing"); });
+  const ParenchymaPatch patch = make_parenchyma(cell, 1, 1, true, true);
+  const auto wet = make_sph_patch(patch, sph, reference);
+  ReferenceCell empty = reference;
+  empty.x.resize(reference.wall_count);
+  empty.y.resize(reference.wall_count);
+  const auto walls = make_sph_patch(patch, sph, empty);
+  ParticleSystem<2> &system = wet->system;
+  Particles<2> &particles = system.particles;
+  context.active(system.term_names(), particles.field_names());
+
+  Progress at;
+  at.dt = step_fraction * system.stable_time_step();
+  const std::uint64_t last = std::uint64_t(steps);
+  const Tensor2<2> rate = matrix_from(F_dot);
+  for (int k = 0; k <= 100; ++k)
+    if (!((Tensor2<2>::Identity() + 0.01 * k * double(last) * at.dt * rate).determinant() > 0.))
+      throw InputError("F_dot = " + F_dot + " over " + std::to_string(double(last) * at.dt)
+                       + " s turns the cell inside out; use fewer Steps or a smaller F_dot.");
+
+  KickDriftKick<2> integrator(system);
+  const bool resumed = context.load_checkpoint([&](std::istream &in) {
+    read_binary(in, at);
+    system.load(in);
+    at.list_builds -= double(wet->fluid->list_builds());
+  });
+  if (!resumed)
+    {
+      Vector<2> mean = Vector<2>::Zero();
+      double mass = 0.;
+      const Vector<2> middle = 0.5 * (patch.lattice.col(0) + patch.lattice.col(1));
+      for (std::size_t i = 0; i < particles.size(); ++i)
+        {
+          const Vector<2> affine = rate * (particles.position(i) - middle);
+          for (int d = 0; d < 2; ++d)
+            {
+              particles.v[d][i] = affine[d] + start_speed * (2. * random_uniform(sph.seed + 1, 2 * i + d) - 1.);
+              mean[d] += particles.v[d][i] / particles.inverse_mass[i];
+            }
+          mass += 1. / particles.inverse_mass[i];
+        }
+      for (int d = 0; d < 2; ++d)
+        for (double &v : particles.v[d])
+          v -= mean[d] / mass;
+      system.box.H_dot = rate * patch.lattice;
+      system.compute_forces();
+    }
+
+  std::vector<Column> columns = {{"time", "s"}};
+  for (const char *name : {"F_xx", "F_xy", "F_yx", "F_yy"})
+    columns.push_back({name, "1"});
+  for (const char *name : {"sigma_xx", "sigma_xy", "sigma_yx", "sigma_yy", "eos_pressure", "eos_pressure_closed_form",
+                           "virial_pressure", "virial_pressure_closed_form"})
+    columns.push_back({name, "Pa"});
+  columns.insert(columns.end(), {{"momentum_x", "kg m/s"},
+                                 {"momentum_y", "kg m/s"},
+                                 {"potential", "J"},
+                                 {"kinetic", "J"},
+                                 {"work", "J"},
+                                 {"dissipated", "J"},
+                                 {"crossed", ""}});
+  const auto table = context.series("endurance", columns);
+
+  const auto record = [&] {
+    const Sample now = measure(*wet, *walls, at);
+    if (!now.sigma.allFinite() || !std::isfinite(now.kinetic))
+      throw RunFailed("the cell diverged before t = " + std::to_string(1e3 * at.time()) + " ms (step "
+                      + std::to_string(at.step) + "): use a smaller Step fraction (now " + std::to_string(step_fraction)
+                      + ").");
+    if (at.step == 0)
+      {
+        at.start_energy = now.potential + now.kinetic;
+        at.eos_start = now.eos_pressure;
+        at.virial_start = now.virial_pressure;
+        for (int d = 0; d < 2; ++d)
+          at.start_momentum[d] = now.momentum[d];
+      }
+    at.dissipated = at.start_energy + at.work - now.potential - now.kinetic;
+    at.most_dissipated = std::max(at.most_dissipated, at.dissipated);
+    at.energy_gain = std::max(at.energy_gain, at.most_dissipated - at.dissipated);
+    at.most_kinetic = std::max(at.most_kinetic, now.kinetic);
+    at.most_crossed = std::max(at.most_crossed, double(wet->fluid->crossed()));
+    const double off[2] = {now.eos_pressure / now.eos_closed_form - 1., now.virial_pressure / now.virial_closed_form - 1.};
+    const bool late = at.step >= last - last / 10;
+    for (int k = 0; k < 2; ++k)
+      {
+        at.most_off[k] = std::max(at.most_off[k], std::abs(off[k]));
+        at.late_off[k] += late ? off[k] : 0.;
+      }
+    at.late_count += late;
+    const Tensor2<2> F = system.box.H * patch.lattice.inverse();
+    table->add_row({at.time(), F(0, 0), F(0, 1), F(1, 0), F(1, 1), now.sigma(0, 0), now.sigma(0, 1), now.sigma(1, 0),
+                    now.sigma(1, 1), now.eos_pressure, now.eos_closed_form, now.virial_pressure, now.virial_closed_form,
+                    now.momentum[0], now.momentum[1], now.potential, now.kinetic, at.work, at.dissipated,
+                    double(wet->fluid->crossed())});
+  };
+  if (!resumed)
+    record();
+
+  const auto save = [&](std::ostream &out) {
+    Progress saved = at;
+    saved.list_builds += double(wet->fluid->list_builds());
+    write_binary(out, saved);
+    system.save(out);
+  };
+  const bool moving = rate.norm() > 0.;
+  const auto power = [&] {
+    return moving ? image_virial(system).cwiseProduct(system.box.H_dot * system.box.H.inverse()).sum() : 0.;
+  };
+  const std::uint64_t sample_every = std::max<std::uint64_t>(1, last / samples);
+  const std::uint64_t checkpoint_every = checkpoints > 0 ? std::max<std::uint64_t>(1, last / (checkpoints + 1)) : 0;
+  double power_before = power();
+  while (at.step < last)
+    {
+      integrator.step(at.dt);
+      ++at.step;
+      const double power_now = power();
+      at.work += 0.5 * at.dt * (power_before + power_now);
+      power_before = power_now;
+      if (at.step % sample_every == 0)
+        record();
+      if (at.step % 64 == 0)
+        context.progress(double(at.step) / double(last), "micro steps");
+      const bool stop = context.stop_requested();
+      if (stop || (checkpoint_every > 0 && at.step % checkpoint_every == 0 && at.step < last))
+        context.save_checkpoint(save);
+      if (stop)
+        throw RunStopped("stopped after " + std::to_string(at.step) + " steps; --resume goes on from there");
+    }
+  report(context, *wet, at);
+}
+
+void CellEndurance::report(RunContext &context, const SphPatch &wet, const Progress &at) const
+{
+  const ParticleSystem<2> &system = wet.system;
+  const double n = double(system.particles.size());
+  const Vector<2> momentum = system.momentum() - Vector<2>(at.start_momentum[0], at.start_momentum[1]);
+  // Independent errors of one unit in the last place of a pressure force, per particle and step.
+  const double round_off = std::numeric_limits<double>::epsilon() * cell.turgor * cell.period / sph.particles_per_side
+                           * cell.depth * at.dt * std::sqrt(n * double(at.step));
+  double mass = 0.;
+  for (const double inverse : system.particles.inverse_mass)
+    mass += 1. / inverse;
+  context.result("steps", double(at.step), "");
+  context.result("time_step", at.dt, "s");
+  context.result("simulated_time", at.time(), "s");
+  context.result("eos_pressure_start", at.eos_start, "Pa");
+  context.result("virial_pressure_start", at.virial_start, "Pa");
+  context.result("eos_pressure_drift", 100. * at.late_off[0] / at.late_count, "%");
+  context.result("virial_pressure_drift", 100. * at.late_off[1] / at.late_count, "%");
+  context.result("eos_pressure_largest_deviation", 100. * at.most_off[0], "%");
+  context.result("virial_pressure_largest_deviation", 100. * at.most_off[1], "%");
+  context.result("momentum_drift", momentum.norm(), "kg m/s");
+  context.result("momentum_drift_over_round_off", momentum.norm() / round_off, "1");
+  context.result("mean_velocity_drift", momentum.norm() / mass, "m/s");
+  context.result("start_energy", at.start_energy, "J");
+  context.result("work", at.work, "J");
+  context.result("dissipated", at.dissipated, "J");
+  context.result("dissipated_over_start_energy", at.dissipated / at.start_energy, "1");
+  context.result("energy_gained_from_nothing", at.energy_gain, "J");
+  context.result("energy_gained_over_start_energy", at.energy_gain / at.start_energy, "1");
+  context.result("largest_kinetic_energy", at.most_kinetic, "J");
+  context.result("most_crossed", at.most_crossed, "");
+  context.result("list_builds", at.list_builds + double(wet.fluid->list_builds()), "");
+}
+
+std::unique_ptr<Scenario> make_cell_endurance() { return std::make_unique<CellEndurance>(); }
+} // namespace turgor
