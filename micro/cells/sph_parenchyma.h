@@ -6,9 +6,10 @@
 
 #include "micro/cells/parenchyma.h"
 #include "micro/engine/particle_system.h"
-#include "micro/terms/sph_fluid.h"
+#include "micro/terms/cell_fluid.h"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace turgor
@@ -20,7 +21,13 @@ struct SphParameters
   double skin_ratio = 0.1;              ///< list skin / particle spacing
   unsigned int seed = 1;                ///< of the initial disorder
   unsigned int anneal_steps = 20000;    ///< steps of damped motion before the reference
+  std::string formulation = "variational"; ///< variational (sph_fluid.h) | thesis (thesis_fluid.h)
+  std::string viscosity_law = "monaghan";  ///< monaghan | morris (thesis formulation only)
+  double wall_range_ratio = 1.5;           ///< thesis: r_0 of the wall's repulsion / particle spacing
+  double wall_strength = 1.;               ///< thesis: f_0 over the estimate of lennard_jones_wall.h
 
+  /// Throws std::invalid_argument with a sentence for entries that do not go together.
+  void check() const;
   void add_parameters(dealii::ParameterHandler &prm);
 };
 
@@ -30,9 +37,11 @@ struct ReferenceCell
 {
   unsigned int wall_count = 0;
   std::vector<double> x, y;
+  std::vector<double> density; ///< kg/m^3 of every particle where the formulation carries it on, else empty
   double particle_mass = 0.;
   double residual_stress[3]{}; ///< Pa, sxx, syy, sxy left over at F = I
   double mean_pressure = 0.;   ///< Pa, mean EOS pressure at F = I
+  double residual = 0.;        ///< largest unbalanced force / (turgor spacing depth)
   double fluid_pressure = 0.;  ///< Pa, virial pressure of the fluid at F = I
 };
 
@@ -40,7 +49,7 @@ struct SphPatch
 {
   ParenchymaPatch patch;
   ParticleSystem<2> system;
-  SphFluid *fluid = nullptr;
+  CellFluid *fluid = nullptr;
 
   std::uint32_t particles_per_cell() const { return system.particles.groups.front().end; }
 };

@@ -2,6 +2,7 @@
 
 #include "micro/engine/kick_drift_kick.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -9,6 +10,8 @@ namespace turgor
 {
 namespace
 {
+constexpr double largest_residual = 0.02;
+
 /// Pressure of the fluid alone as its virial: total virial less that of a cell without fluid pressure
 /// is not separable pair by pair, so it is measured as -(sigma_total - sigma_walls) from a dry copy.
 double fluid_virial_pressure(const SphPatch &wet, const SphParameters &sph, const ReferenceCell &cell,
@@ -51,7 +54,8 @@ ReferenceCell make_turgid_reference(const ParenchymaParameters &cell, const SphP
           const double mean = system.virial().trace() / (2. * volume);
           if (!std::isfinite(mean))
             throw std::runtime_error("the cell fluid did not come to rest while annealing (stress is not finite at step "
-                                     + std::to_string(s) + "): use a larger Fluid modulus or a softer wall");
+                                     + std::to_string(s) + "): use a larger Fluid modulus or a softer wall"
+                                     + (sph.formulation == "thesis" ? ", or SPH/Formulation = variational" : ""));
           const double gain = 0.05 * mean / bulk;
           wet->fluid->set_particle_mass(particles, 0, wet->fluid->particle_mass()[0] * (1. + gain));
         }
@@ -66,9 +70,20 @@ ReferenceCell make_turgid_reference(const ParenchymaParameters &cell, const SphP
       wet->fluid->set_particle_mass(particles, 0, wet->fluid->particle_mass()[0] * (1. + mean / bulk));
     }
   system.compute_forces();
+  // A fluid that still moves would shake the tissue by itself.
+  double unbalanced = 0.;
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    unbalanced = std::max(unbalanced, std::hypot(particles.f[0][i], particles.f[1][i]));
+  reference.residual = unbalanced / (p.turgor * patch.spacing * p.depth);
+  if (!(reference.residual < largest_residual))
+    throw std::runtime_error("the cell fluid has not come to rest after SPH/Anneal steps = " + std::to_string(steps)
+                             + " (unbalanced force " + std::to_string(reference.residual) + " of turgor times node spacing "
+                             + "times depth, allowed " + std::to_string(largest_residual) + "): anneal longer.");
   const Tensor2<2> sigma = system.virial() / volume;
   reference.x = particles.x[0];
   reference.y = particles.x[1];
+  if (!wet->fluid->history().empty())
+    reference.density = particles.field("density");
   reference.particle_mass = wet->fluid->particle_mass()[0];
   reference.residual_stress[0] = sigma(0, 0);
   reference.residual_stress[1] = sigma(1, 1);
