@@ -59,6 +59,29 @@ void HydrostaticNetwork::set_fluid_mass(const double mass_)
   if (!(mass_ > 0.) || !std::isfinite(mass_))
     throw std::invalid_argument("The fluid mass of a cell has to be positive (kg).");
   mass = mass_;
+  masses.clear();
+}
+
+void HydrostaticNetwork::set_fluid_masses(std::vector<double> masses_)
+{
+  if (masses_.size() != geometry.rings.size())
+    throw std::invalid_argument("Fluid masses need one value per cell.");
+  for (const double m : masses_)
+    if (!(m > 0.) || !std::isfinite(m))
+      throw std::invalid_argument("The fluid mass of a cell has to be positive (kg).");
+  masses = std::move(masses_);
+}
+
+void HydrostaticNetwork::release_water(const std::vector<double> &volumes)
+{
+  if (!held)
+    throw std::logic_error("No pressure was held, so there is no water to release.");
+  const double density = fluid.fluid.density_at(*held);
+  std::vector<double> taken_up;
+  for (const double volume : volumes)
+    taken_up.push_back(density * volume);
+  set_fluid_masses(std::move(taken_up));
+  held.reset();
 }
 
 void HydrostaticNetwork::set_dead_forces(std::vector<double> forces)
@@ -86,9 +109,11 @@ Vector<2> HydrostaticNetwork::area_gradient(const std::vector<double> &x, const 
 }
 
 // -m b . centroid, and its gradient: centroid = sum (p + q)(p x q)/(6 A), relative to the first node.
-double HydrostaticNetwork::body_energy(const std::vector<double> &x, const double area, const WallRing &ring,
+double HydrostaticNetwork::body_energy(const std::vector<double> &x, const double area, const std::size_t cell,
                                        std::vector<double> *gradient) const
 {
+  const WallRing &ring = geometry.rings[cell];
+  const double content = fluid_mass(cell);
   const Vector<2> origin = at(x, ring.first);
   double moment = 0.;
   for (std::uint32_t k = 0; k < ring.count; ++k)
@@ -111,15 +136,15 @@ double HydrostaticNetwork::body_energy(const std::vector<double> &x, const doubl
                                       body.dot(c + q) * Vector<2>(q[1], -q[0])) /
                                      6.;
           const Vector<2> d_mean = (d_moment - mean * area_gradient(x, ring, k)) / area;
-          (*gradient)[2 * (ring.first + k)] -= mass * d_mean[0];
-          (*gradient)[2 * (ring.first + k) + 1] -= mass * d_mean[1];
+          (*gradient)[2 * (ring.first + k)] -= content * d_mean[0];
+          (*gradient)[2 * (ring.first + k) + 1] -= content * d_mean[1];
           sum += d_mean;
         }
       // the origin moves with the first node; what the sum lacks of b is that node's
-      (*gradient)[2 * ring.first] -= mass * (body[0] - sum[0]);
-      (*gradient)[2 * ring.first + 1] -= mass * (body[1] - sum[1]);
+      (*gradient)[2 * ring.first] -= content * (body[0] - sum[0]);
+      (*gradient)[2 * ring.first + 1] -= content * (body[1] - sum[1]);
     }
-  return -mass * (mean + body.dot(origin));
+  return -content * (mean + body.dot(origin));
 }
 
 void HydrostaticNetwork::evaluate(const std::vector<double> &x, const Tensor2<2> &H, const NetworkOrder order,
@@ -191,13 +216,13 @@ void HydrostaticNetwork::evaluate(const std::vector<double> &x, const Tensor2<2>
       out.volume[c] = z0 * area;
       if (with_energy)
         {
-          out.energy += bent + fluid.energy(mass, out.volume[c]);
+          out.energy += bent + (held ? -*held * out.volume[c] : fluid.energy(fluid_mass(c), out.volume[c]));
           if (!body.isZero() && area > 0.)
-            out.energy += body_energy(x, area, ring, nullptr);
+            out.energy += body_energy(x, area, c, nullptr);
           continue;
         }
-      out.pressure[c] = fluid.pressure(mass, out.volume[c]);
-      out.stiffness[c] = fluid.stiffness(mass, out.volume[c]);
+      out.pressure[c] = held ? *held : fluid.pressure(fluid_mass(c), out.volume[c]);
+      out.stiffness[c] = held ? 0. : fluid.stiffness(fluid_mass(c), out.volume[c]);
       out.virial.fluid.diagonal().array() -= out.pressure[c] * out.volume[c];
 
       // t_i = F e/|e| + (M_i - M_(i+1)) dphi/de: the hinge at node i adds +M to the angle of edge i, -M to edge i - 1
@@ -232,7 +257,7 @@ void HydrostaticNetwork::evaluate(const std::vector<double> &x, const Tensor2<2>
           out.gradient[2 * i + 1] += out.ty[before] - out.ty[i] + push * (out.ex[before] + out.ex[i]);
         }
       if (!body.isZero())
-        body_energy(x, area, ring, &out.gradient);
+        body_energy(x, area, c, &out.gradient);
     }
 
   const double k_tie = geometry.tie_stiffness;

@@ -22,6 +22,7 @@
 #include "micro/terms/hydrostatic_pressure.h"
 #include "micro/terms/neo_hookean_wall.h"
 
+#include <optional>
 #include <vector>
 
 namespace turgor
@@ -66,6 +67,16 @@ public:
   void set_fluid_mass(double mass);
   double fluid_mass() const { return mass; }
 
+  /// kg, one per cell: for cells that have taken up water.
+  void set_fluid_masses(std::vector<double> masses);
+  double fluid_mass(std::size_t cell) const { return masses.empty() ? mass : masses[cell]; }
+
+  /// Water flows freely at this pressure (Pa), E = -p V per cell, until release_water().
+  void hold_pressure(double pressure) { held = pressure; }
+
+  /// Every cell keeps the mass that has the held pressure at these volumes (m^3 per cell).
+  void release_water(const std::vector<double> &volumes);
+
   /// m/s^2, on fluid and wall nodes.
   void set_body_acceleration(const Vector<2> &acceleration) { body = acceleration; }
 
@@ -93,7 +104,7 @@ public:
   double force_scale() const { return scale; }                         ///< N, turgor * spacing * depth
 
 private:
-  double body_energy(const std::vector<double> &x, double area, const WallRing &ring,
+  double body_energy(const std::vector<double> &x, double area, std::size_t cell,
                      std::vector<double> *gradient) const;
 
   ParenchymaPatch geometry;
@@ -102,6 +113,8 @@ private:
   double mass, hinge, scale;
   Vector<2> body = Vector<2>::Zero();
   std::vector<double> dead;
+  std::vector<double> masses;   ///< kg per cell; empty: mass for all
+  std::optional<double> held;   ///< Pa
   std::vector<double> rest_angle; ///< rad, per node of one ring
 };
 } // namespace turgor
