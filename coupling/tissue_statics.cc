@@ -1,0 +1,131 @@
+#include "coupling/tissue_statics.h"
+
+#include "coupling/rve_law.h"
+#include "coupling/tissue_output.h"
+#include "macro/tissue.h"
+#include "rve/make_rve.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace turgor
+{
+namespace Patterns = dealii::Patterns;
+
+std::string TissueStatics::description() const
+{
+  return "The static state of a clamped square of tissue under a body force, by Newton's method over two scales: what "
+         "tissue_gravity swings about.";
+}
+
+void TissueStatics::declare_parameters(dealii::ParameterHandler &prm)
+{
+  prm.enter_subsection("Tissue statics");
+  prm.add_parameter("Cells", cells,
+                    "Cells along each side of the square; its width is W = Cells * Cell/Period. Units: 1.",
+                    Patterns::Integer(1, 100000));
+  prm.add_parameter("Load", load,
+                    "Body force as the stress rho b W it would make at the clamp if spread evenly; acts downwards. "
+                    "Units: Pa.",
+                    Patterns::Double(-1e8, 1e8));
+  prm.add_parameter("Cell samples", cell_samples,
+                    "Points per direction over which the displacement of a cell is averaged. Units: 1.",
+                    Patterns::Integer(1, 100));
+  prm.add_parameter("Elements", elements, "Elements along each side. Units: 1.", Patterns::Integer(1, 1000));
+  prm.add_parameter("Degree", tissue.degree, "Polynomial degree of the elements: 1 bilinear, 2 biquadratic. Units: 1.",
+                    Patterns::Integer(1, 2));
+  prm.add_parameter("Locking treatment", tissue.locking,
+                    "f_bar: volume change of one order lower than the shape change; full: plain full integration. "
+                    "Units: none.",
+                    Patterns::Selection("f_bar|full"));
+  prm.add_parameter("Lateral sides", tissue.lateral,
+                    "The sides normal to y: free, periodic (a slab without end) or clamped. Units: none.",
+                    Patterns::Selection("free|periodic|clamped"));
+  prm.add_parameter("Tolerance", newton.tolerance,
+                    "Norm of the unbalanced nodal forces over that of the load. Units: 1.", Patterns::Double(1e-14, 1e-1));
+  prm.add_parameter("Most iterations", newton.most_iterations,
+                    "Newton iterations before the load increment is halved. Units: 1.", Patterns::Integer(1, 1000));
+  prm.leave_subsection();
+  rve_parameters.add_parameters(prm);
+}
+
+void TissueStatics::check() const
+{
+  if (rve_parameters.fluid != "hydrostatic" || rve_parameters.rule == "constrained_runs")
+    throw InputError("RVE/Fluid = " + rve_parameters.fluid + " with RVE/Rule = " + rve_parameters.rule +
+                     " gives no tangents; a static state needs 'Fluid = hydrostatic' with 'Rule = elastic_equilibrium' or "
+                     "'cauchy_born'.");
+  TissueParameters<2> piece = tissue;
+  piece.elements.fill(elements);
+  try
+  {
+    piece.check();
+  }
+  catch (const std::invalid_argument &e)
+  {
+    // the same rule under the name the entry has here
+    throw InputError("Tissue statics/Elements is " + std::to_string(elements) + ": " + e.what());
+  }
+  (void)make_rve(rve_parameters);
+}
+
+void TissueStatics::run(RunContext &context)
+{
+  const auto started = std::chrono::steady_clock::now();
+  const std::shared_ptr<const Rve<2>> rve = make_rve(rve_parameters);
+  const double period = rve_parameters.cell.period, width = cells * period;
+  TissueParameters<2> piece = tissue;
+  piece.elements.fill(elements);
+  piece.size = {{width, width}};
+  piece.body_force = dealii::Tensor<1, 2>();
+  piece.body_force[1] = -load / (rve->density() * width);
+  RveLawSettings shares;
+  shares.threads = context.threads();
+  RveLaw<2> law(rve, shares);
+  Tissue<2> body(piece, law);
+
+  context.progress(0.1, "Newton's method");
+  StaticAnswer<2> answer;
+  try
+  {
+    answer = body.settle(newton);
+  }
+  catch (const TissueFailed &e)
+  {
+    throw RunFailed(e.what());
+  }
+  catch (const std::runtime_error &e)
+  {
+    throw RunFailed(e.what());
+  }
+
+  const dealii::Tensor<1, 2> u = body.displacement_at(dealii::Point<2>(width, 0.5 * width));
+  const auto [least, most] = std::minmax_element(law.pressure().begin(), law.pressure().end());
+  context.result("tip_displacement_x", u[0], "m");
+  context.result("tip_displacement_y", u[1], "m");
+  context.result("tip_over_width", -u[1] / width, "1");
+  context.result("pressure_min", *least, "Pa");
+  context.result("pressure_max", *most, "Pa");
+  context.result("newton_iterations", answer.iterations, "1");
+  context.result("load_increments", answer.increments, "1");
+  context.result("residual", answer.residuals.back(), "1");
+  context.result("rve_points", double(body.quadrature_points().size()), "1");
+  context.result("rve_calls", double(law.statistics().calls), "1");
+  context.result("rve_cpu_time", law.statistics().rve_cpu_seconds, "s");
+  context.result("width", width, "m");
+  context.result("density", rve->density(), "kg/m^3");
+  context.result("body_force", piece.body_force.norm(), "N/kg");
+  context.result("solve_time", std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count(), "s");
+  write_cell_displacement(context, body, cells, period, cell_samples);
+  const FieldFrame frame = tissue_frame(body, law);
+  if (context.is_writer())
+    FieldFile(context.directory(), "tissue", false).write(frame);
+}
+
+std::unique_ptr<Scenario> make_tissue_statics()
+{
+  return std::make_unique<TissueStatics>();
+}
+} // namespace turgor

@@ -1,0 +1,35 @@
+// Scene tissue_statics: the static state of the piece of tissue_gravity by FE^2. A square of cells x cells
+// parenchyma cells, W = cells * period, clamped at x = 0, under a body force b in -y:
+//
+//   Div P(F) + rho b = 0,  rho b W = load,   P of a hydrostatic RVE in elastic equilibrium (thesis Eq. 3.21)
+//
+// by Newton's method with the RVEs' analytic tangents (static_equilibrium.h). FE^2 knows no cell size: tip/W
+// depends on the mesh only. Against static_lattice it gives the error of homogenisation. Units SI.
+#pragma once
+
+#include "macro/static_equilibrium.h"
+#include "macro/tissue_parameters.h"
+#include "micro/scenarios/scenario.h"
+#include "rve/rve_parameters.h"
+
+namespace turgor
+{
+class TissueStatics : public Scenario
+{
+public:
+  std::string description() const override;
+  void declare_parameters(dealii::ParameterHandler &prm) override;
+  void check() const override;
+  bool uses_ranks() const override { return true; }
+  void run(RunContext &context) override;
+
+private:
+  TissueParameters<2> tissue;
+  StaticSettings newton;
+  RveParameters rve_parameters;
+  double load = 20e3; ///< Pa
+  unsigned int cells = 16, elements = 8, cell_samples = 5;
+};
+
+std::unique_ptr<Scenario> make_tissue_statics();
+} // namespace turgor
