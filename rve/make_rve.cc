@@ -28,6 +28,7 @@ std::unique_ptr<Rve<2>> make_rve(const RveParameters &p)
           settings.equilibrium = {p.tolerance, p.max_iterations};
           return std::make_unique<HydrostaticRve>(p.cell, settings);
         }
+      p.sph.check();
       SphRveSettings settings;
       settings.rule = p.rule == "cauchy_born"         ? SphRule::cauchy_born :
                       p.rule == "elastic_equilibrium" ? SphRule::elastic_equilibrium :

@@ -66,6 +66,7 @@ void RveResponse::check() const
   try
     {
       make_parenchyma(rve.cell, rve.columns, rve.rows, true, true);
+      rve.sph.check();
     }
   catch (const std::invalid_argument &wrong)
     {
@@ -97,7 +98,9 @@ void RveResponse::run(RunContext &context)
       item.second.second = parse_tensor(F_dot_by_hand, "Path/F_dot");
 
   context.active({"neo_hookean_wall", "wall_bending", "lamella_tie",
-                  rve.fluid == "hydrostatic" ? "hydrostatic_pressure" : "sph_fluid"},
+                  rve.fluid == "hydrostatic"        ? "hydrostatic_pressure" :
+                  rve.sph.formulation == "thesis" ? "thesis_fluid+lennard_jones_wall" :
+                                                    "sph_fluid"},
                  {});
   std::vector<Column> columns = {{"time", "s"}};
   for (const auto &[name, unit] : {Column{"F", "1"}, Column{"F_dot", "1/s"}, Column{"sigma", "Pa"}, Column{"P", "Pa"}})

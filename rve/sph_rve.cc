@@ -29,6 +29,17 @@ HydrostaticRveSettings solid_settings(const SphRveSettings &settings)
   return result;
 }
 
+/// x, y, v_x, v_y and the fluid's history, appended.
+void store(const SphPatch &cells, std::vector<double> &unknowns)
+{
+  const Particles<2> &p = cells.system.particles;
+  for (const auto *part : {&p.x, &p.v})
+    for (int d = 0; d < 2; ++d)
+      unknowns.insert(unknowns.end(), (*part)[d].begin(), (*part)[d].end());
+  for (const std::string &name : cells.fluid->history())
+    unknowns.insert(unknowns.end(), p.field(name).begin(), p.field(name).end());
+}
+
 Vector<2> at(const std::vector<double> &unknowns, const std::size_t i, const std::size_t n, const unsigned int part)
 {
   return {unknowns[2 * part * n + i], unknowns[(2 * part + 1) * n + i]};
@@ -51,9 +62,7 @@ SphRve::SphRve(const ParenchymaParameters &cell, const SphRveSettings &settings_
   dt = settings.step_fraction * system.stable_time_step();
   system.compute_forces();
   reference_energy = system.potential_energy();
-  for (const auto *part : {&system.particles.x, &system.particles.v})
-    for (int d = 0; d < 2; ++d)
-      start.unknowns.insert(start.unknowns.end(), (*part)[d].begin(), (*part)[d].end());
+  store(*cells, start.unknowns);
 }
 
 std::unique_ptr<Rve<2>::Workspace> SphRve::make_workspace() const
@@ -82,6 +91,12 @@ void SphRve::place(Scratch &scratch, const RveState<2> &committed, const Tensor2
   const std::size_t n = p.size();
   const Tensor2<2> map = F * committed.F.inverse(), L = F_dot * F.inverse(),
                    L_old = committed.F_dot * committed.F.inverse();
+  const std::vector<std::string> history = scratch.cells->fluid->history();
+  for (std::size_t k = 0; k < history.size(); ++k)
+    std::copy_n(committed.unknowns.begin() + std::ptrdiff_t((4 + k) * n), n, p.field(history[k]).begin());
+  Particles<2>::Components before;
+  for (std::ptrdiff_t d = 0; d < 2; ++d)
+    before[d].assign(committed.unknowns.begin() + d * std::ptrdiff_t(n), committed.unknowns.begin() + (d + 1) * std::ptrdiff_t(n));
   for (std::size_t i = 0; i < n; ++i)
     {
       const Vector<2> x_old = at(committed.unknowns, i, n, 0), v_old = at(committed.unknowns, i, n, 1);
@@ -94,7 +109,7 @@ void SphRve::place(Scratch &scratch, const RveState<2> &committed, const Tensor2
     }
   system.box.H = F * patch.lattice;
   system.box.H_dot = F_dot * patch.lattice;
-  scratch.cells->fluid->forget_lists();
+  scratch.cells->fluid->jumped(p, before);
 }
 
 void SphRve::relax(Scratch &scratch, const Tensor2<2> &F, const Tensor2<2> &F_dot, RveDiagnostics &diagnostics) const
@@ -153,9 +168,7 @@ Tensor2<2> SphRve::run_bursts(Scratch &scratch, const RveState<2> &committed, co
           from.F = F;
           from.F_dot = F_dot;
           from.unknowns.clear();
-          for (const auto *part : {&system.particles.x, &system.particles.v})
-            for (int d = 0; d < 2; ++d)
-              from.unknowns.insert(from.unknowns.end(), (*part)[d].begin(), (*part)[d].end());
+          store(*scratch.cells, from.unknowns);
         }
       Tensor2<2> F_start = F - tau * F_dot;
       // A burst must not reach back beyond what the cells can take: start nearer then.
@@ -203,7 +216,7 @@ RveAnswer<2> SphRve::evaluate(const RveState<2> &committed, const Tensor2<2> &F,
   Particles<2> &p = system.particles;
   const std::size_t n = p.size();
   const bool affine = settings.rule == SphRule::cauchy_born;
-  if (!affine && (committed.unknowns.size() != 4 * n || !(committed.F.determinant() > 0.)))
+  if (!affine && (committed.unknowns.size() != start.unknowns.size() || !(committed.F.determinant() > 0.)))
     throw std::invalid_argument("The committed state does not belong to this RVE.");
 
   RveAnswer<2> answer;
@@ -254,10 +267,8 @@ RveAnswer<2> SphRve::evaluate(const RveState<2> &committed, const Tensor2<2> &F,
       answer.trial.F_dot = F_dot;
       if (!affine)
         {
-          answer.trial.unknowns.reserve(4 * n);
-          for (const auto *part : {&p.x, &p.v})
-            for (int d = 0; d < 2; ++d)
-              answer.trial.unknowns.insert(answer.trial.unknowns.end(), (*part)[d].begin(), (*part)[d].end());
+          answer.trial.unknowns.reserve(start.unknowns.size());
+          store(*scratch.cells, answer.trial.unknowns);
         }
       if (request.tangent)
         {
@@ -276,7 +287,7 @@ RveAnswer<2> SphRve::evaluate(const RveState<2> &committed, const Tensor2<2> &F,
 std::vector<std::vector<Vector<2>>> SphRve::outlines(const RveState<2> &state) const
 {
   std::vector<std::vector<Vector<2>>> cells;
-  const std::size_t n = start.unknowns.size() / 4, per_cell = reference_cell.x.size();
+  const std::size_t n = particle_count(), per_cell = reference_cell.x.size();
   const bool affine = state.unknowns.empty();
   for (std::size_t c = 0; c < patch.rings.size(); ++c)
     {

@@ -14,7 +14,8 @@
 // A tangent, where asked, is that of the hydrostatic cell in elastic equilibrium at the same F:
 // good for step estimates, not the derivative of this answer.
 //
-// State: x, y, v_x, v_y of all particles (m, m/s); empty for cauchy_born.
+// State: x, y, v_x, v_y of all particles (m, m/s), then the fields that the fluid carries on
+// (cell_fluid.h: the density of the thesis's scheme); empty for cauchy_born.
 #pragma once
 
 #include "micro/cells/sph_parenchyma.h"
@@ -63,6 +64,8 @@ public:
 
 private:
   struct Scratch;
+
+  std::size_t particle_count() const { return reference_cell.x.size() * patch.rings.size(); }
 
   void place(Scratch &scratch, const RveState<2> &committed, const Tensor2<2> &F, const Tensor2<2> &F_dot) const;
   void relax(Scratch &scratch, const Tensor2<2> &F, const Tensor2<2> &F_dot, RveDiagnostics &diagnostics) const;

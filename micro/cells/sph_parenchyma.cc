@@ -3,8 +3,12 @@
 #include "micro/engine/counter_random.h"
 #include "micro/terms/lamella_ties.h"
 #include "micro/terms/ring_wall.h"
+#include "micro/terms/sph_fluid.h"
+#include "micro/terms/thesis_fluid.h"
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -23,6 +27,27 @@ void SphParameters::add_parameters(dealii::ParameterHandler &prm)
   prm.add_parameter("Anneal steps", anneal_steps,
                     "Damped steps that bring the fluid to rest before the reference state is taken. Units: steps.",
                     Integer(100, 10000000));
+  prm.add_parameter("Formulation", formulation,
+                    "variational: one energy, density corrected for the wall; thesis: density by continuity and "
+                    "Lennard-Jones walls (thesis 2.3.1, 3.2), the baseline. Units: none.",
+                    Selection("variational|thesis"));
+  prm.add_parameter("Viscosity law", viscosity_law,
+                    "monaghan: Eq. 2.25; morris: Eq. 2.24, with Formulation = thesis only. Units: none.",
+                    Selection("monaghan|morris"));
+  prm.add_parameter("Wall range ratio", wall_range_ratio,
+                    "Formulation = thesis: range r_0 of the wall's repulsion (Eq. 3.7) over particle spacing. Units: none.",
+                    Double(0.6, 4.));
+  prm.add_parameter("Wall strength", wall_strength,
+                    "Formulation = thesis: f_0 of Eq. 3.7 over what holds turgor half a particle spacing away from a "
+                    "straight wall. Units: none.",
+                    Double(1e-3, 1e3));
+}
+
+void SphParameters::check() const
+{
+  if (viscosity_law == "morris" && formulation != "thesis")
+    throw std::invalid_argument("SPH/Viscosity law is morris, which only SPH/Formulation = thesis has; with "
+                                "SPH/Formulation = variational use monaghan.");
 }
 
 ReferenceCell unannealed_cell(const ParenchymaPatch &patch, const SphParameters &sph)
@@ -49,6 +74,37 @@ ReferenceCell unannealed_cell(const ParenchymaPatch &patch, const SphParameters 
   cell.particle_mass = eos.density_at(p.turgor) * p.period * p.period * p.depth / (double(n) * n);
   return cell;
 }
+
+namespace
+{
+std::unique_ptr<CellFluid> make_fluid(const ParenchymaPatch &patch, const SphParameters &sph,
+                                      const std::vector<double> &mass)
+{
+  const ParenchymaParameters &p = patch.parameters;
+  const EquationOfState eos(p.fluid_density, p.fluid_modulus, p.cavitation_pressure);
+  const double dx = p.period / sph.particles_per_side;
+  if (sph.formulation == "thesis")
+    {
+      ThesisFluidParameters fluid;
+      fluid.support = sph.support_ratio * dx;
+      fluid.skin = sph.skin_ratio * dx;
+      fluid.depth = p.depth;
+      fluid.viscosity = p.fluid_viscosity;
+      fluid.law = sph.viscosity_law == "morris" ? ViscosityLaw::morris : ViscosityLaw::monaghan;
+      fluid.initial_density = eos.density_at(p.turgor);
+      fluid.holding_force = p.turgor * dx * p.depth;
+      const LennardJonesWall wall = LennardJonesWall::holding(p.turgor, dx, patch.spacing, p.depth,
+                                                              sph.wall_range_ratio * dx, sph.wall_strength);
+      return std::make_unique<ThesisFluid>(fluid, eos, wall, mass);
+    }
+  SphFluidParameters fluid;
+  fluid.support = sph.support_ratio * dx;
+  fluid.skin = sph.skin_ratio * dx;
+  fluid.depth = p.depth;
+  fluid.viscosity = p.fluid_viscosity;
+  return std::make_unique<SphFluid>(fluid, eos, mass);
+}
+} // namespace
 
 std::unique_ptr<SphPatch> make_sph_patch(const ParenchymaPatch &patch, const SphParameters &sph,
                                          const ReferenceCell &reference)
@@ -80,15 +136,11 @@ std::unique_ptr<SphPatch> make_sph_patch(const ParenchymaPatch &patch, const Sph
   system.add(std::make_unique<RingWall>(law, patch.rest_length, p.wall_bending ? patch.bending_stiffness : 0.,
                                         patch.spacing, p.nodes_per_side, patch.node_mass));
 
-  const double dx = p.period / sph.particles_per_side;
-  SphFluidParameters fluid;
-  fluid.support = sph.support_ratio * dx;
-  fluid.skin = sph.skin_ratio * dx;
-  fluid.depth = p.depth;
-  fluid.viscosity = p.fluid_viscosity;
-  const EquationOfState eos(p.fluid_density, p.fluid_modulus, p.cavitation_pressure);
-  result->fluid = &system.add(
-    std::make_unique<SphFluid>(fluid, eos, std::vector<double>(cells, reference.particle_mass)));
+  result->fluid = &system.add(make_fluid(patch, sph, std::vector<double>(cells, reference.particle_mass)));
+  if (!reference.density.empty())
+    for (const Group &g : particles.groups)
+      std::copy(reference.density.begin(), reference.density.begin() + std::ptrdiff_t(per_cell),
+                particles.field("density").begin() + g.begin);
 
   std::vector<LamellaTie> ties = patch.ties;
   for (LamellaTie &tie : ties)

@@ -27,6 +27,7 @@ void KickDriftKick<dim>::step(const double dt, const double damping)
             x[i] += dt * v[i];
           }
       }
+    system.drift_of_group(group, dt);
   });
   system.box.H += dt * system.box.H_dot;
   const double keep = std::exp(-damping * dt);

@@ -27,6 +27,13 @@ void ParticleSystem<dim>::for_groups(const std::function<void(std::size_t)> &bod
 }
 
 template <int dim>
+void ParticleSystem<dim>::drift_of_group(const std::size_t group, const double dt)
+{
+  for (const auto &term : terms)
+    term->drift(particles, group, dt);
+}
+
+template <int dim>
 void ParticleSystem<dim>::forces_of_group(const std::size_t group)
 {
   const Group &g = particles.groups[group];
@@ -136,7 +143,7 @@ void ParticleSystem<dim>::save(std::ostream &out) const
         write_binary(out, box.H_dot(a, b));
       }
   for (const auto &term : terms)
-    term->save(out);
+    term->save(out, particles);
 }
 
 template <int dim>

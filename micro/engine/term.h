@@ -47,6 +47,10 @@ public:
   /// Declares the fields this term needs; called once, when groups are final.
   virtual void declare(Particles<dim> &particles) = 0;
 
+  /// Positions of the group have moved by dt (s) times the velocities they carry now: fields that follow a
+  /// rate (a density by continuity) are brought along, before the forces.
+  virtual void drift(Particles<dim> &, std::size_t /*group*/, double /*dt*/) {}
+
   /// f += forces on the particles of the group.
   virtual void add_forces(Particles<dim> &particles, const Box<dim> &box, std::size_t group) = 0;
 
@@ -64,8 +68,8 @@ public:
   /// Upper bounds, for the step that the program chooses by itself.
   virtual Rates rates(const Particles<dim> &) const { return {}; }
 
-  /// History that affects later bits (the positions at which lists were built).
-  virtual void save(std::ostream &) const {}
+  /// History that affects later bits (the positions at which lists were built, a density by continuity).
+  virtual void save(std::ostream &, const Particles<dim> &) const {}
   virtual void load(std::istream &, Particles<dim> &) {}
 };
 } // namespace turgor

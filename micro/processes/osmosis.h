@@ -6,7 +6,7 @@
 #pragma once
 
 #include "micro/engine/particle_system.h"
-#include "micro/terms/sph_fluid.h"
+#include "micro/terms/cell_fluid.h"
 
 namespace turgor
 {
@@ -21,7 +21,7 @@ public:
   {}
 
   /// Transport over dt (s) into every cell.
-  void apply(ParticleSystem<2> &system, SphFluid &fluid, const double dt) const
+  void apply(ParticleSystem<2> &system, CellFluid &fluid, const double dt) const
   {
     for (std::size_t group = 0; group < system.particles.groups.size(); ++group)
       {

@@ -85,6 +85,7 @@ void FullMicro::check() const
     throw InputError("SPH/Support ratio: the kernel's diameter is larger than a cell; use more Particles per side or a "
                      "smaller ratio.");
   make_parenchyma(cell, 1, 1, true, true);
+  sph.check();
 }
 
 Vector<2> FullMicro::probe_displacement(const TissueBlock &block, const Progress &at) const

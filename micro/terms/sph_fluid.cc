@@ -346,16 +346,6 @@ Rates SphFluid::rates(const Particles<2> &particles) const
   return bound;
 }
 
-double SphFluid::mean_pressure(const Particles<2> &particles, const std::size_t group) const
-{
-  const Group &g = particles.groups[group];
-  const std::vector<double> &p = particles.field("pressure");
-  double total = 0.;
-  for (std::uint32_t i = g.fluid; i < g.end; ++i)
-    total += p[i];
-  return total / g.fluid_count();
-}
-
 void SphFluid::forget_lists()
 {
   for (Cell &cell : cells)
@@ -406,7 +396,7 @@ std::size_t SphFluid::memory_bytes() const
   return bytes;
 }
 
-void SphFluid::save(std::ostream &out) const
+void SphFluid::save(std::ostream &out, const Particles<2> &) const
 {
   write_binary(out, mass);
   for (const Cell &cell : cells)

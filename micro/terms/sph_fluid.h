@@ -6,8 +6,7 @@
 // Fields: density (kg/m^3), pressure (Pa), wall_share (gamma).
 #pragma once
 
-#include "micro/engine/term.h"
-#include "micro/terms/equation_of_state.h"
+#include "micro/terms/cell_fluid.h"
 #include "micro/terms/sph_sweeps.h"
 
 #include <atomic>
@@ -23,7 +22,7 @@ struct SphFluidParameters
   double viscosity = 0.;  ///< Pa s
 };
 
-class SphFluid final : public Term<2>
+class SphFluid final : public CellFluid
 {
 public:
   /// mass: kg of one fluid particle, per group.
@@ -34,29 +33,21 @@ public:
   void add_forces(Particles<2> &particles, const Box<2> &box, std::size_t group) override;
   double energy(const Particles<2> &particles, const Box<2> &box, std::size_t group) const override;
   Rates rates(const Particles<2> &particles) const override;
-  void save(std::ostream &out) const override;
+  void save(std::ostream &out, const Particles<2> &particles) const override;
   void load(std::istream &in, Particles<2> &particles) override;
 
-  const std::vector<double> &particle_mass() const { return mass; }
-  /// Changes the mass of the group's particles (osmosis, calibration), here and in inverse_mass.
-  void set_particle_mass(Particles<2> &particles, std::size_t group, double value);
+  const std::vector<double> &particle_mass() const override { return mass; }
+  void set_particle_mass(Particles<2> &particles, std::size_t group, double value) override;
   void set_viscosity(double value) { parameters.viscosity = value; }
   double viscosity() const { return parameters.viscosity; }
-  const EquationOfState &equation_of_state() const { return eos; }
-  double support() const { return parameters.support; }
-
-  /// Mean of the particles' EOS pressure, Pa; after add_forces.
-  double mean_pressure(const Particles<2> &particles, std::size_t group) const;
-
-  /// The next force evaluation builds all lists anew, whatever came before.
-  void forget_lists();
-
-  /// Particles found outside their wall in the last force evaluation, all groups.
-  std::size_t crossed() const;
-  std::size_t list_builds() const;
-  /// Neighbours per particle within the support (not the skin), and bytes held per particle.
-  double mean_neighbours(const Particles<2> &particles) const;
-  std::size_t memory_bytes() const;
+  const EquationOfState &equation_of_state() const override { return eos; }
+  double support() const override { return parameters.support; }
+  void forget_lists() override;
+  /// Of the last force evaluation.
+  std::size_t crossed() const override;
+  std::size_t list_builds() const override;
+  double mean_neighbours(const Particles<2> &particles) const override;
+  std::size_t memory_bytes() const override;
 
 private:
   struct Cell

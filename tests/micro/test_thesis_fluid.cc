@@ -1,0 +1,401 @@
+// The thesis's fluid scheme: kernel, wall repulsion, continuity, forces, viscosities, history.
+#include "micro/cells/sph_parenchyma.h"
+#include "micro/engine/counter_random.h"
+#include "micro/engine/kick_drift_kick.h"
+#include "micro/terms/lennard_jones_wall.h"
+#include "micro/terms/sph_kernel.h"
+#include "micro/terms/thesis_fluid.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+using namespace turgor;
+
+namespace
+{
+struct Fixture
+{
+  ParenchymaParameters cell;
+  SphParameters sph;
+  Fixture()
+  {
+    cell.nodes_per_side = 10;
+    cell.fluid_viscosity = 0.;
+    sph.particles_per_side = 9;
+    sph.formulation = "thesis";
+  }
+
+  /// Jittered particles with random velocities, so that no force is zero by symmetry.
+  std::unique_ptr<SphPatch> disturbed(unsigned int columns, unsigned int rows) const
+  {
+    const ParenchymaPatch patch = make_parenchyma(cell, columns, rows, true, true);
+    auto result = make_sph_patch(patch, sph, unannealed_cell(patch, sph));
+    Particles<2> &particles = result->system.particles;
+    for (std::size_t i = 0; i < particles.size(); ++i)
+      for (int d = 0; d < 2; ++d)
+        {
+          particles.x[d][i] += 0.02 * patch.spacing * (2. * random_uniform(7, 2 * i + d) - 1.);
+          particles.v[d][i] = 2. * random_uniform(8, 2 * i + d) - 1.;
+        }
+    return result;
+  }
+
+  /// One cell with its fluid on a square lattice, at rest.
+  std::unique_ptr<SphPatch> lattice() const
+  {
+    const ParenchymaPatch patch = make_parenchyma(cell, 1, 1, true, true);
+    ReferenceCell reference = unannealed_cell(patch, sph);
+    const unsigned int n = sph.particles_per_side;
+    for (unsigned int k = 0; k < n * n; ++k)
+      {
+        reference.x[reference.wall_count + k] = (k % n + 0.5) * cell.period / n;
+        reference.y[reference.wall_count + k] = (k / n + 0.5) * cell.period / n;
+      }
+    return make_sph_patch(patch, sph, reference);
+  }
+
+  std::uint32_t middle(const SphPatch &patch) const
+  {
+    return patch.system.particles.groups[0].fluid + sph.particles_per_side * sph.particles_per_side / 2;
+  }
+};
+
+double largest_force(const Particles<2> &particles)
+{
+  double largest = 0.;
+  for (int d = 0; d < 2; ++d)
+    for (const double f : particles.f[d])
+      largest = std::max(largest, std::abs(f));
+  return largest;
+}
+} // namespace
+
+BOOST_FIXTURE_TEST_SUITE(thesis_fluid, Fixture)
+
+BOOST_AUTO_TEST_CASE(kernel_is_normalised_and_its_slope_is_its_derivative)
+{
+  const double R = 3.;
+  const WendlandC2 kernel(R);
+  double integral = 0.;
+  const int n = 20000;
+  for (int k = 0; k < n; ++k)
+    {
+      const double r = R * (k + 0.5) / n;
+      integral += kernel.value(r) * 2. * std::numbers::pi * r * R / n;
+    }
+  BOOST_TEST(integral == 1., boost::test_tools::tolerance(1e-8));
+  const double h = 1e-4;
+  for (const double r : {0.1, 1., 2., 2.9})
+    BOOST_TEST((kernel.value(r + h) - kernel.value(r - h)) / (2. * h) == r * kernel.slope_over_r(r),
+               boost::test_tools::tolerance(1e-5));
+  BOOST_TEST(kernel.value(3.1) == 0.);
+  BOOST_TEST(kernel.slope_over_r(3.1) == 0.);
+}
+
+BOOST_AUTO_TEST_CASE(repulsion_is_minus_energy_gradient_and_holds_turgor)
+{
+  const LennardJonesWall law(2., 3.);
+  const double h = 1e-5;
+  for (const double r : {1., 1.7, 2.5, 2.99})
+    {
+      BOOST_TEST(-(law.energy(r + h) - law.energy(r - h)) / (2. * h) == r * law.force_over_r(r),
+                 boost::test_tools::tolerance(1e-5));
+      const double force = r * law.force_over_r(r);
+      BOOST_TEST(-((r + h) * law.force_over_r(r + h) - (r - h) * law.force_over_r(r - h)) / (2. * h)
+                   == law.stiffness_at(force),
+                 boost::test_tools::tolerance(1e-5));
+    }
+  BOOST_TEST(1.5 * law.force_over_r(1.5) == 2. * (256. - 16.) / 1.5, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(law.force_over_r(3.) == 0.);
+  BOOST_TEST(law.energy(4.) == 0.); // no attraction
+
+  // A particle half a spacing above a long row of nodes, averaged along the row.
+  const double p = 2e5, s = 4.5e-6, l = 4e-6, depth = 50e-6;
+  const LennardJonesWall holding = LennardJonesWall::holding(p, s, l, depth, 1.5 * s, 1.);
+  double mean = 0.;
+  const int offsets = 4000;
+  for (int o = 0; o < offsets; ++o)
+    for (int node = -10; node <= 10; ++node)
+      {
+        const double t = (o + 0.5) / offsets * l + node * l;
+        mean += holding.force_over_r(std::hypot(0.5 * s, t)) * 0.5 * s / offsets;
+      }
+  BOOST_TEST(mean == p * s * depth, boost::test_tools::tolerance(1e-3));
+}
+
+BOOST_AUTO_TEST_CASE(force_is_minus_energy_gradient_when_density_follows)
+{
+  auto patch = disturbed(2, 1);
+  ParticleSystem<2> &system = patch->system;
+  Particles<2> &p = system.particles;
+  for (int d = 0; d < 2; ++d)
+    std::fill(p.v[d].begin(), p.v[d].end(), 0.);
+  system.compute_forces();
+  const Particles<2> at = p;
+  const double h = 1e-6 * patch->patch.spacing;
+  for (std::size_t i = 0; i < at.size(); i += 7)
+    for (int d = 0; d < 2; ++d)
+      {
+        double e[2];
+        for (const int side : {0, 1})
+          {
+            p.field("density") = at.field("density");
+            p.v[d][i] = side == 0 ? -1. : 1.;
+            p.x[d][i] = at.x[d][i] + p.v[d][i] * h;
+            for (std::size_t group = 0; group < p.groups.size(); ++group)
+              system.drift_of_group(group, h);
+            system.compute_forces();
+            e[side] = system.potential_energy();
+          }
+        p.v[d][i] = 0.;
+        p.x[d][i] = at.x[d][i];
+        const double gradient = (e[1] - e[0]) / (2. * h);
+        BOOST_TEST(std::abs(at.f[d][i] + gradient) < 1e-5 * largest_force(at),
+                   "particle " << i << " component " << d << ": " << at.f[d][i] << " against " << -gradient);
+      }
+}
+
+BOOST_AUTO_TEST_CASE(momentum_is_conserved_to_round_off)
+{
+  cell.fluid_viscosity = 1.;
+  for (const char *law : {"monaghan", "morris"})
+    {
+      sph.viscosity_law = law;
+      auto patch = disturbed(2, 2);
+      patch->system.compute_forces();
+      const Particles<2> &p = patch->system.particles;
+      Vector<2> total = Vector<2>::Zero();
+      for (std::size_t i = 0; i < p.size(); ++i)
+        total += Vector<2>(p.f[0][i], p.f[1][i]);
+      BOOST_TEST(total.norm() < 1e-12 * largest_force(p) * std::sqrt(double(p.size())));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(uniform_dilation_thins_the_fluid_at_the_rate_of_div_v)
+{
+  // d rho = -rho div v dt; the error is that of the sums on a lattice, and falls with the support.
+  double error[2];
+  for (const int wide : {0, 1})
+    {
+      sph.particles_per_side = 15;
+      sph.support_ratio = wide ? 4. : 2.6;
+      auto patch = lattice();
+      Particles<2> &p = patch->system.particles;
+      const double rate = 100.;
+      for (int d = 0; d < 2; ++d)
+        for (std::size_t i = 0; i < p.size(); ++i)
+          p.v[d][i] = rate * p.x[d][i];
+      const std::uint32_t i = middle(*patch);
+      const double before = p.field("density")[i], dt = 1e-9;
+      patch->system.drift_of_group(0, dt);
+      const double change = p.field("density")[i] - before;
+      error[wide] = std::abs(change / (-2. * rate * dt * before) - 1.);
+    }
+  BOOST_TEST_MESSAGE("relative error of d rho/dt on a lattice " << error[0] << " " << error[1]);
+  BOOST_TEST(error[0] < 0.03);
+  BOOST_TEST(error[1] < 0.005);
+}
+
+BOOST_AUTO_TEST_CASE(a_jump_is_what_many_small_drifts_add_up_to)
+{
+  Tensor2<2> F;
+  F << 1.01, 0.03, 0., 0.985;
+  double worst[2];
+  const auto jump = disturbed(1, 1);
+  {
+    Particles<2> &p = jump->system.particles;
+    const auto before = p.x;
+    for (std::size_t i = 0; i < p.size(); ++i)
+      {
+        const Vector<2> x = F * Vector<2>(before[0][i], before[1][i]);
+        p.x[0][i] = x[0];
+        p.x[1][i] = x[1];
+      }
+    jump->fluid->jumped(p, before);
+  }
+  for (const int refine : {0, 1})
+    {
+      const auto patch = disturbed(1, 1);
+      Particles<2> &p = patch->system.particles;
+      const auto before = p.x;
+      const int steps = 8 << refine;
+      for (int s = 0; s < steps; ++s)
+        {
+          for (std::size_t i = 0; i < p.size(); ++i)
+            {
+              const Vector<2> x0(before[0][i], before[1][i]), v = F * x0 - x0;
+              for (int d = 0; d < 2; ++d)
+                {
+                  p.v[d][i] = v[d];
+                  p.x[d][i] += v[d] / steps;
+                }
+            }
+          patch->system.drift_of_group(0, 1. / steps);
+        }
+      worst[refine] = 0.;
+      for (std::uint32_t i = p.groups[0].fluid; i < p.groups[0].end; ++i)
+        worst[refine] = std::max(worst[refine],
+                                 std::abs(p.field("density")[i] - jump->system.particles.field("density")[i]));
+    }
+  BOOST_TEST_MESSAGE("drifts against jump, kg/m^3: " << worst[0] << " " << worst[1]);
+  BOOST_TEST(std::log2(worst[0] / worst[1]) > 1.7);
+}
+
+BOOST_AUTO_TEST_CASE(water_let_in_raises_density_in_proportion)
+{
+  auto patch = disturbed(2, 1);
+  Particles<2> &p = patch->system.particles;
+  const std::uint32_t i = p.groups[1].fluid + 5, other = p.groups[0].fluid + 5;
+  const double before = p.field("density")[i], untouched = p.field("density")[other];
+  patch->fluid->set_particle_mass(p, 1, 1.01 * patch->fluid->particle_mass()[1]);
+  BOOST_TEST(p.field("density")[i] == 1.01 * before, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(p.field("density")[other] == untouched);
+  BOOST_TEST(1. / p.inverse_mass[i] == 1.01 / p.inverse_mass[other], boost::test_tools::tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(both_viscosities_have_the_newtonian_limit)
+{
+  // v = (y^2, 0)/L^2 c: mu laplace v = 2 mu c / L^2, on one particle's volume, far from walls.
+  sph.particles_per_side = 15;
+  sph.support_ratio = 4.;
+  for (const char *law : {"monaghan", "morris"})
+    {
+      sph.viscosity_law = law;
+      cell.fluid_viscosity = 0.;
+      auto still = lattice();
+      cell.fluid_viscosity = 1.;
+      auto moving = lattice();
+      Particles<2> &p = moving->system.particles;
+      for (std::size_t i = 0; i < p.size(); ++i)
+        p.v[0][i] = p.x[1][i] * p.x[1][i];
+      moving->system.compute_forces();
+      still->system.compute_forces();
+      const std::uint32_t i = middle(*moving);
+      const double volume = 1. / p.inverse_mass[i] / p.field("density")[i];
+      BOOST_TEST((p.f[0][i] - still->system.particles.f[0][i]) == 2. * volume, boost::test_tools::tolerance(0.06)); // the sums on a lattice
+    }
+}
+
+BOOST_AUTO_TEST_CASE(only_monaghan_leaves_a_rigid_rotation_alone)
+{
+  for (const char *law : {"monaghan", "morris"})
+    {
+      sph.viscosity_law = law;
+      cell.fluid_viscosity = 0.;
+      auto still = disturbed(1, 1);
+      cell.fluid_viscosity = 1.;
+      auto turning = disturbed(1, 1);
+      Particles<2> &p = turning->system.particles;
+      for (std::size_t i = 0; i < p.size(); ++i)
+        {
+          p.v[0][i] = -1e4 * p.x[1][i];
+          p.v[1][i] = 1e4 * p.x[0][i];
+        }
+      turning->system.compute_forces();
+      still->system.compute_forces();
+      double torque = 0., force = 0.;
+      for (std::size_t i = 0; i < p.size(); ++i)
+        {
+          const double fx = p.f[0][i] - still->system.particles.f[0][i], fy = p.f[1][i] - still->system.particles.f[1][i];
+          torque += p.x[0][i] * fy - p.x[1][i] * fx;
+          force = std::max(force, std::hypot(fx, fy));
+        }
+      // round-off is that of the pressure forces that were subtracted
+      const double noise = 1e-12 * largest_force(p);
+      BOOST_TEST_MESSAGE(law << ": drag " << force << " N, torque " << torque << " N m");
+      BOOST_TEST((force < 100. * noise) == (sph.viscosity_law == "monaghan"));
+      BOOST_TEST((std::abs(torque) < 1e4 * noise * cell.period) == (sph.viscosity_law == "monaghan"));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(lists_do_not_change_results)
+{
+  auto patch = disturbed(1, 1);
+  KickDriftKick<2> integrator(patch->system);
+  patch->system.compute_forces();
+  const double dt = 0.3 * patch->system.stable_time_step();
+  for (int s = 0; s < 300; ++s)
+    integrator.step(dt);
+  const Particles<2> after = patch->system.particles;
+  patch->fluid->forget_lists();
+  patch->system.compute_forces();
+  double difference = 0.;
+  for (int d = 0; d < 2; ++d)
+    for (std::size_t i = 0; i < after.size(); ++i)
+      difference = std::max(difference, std::abs(after.f[d][i] - patch->system.particles.f[d][i]));
+  BOOST_TEST(patch->fluid->list_builds() > 2u);
+  BOOST_TEST(difference < 1e-10 * largest_force(after));
+}
+
+BOOST_AUTO_TEST_CASE(particles_beyond_the_wall_are_counted)
+{
+  auto patch = lattice();
+  patch->system.compute_forces();
+  BOOST_TEST(patch->fluid->crossed() == 0u);
+  patch->system.particles.x[0][middle(*patch)] += cell.period;
+  patch->system.compute_forces();
+  BOOST_TEST(patch->fluid->crossed() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(saved_and_loaded_state_continues_with_the_same_bits)
+{
+  cell.fluid_viscosity = 1.;
+  auto a = disturbed(2, 2), b = disturbed(2, 2);
+  KickDriftKick<2> run_a(a->system), run_b(b->system);
+  a->system.compute_forces();
+  const double dt = 0.5 * a->system.stable_time_step();
+  for (int s = 0; s < 57; ++s)
+    run_a.step(dt);
+  a->fluid->set_particle_mass(a->system.particles, 1, 1.001 * a->fluid->particle_mass()[1]);
+  std::stringstream stream;
+  a->system.save(stream);
+  b->system.load(stream);
+  b->system.threads = 2;
+  for (int s = 0; s < 100; ++s)
+    {
+      run_a.step(dt);
+      run_b.step(dt);
+    }
+  for (int d = 0; d < 2; ++d)
+    {
+      BOOST_TEST((a->system.particles.x[d] == b->system.particles.x[d]));
+      BOOST_TEST((a->system.particles.v[d] == b->system.particles.v[d]));
+    }
+  BOOST_TEST((a->system.particles.field("density") == b->system.particles.field("density")));
+}
+
+BOOST_AUTO_TEST_CASE(the_input_file_selects_it)
+{
+  SphParameters read;
+  dealii::ParameterHandler prm;
+  read.add_parameters(prm);
+  const ParenchymaPatch patch = make_parenchyma(cell, 1, 1, true, true);
+  const auto fluid_name = [&] {
+    read.particles_per_side = 9;
+    ParenchymaParameters p = cell;
+    p.fluid_viscosity = 1.;
+    const ParenchymaPatch viscous = make_parenchyma(p, 1, 1, true, true);
+    return make_sph_patch(viscous, read, unannealed_cell(viscous, read))->fluid->name();
+  };
+  BOOST_TEST(fluid_name() == "sph_fluid_viscous");
+  prm.set("Formulation", std::string("thesis"));
+  BOOST_TEST(fluid_name() == "thesis_fluid+lennard_jones_wall+monaghan_viscosity");
+  prm.set("Viscosity law", std::string("morris"));
+  BOOST_TEST(fluid_name() == "thesis_fluid+lennard_jones_wall+morris_viscosity");
+  read.check();
+  prm.set("Formulation", std::string("variational"));
+  BOOST_CHECK_EXCEPTION(read.check(), std::invalid_argument, [](const std::invalid_argument &e) {
+    return std::string(e.what()).find("SPH/Viscosity law is morris") != std::string::npos;
+  });
+  const std::vector<std::string> expected{"density", "pressure"};
+  sph.formulation = "thesis";
+  BOOST_TEST(make_sph_patch(patch, sph, unannealed_cell(patch, sph))->system.particles.field_names() == expected,
+             boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
