@@ -1,0 +1,54 @@
+// ns per particle step and per pair of the particle engine: whole kick-drift-kick steps of
+// 1, 16 and 256 turgid cells (584 particles each), with and without viscosity, on 1 and 2 threads.
+//
+//   cmake -S . -B build-bench -G Ninja -DTURGOR_BENCHMARKS=ON && ninja -C build-bench benchmark_fluid
+//   build-bench/benchmarks/benchmark_fluid --benchmark_repetitions=5 --benchmark_report_aggregates_only
+//
+// Counters: ns_particle (CPU time of a step over particles), ns_neighbour (over the neighbours within the support),
+// neighbours, bytes_particle. TURGOR_SIMD=avx2 measures the portable sweeps.
+#include "micro/cells/sph_parenchyma.h"
+#include "micro/cells/turgid_reference.h"
+#include "micro/engine/kick_drift_kick.h"
+
+#include <benchmark/benchmark.h>
+#include <tbb/global_control.h>
+
+namespace
+{
+using namespace turgor;
+
+void step(benchmark::State &state)
+{
+  const unsigned int cells = unsigned(state.range(0)), threads = unsigned(state.range(2));
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  ParenchymaParameters cell;
+  cell.fluid_viscosity = state.range(1) ? 1. : 0.;
+  SphParameters sph;
+  static const ReferenceCell reference = make_turgid_reference(cell, sph);
+  const auto patch = make_sph_patch(make_parenchyma(cell, cells, cells, true, true), sph, reference);
+  ParticleSystem<2> &system = patch->system;
+  system.threads = threads;
+  KickDriftKick<2> integrator(system);
+  system.compute_forces();
+  const double dt = 0.9 * system.stable_time_step();
+  for (auto _ : state)
+    integrator.step(dt);
+  const double n = double(system.particles.size()), neighbours = patch->fluid->mean_neighbours(system.particles);
+  const double fluid = double(sph.particles_per_side) * sph.particles_per_side * cells * cells;
+  using benchmark::Counter;
+  const auto per = [](double count) { return Counter(count * 1e-9, Counter::kIsIterationInvariantRate | Counter::kInvert); };
+  state.counters["ns_particle"] = per(n);
+  state.counters["ns_neighbour"] = per(fluid * neighbours);
+  state.counters["neighbours"] = neighbours;
+  state.counters["particles"] = n;
+  state.counters["list_bytes_particle"] = double(patch->fluid->memory_bytes()) / n;
+}
+BENCHMARK(step)
+  ->ArgNames({"cells_a_side", "viscous", "threads"})
+  ->ArgsProduct({{1}, {0, 1}, {1}})
+  ->ArgsProduct({{4, 16}, {0, 1}, {1, 2}})
+  ->MeasureProcessCPUTime()
+  ->UseRealTime();
+} // namespace
+
+BENCHMARK_MAIN();
