@@ -1,0 +1,169 @@
+#!/usr/bin/python3
+"""Error split of the gravity example, statically: mesh, surface and homogenisation told apart.
+
+  inputs/studies/error_split.py [--runs DIR] [--out DIR] [--program FILE] [--only-plot]
+
+Runs tissue_statics (FE^2) over meshes and static_lattice (every cell) over n with each kind of surface, skips what
+already lies finished in --runs, and writes static.csv, limits.csv and static.png to --out (doc/results/error_split).
+Two minutes of CPU time; remove --runs after a change of the program.
+"""
+import argparse
+import csv
+import json
+import os
+import subprocess
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy  # noqa: E402
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+MESHES = {1: [4, 8, 16, 32], 2: [4, 8, 16, 32]}
+BLOCKS = {"slab": [4, 8, 16, 32], "frozen": [4, 8, 16, 24, 32, 48, 64], "free": [4, 8, 16, 24, 32, 48],
+          "osmosis": [4, 8, 16, 24, 32, 48]}
+# How much of what is left over at frozen surfaces goes with the stiffness of the fluid (Pa), see README.md.
+MODULI = ["6e5", "1.2e5"]
+
+
+def run(arguments, label, scene, overrides):
+    directory = os.path.join(arguments.runs, label)
+    summary = os.path.join(directory, "summary.json")
+    if not os.path.exists(summary) or json.load(open(summary, encoding="utf-8"))["status"] != "finished":
+        if arguments.only_plot:
+            raise SystemExit(f"{summary} is missing; run without --only-plot first.")
+        print(label, flush=True)
+        command = [arguments.program, "run", os.path.join(ROOT, "inputs", scene + ".prm"), "-o", directory]
+        for entry in overrides:
+            command += ["--set", entry]
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+    found = json.load(open(summary, encoding="utf-8"))
+    result = {name: entry["value"] for name, entry in found["results"].items()}
+    iterations = result["newton_iterations"] + result.get("newton_iterations_unloaded", 0.)
+    return {"tip": result["tip_over_width"], "pressure_min": result["pressure_min"],
+            "pressure_max": result["pressure_max"], "iterations": iterations, "cpu": found["cpu_time_s"]}
+
+
+def tissue(arguments, elements, degree, lateral="free", modulus=None):
+    more = [f"Cell/Fluid modulus={modulus}"] if modulus else []
+    return run(arguments, f"tissue_{lateral}_{degree}_{elements}" + (f"_{modulus}" if modulus else ""), "tissue_statics",
+               [f"Tissue statics/Elements={elements}", f"Tissue statics/Degree={degree}",
+                f"Tissue statics/Lateral sides={lateral}"] + more)
+
+
+def lattice(arguments, n, surfaces, modulus=None):
+    more = [f"Cell/Fluid modulus={modulus}"] if modulus else []
+    return run(arguments, f"lattice_{surfaces}_{n}" + (f"_{modulus}" if modulus else ""), "static_lattice",
+               [f"Columns={n}", f"Rows={n}", f"Surfaces={surfaces}", "Fields=false"] + more)
+
+
+def richardson(values):
+    """Limit and observed order of three values on meshes halved twice."""
+    ratio = (values[-2] - values[-3]) / (values[-1] - values[-2])
+    return values[-1] + (values[-1] - values[-2]) / (ratio - 1.), numpy.log2(ratio)
+
+
+def limit_in_cells(n, tips, powers):
+    """Limit of a + b n^p + ... through the largest blocks."""
+    count = len(powers) + 1
+    n, tips = numpy.array(n[-count:], float), numpy.array(tips[-count:])
+    return numpy.linalg.solve(numpy.stack([n ** p for p in [0, *powers]], axis=1), tips)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--runs", default=os.path.join(ROOT, "runs", "error_split"))
+    parser.add_argument("--out", default=os.path.join(ROOT, "doc", "results", "error_split"))
+    parser.add_argument("--program", default=os.path.join(ROOT, "turgor"), help="the launcher or a built program")
+    parser.add_argument("--only-plot", action="store_true")
+    arguments = parser.parse_args()
+    os.makedirs(arguments.out, exist_ok=True)
+
+    mesh = {d: [tissue(arguments, m, d) for m in sizes] for d, sizes in MESHES.items()}
+    limits = {d: richardson([r["tip"] for r in rows]) for d, rows in mesh.items()}
+    fe = limits[2][0]
+    slab_fe = tissue(arguments, 16, 2, "periodic")
+    block = {s: [lattice(arguments, n, s) for n in sizes] for s, sizes in BLOCKS.items()}
+    soft = {k: (tissue(arguments, 16, 2, modulus=k), [lattice(arguments, n, "frozen", k) for n in (16, 32)])
+            for k in MODULI}
+
+    def percent(tip, against=fe):
+        return 100. * (tip / against - 1.)
+
+    with open(os.path.join(arguments.out, "static.csv"), "w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file)
+        table.writerow(["model", "kind", "fluid_modulus [Pa]", "n", "tip_over_width [1]", "against_fe2_limit [%]",
+                        "pressure_min [Pa]", "pressure_max [Pa]", "newton_iterations [1]", "cpu_time [s]"])
+
+        def row(model, kind, n, r, against, modulus="6e6"):
+            table.writerow([model, kind, modulus, n, f"{r['tip']:.7f}", f"{percent(r['tip'], against):.3f}",
+                            f"{r['pressure_min']:.0f}", f"{r['pressure_max']:.0f}", f"{r['iterations']:.0f}",
+                            f"{r['cpu']:.2f}"])
+
+        for d, sizes in MESHES.items():
+            for m, r in zip(sizes, mesh[d]):
+                row("fe2", f"degree {d}", m, r, fe)
+        row("fe2", "degree 2 periodic", 16, slab_fe, slab_fe["tip"])
+        for s, sizes in BLOCKS.items():
+            for n, r in zip(sizes, block[s]):
+                row("lattice", s, n, r, slab_fe["tip"] if s == "slab" else fe)
+        for k, (r, blocks) in soft.items():
+            row("fe2", "degree 2", 16, r, r["tip"], k)
+            for n, b in zip((16, 32), blocks):
+                row("lattice", "frozen", n, b, r["tip"], k)
+
+    with open(os.path.join(arguments.out, "limits.csv"), "w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file)
+        table.writerow(["what", "fit", "limit_tip_over_width [1]", "against_fe2_limit [%]"])
+        for d, (limit, order) in limits.items():
+            table.writerow([f"fe2 degree {d}", f"observed order {order:.2f} in 1/m", f"{limit:.7f}",
+                            f"{percent(limit):.3f}"])
+        for s, sizes in BLOCKS.items():
+            tips = [r["tip"] for r in block[s]]
+            fits = {"1/n^2": [-2]} if s == "slab" else {"1/n": [-1], "1/n + 1/n^2": [-1, -2]}
+            for name, powers in fits.items():
+                limit = limit_in_cells(sizes, tips, powers)[0]
+                table.writerow([f"lattice {s}", f"{name} through the largest {len(powers) + 1}", f"{limit:.7f}",
+                                f"{percent(limit, slab_fe['tip'] if s == 'slab' else fe):.3f}"])
+
+    figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.4))
+    for d, sizes in MESHES.items():
+        errors = [-percent(r["tip"]) for r in mesh[d]]
+        left.loglog(sizes, errors, "os"[d - 1] + "-", label=f"FE², degree {d} (order {limits[d][1]:.1f})")
+    n = numpy.array(BLOCKS["slab"], float)
+    errors = numpy.array([percent(r["tip"], slab_fe["tip"]) for r in block["slab"]])
+    left.loglog(n, errors, "^-", color="tab:green", label="every cell, slab, against FE²")
+    left.loglog(n, errors[1] * (n[1] / n) ** 2, ":", color="0.5", label="second order")
+    left.set_xlabel("elements or cells along a side")
+    left.set_ylabel("error of the tip [%]")
+    left.set_title("What vanishes: mesh and homogenisation")
+    left.set_xticks([4, 8, 16, 32], ["4", "8", "16", "32"])
+    left.minorticks_off()
+    left.legend(fontsize=8)
+    left.grid(True, alpha=0.3)
+
+    fine = numpy.linspace(0., 1. / 16., 100)
+    for s, colour in (("free", "tab:red"), ("osmosis", "tab:orange"), ("frozen", "tab:blue")):
+        sizes, tips = BLOCKS[s], [percent(r["tip"]) for r in block[s]]
+        shown = [i for i, size in enumerate(sizes) if size >= 8]
+        a, b, c = limit_in_cells(sizes, tips, [-1, -2])
+        right.plot([1. / sizes[i] for i in shown], [tips[i] for i in shown], "o-", color=colour, label=s)
+        right.plot(fine, a + b * fine + c * fine ** 2, ":", color=colour)
+    right.axhline(0., color="k", lw=1, label="FE² limit")
+    right.set_ylim(-3., 16.)
+    right.annotate("free, 8 × 8: "
+                   f"{percent(block['free'][1]['tip']):+.0f} %", (0.125, 16.), (0.075, 14.6), fontsize=8)
+    sizes = [8, 16, 32, 64]
+    right.set_xticks([1. / size for size in sizes] + [0.], [f"1/{size}" for size in sizes] + ["0"])
+    right.set_xlabel("1/n, cells along a side")
+    right.set_ylabel("tip against the FE² limit [%]")
+    right.set_title("What surfaces do (dotted: fit a + b/n + c/n² to the largest)")
+    right.legend(fontsize=8, loc="upper left")
+    right.grid(True, alpha=0.3)
+    figure.tight_layout()
+    figure.savefig(os.path.join(arguments.out, "static.png"), dpi=120)
+
+
+if __name__ == "__main__":
+    main()
