@@ -158,7 +158,7 @@ def main():
     right.set_xticks([1. / size for size in sizes] + [0.], [f"1/{size}" for size in sizes] + ["0"])
     right.set_xlabel("1/n, cells along a side")
     right.set_ylabel("tip against the FE² limit [%]")
-    right.set_title("What surfaces do (dotted: fit a + b/n + c/n² to the largest)")
+    right.set_title("What surfaces do (dotted: a + b/n + c/n²)")
     right.legend(fontsize=8, loc="upper left")
     right.grid(True, alpha=0.3)
     figure.tight_layout()
