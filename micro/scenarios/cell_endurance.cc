@@ -108,6 +108,7 @@ void CellEndurance::check() const
   try
     {
       make_parenchyma(cell, 1, 1, true, true);
+      sph.check();
     }
   catch (const std::invalid_argument &wrong)
     {
@@ -154,6 +155,7 @@ void CellEndurance::run(RunContext &context)
   ReferenceCell empty = reference;
   empty.x.resize(reference.wall_count);
   empty.y.resize(reference.wall_count);
+  empty.density.clear();
   const auto walls = make_sph_patch(patch, sph, empty);
   ParticleSystem<2> &system = wet->system;
   Particles<2> &particles = system.particles;
