@@ -84,6 +84,7 @@ def main():
     limits = {d: richardson([r["tip"] for r in rows]) for d, rows in mesh.items()}
     fe = limits[2][0]
     slab_fe = tissue(arguments, 16, 2, "periodic")
+    slab_coarse = tissue(arguments, 8, 1, "periodic")
     block = {s: [lattice(arguments, n, s) for n in sizes] for s, sizes in BLOCKS.items()}
     soft = {k: (tissue(arguments, 16, 2, modulus=k), [lattice(arguments, n, "frozen", k) for n in (16, 32)])
             for k in MODULI}
@@ -105,6 +106,7 @@ def main():
             for m, r in zip(sizes, mesh[d]):
                 row("fe2", f"degree {d}", m, r, fe)
         row("fe2", "degree 2 periodic", 16, slab_fe, slab_fe["tip"])
+        row("fe2", "degree 1 periodic", 8, slab_coarse, slab_fe["tip"])
         for s, sizes in BLOCKS.items():
             for n, r in zip(sizes, block[s]):
                 row("lattice", s, n, r, slab_fe["tip"] if s == "slab" else fe)
