@@ -24,7 +24,7 @@ struct SphParameters
   std::string formulation = "variational"; ///< variational (sph_fluid.h) | thesis (thesis_fluid.h)
   std::string viscosity_law = "monaghan";  ///< monaghan | morris (thesis formulation only)
   double wall_range_ratio = 1.5;           ///< thesis: r_0 of the wall's repulsion / particle spacing
-  double wall_strength = 1.;               ///< thesis: f_0 over the estimate of lennard_jones_wall.h
+  double wall_strength = 4.;               ///< thesis: f_0 over the estimate of lennard_jones_wall.h
 
   /// Throws std::invalid_argument with a sentence for entries that do not go together.
   void check() const;

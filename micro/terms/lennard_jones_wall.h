@@ -9,7 +9,9 @@
 //
 //   f_0/l I(s/2),   I(a) = integral of [(r_0/r)^8 - (r_0/r)^4] a/r^2 dt,  r^2 = a^2 + t^2 < r_0^2
 //
-// so f_0 = strength p s l z_0 / I(s/2). strength = 1 is this estimate, and the scene's entry.
+// so f_0 = strength p s l z_0 / I(s/2). Particles settle in the gaps between nodes, where the push is less than
+// its average along the row: with strength = 4 the fluid keeps half a spacing from the wall indeed (the reference
+// cell then holds its turgor with the mass that fills it at rho(turgor), to 0.5 %; with 1 it takes 2.7 % more).
 #pragma once
 
 #include <cmath>

@@ -3,6 +3,7 @@
 #include "micro/cells/sph_parenchyma.h"
 #include "micro/engine/counter_random.h"
 #include "micro/engine/kick_drift_kick.h"
+#include "micro/terms/sph_fluid.h"
 
 #include <boost/test/unit_test.hpp>
 
