@@ -11,7 +11,7 @@
 //
 // so f_0 = strength p s l z_0 / I(s/2). Particles settle in the gaps between nodes, where the push is less than
 // its average along the row: with strength = 4 the fluid keeps half a spacing from the wall indeed (the reference
-// cell then holds its turgor with the mass that fills it at rho(turgor), to 0.5 %; with 1 it takes 2.7 % more).
+// cell then holds its turgor with the mass that fills it at rho(turgor), within 0.7 %; with 1 it takes 3 % more).
 #pragma once
 
 #include <cmath>
