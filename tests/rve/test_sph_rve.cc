@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(rotated_deformation_gives_rotated_stress)
 
 // The viscous part of Cauchy-Born is mu (L + L^T + tr(L) I) (errata, 2.24 with 3.17) but for the layer
 // at the wall whose kernels are cut: its share of the cell, and so the error, is first order in the spacing.
-BOOST_AUTO_TEST_CASE(viscous_stress_tends_to_newtons_at_first_order)
+BOOST_AUTO_TEST_CASE(viscous_stress_tends_to_newtons_at_first_order, *boost::unit_test::label("slow"))
 {
   const double mu = 1.;
   for (const Tensor2<2> &L : {matrix(0., 1e3, 0., 0.), matrix(1e3, 0., 0., -1e3)})
@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(constrained_run_at_rest_has_the_stress_of_the_reference)
 }
 
 // F held: bursts go on where the last one ended, and viscosity brings the cell to its equilibrium.
-BOOST_AUTO_TEST_CASE(constrained_runs_held_at_F_approach_elastic_equilibrium)
+BOOST_AUTO_TEST_CASE(constrained_runs_held_at_F_approach_elastic_equilibrium, *boost::unit_test::label("slow"))
 {
   const ParenchymaParameters cell = small_cell(1.);
   SphRveSettings settings = small(SphRule::elastic_equilibrium);
