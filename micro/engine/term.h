@@ -59,7 +59,7 @@ public:
   virtual double energy(const Particles<dim> &particles, const Box<dim> &box, std::size_t group) const = 0;
 
   /// N m; what periodic images add to the virial -sum_k f_k (x) x_k of the group's own forces
-  /// (see virial.h). Zero for laws within a group.
+  ///. Zero for laws within a group.
   virtual Tensor2<dim> image_virial(const Particles<dim> &, const Box<dim> &, std::size_t) const
   {
     return Tensor2<dim>::Zero();
