@@ -40,6 +40,20 @@ void store(const SphPatch &cells, std::vector<double> &unknowns)
     unknowns.insert(unknowns.end(), p.field(name).begin(), p.field(name).end());
 }
 
+/// Largest velocity about the affine flow, m/s; infinite when not a number.
+double fastest(const Particles<2> &p, const Tensor2<2> &F, const Tensor2<2> &F_dot)
+{
+  const Tensor2<2> L = F_dot * F.inverse();
+  double largest = 0.;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    {
+      const double v = (Vector<2>(p.v[0][i], p.v[1][i]) - L * p.position(i)).norm();
+      if (!(v <= largest))
+        largest = std::isfinite(v) ? v : HUGE_VAL;
+    }
+  return largest;
+}
+
 Vector<2> at(const std::vector<double> &unknowns, const std::size_t i, const std::size_t n, const unsigned int part)
 {
   return {unknowns[2 * part * n + i], unknowns[(2 * part + 1) * n + i]};
@@ -245,8 +259,15 @@ RveAnswer<2> SphRve::evaluate(const RveState<2> &committed, const Tensor2<2> &F,
   answer.energy = (system.potential_energy() - reference_energy)
                   / (patch.lattice.determinant() * patch.parameters.depth);
   const std::size_t crossed = scratch.cells->fluid->crossed();
+  const double sound =
+    2. * scratch.cells->fluid->equation_of_state().sound_speed(patch.parameters.fluid_density);
   if (!answer.sigma.allFinite() || !std::isfinite(answer.energy) || !std::isfinite(pressure))
     answer.diagnostics.message = "the micro steps diverged; use a smaller RVE/Step fraction or a shorter macro step.";
+  else if (const double most = 7. * patch.parameters.fluid_modulus; answer.sigma.norm() > 10. * most
+                                                                    || !(fastest(p, F, F_dot) < sound))
+    answer.diagnostics.message = "the micro steps diverged: stress " + std::to_string(answer.sigma.norm())
+                                 + " Pa, where the fluid's bulk modulus is " + std::to_string(most)
+                                 + " Pa; use a smaller RVE/Step fraction or a smaller change of F per call.";
   else if (crossed > n / 20)
     answer.diagnostics.message = std::to_string(crossed) + " fluid particles crossed the wall; the deformation is beyond "
                                  "what this resolution can take (more Particles per side).";
