@@ -31,6 +31,13 @@ void SphParameters::add_parameters(dealii::ParameterHandler &prm)
                     "variational: one energy, density corrected for the wall; thesis: density by continuity and "
                     "Lennard-Jones walls (thesis 2.3.1, 3.2), the baseline. Units: none.",
                     Selection("variational|thesis"));
+  prm.add_parameter("Volume", volume,
+                    "Formulation = variational: exact: the particles' volumes are scaled to fill their cell exactly, so that "
+                    "their packing does not decide the pressure; summed: densities as the kernel sums give them. Units: none.",
+                    Selection("exact|summed"));
+  prm.add_parameter("Ordering", ordering,
+                    "Volume = exact: pressure that keeps the particles evenly spread, over Fluid modulus. Units: none.",
+                    Double(0., 1.));
   prm.add_parameter("Viscosity law", viscosity_law,
                     "monaghan: Eq. 2.25; morris: Eq. 2.24, with Formulation = thesis only. Units: none.",
                     Selection("monaghan|morris"));
@@ -102,6 +109,8 @@ std::unique_ptr<CellFluid> make_fluid(const ParenchymaPatch &patch, const SphPar
   fluid.skin = sph.skin_ratio * dx;
   fluid.depth = p.depth;
   fluid.viscosity = p.fluid_viscosity;
+  fluid.exact_volume = sph.volume == "exact";
+  fluid.ordering = sph.ordering * p.fluid_modulus;
   return std::make_unique<SphFluid>(fluid, eos, mass);
 }
 } // namespace

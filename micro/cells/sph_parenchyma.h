@@ -22,6 +22,8 @@ struct SphParameters
   unsigned int seed = 1;                ///< of the initial disorder
   unsigned int anneal_steps = 20000;    ///< steps of damped motion before the reference
   std::string formulation = "variational"; ///< variational (sph_fluid.h) | thesis (thesis_fluid.h)
+  std::string volume = "exact";            ///< exact | summed (variational formulation only)
+  double ordering = 0.01;                  ///< p_0 / fluid modulus (volume = exact)
   std::string viscosity_law = "monaghan";  ///< monaghan | morris (thesis formulation only)
   double wall_range_ratio = 1.5;           ///< thesis: r_0 of the wall's repulsion / particle spacing
   double wall_strength = 4.;               ///< thesis: f_0 over the estimate of lennard_jones_wall.h

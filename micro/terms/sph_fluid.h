@@ -1,15 +1,12 @@
 // The SPH fluid of closed cells: variational, wall-corrected (equations in sph_sweeps.h).
 //
-// Owns the neighbour lists of every cell. A list holds the fluid particles of the same cell
-// within support + skin, and the stretches of wall (arcs) within reach; it is rebuilt when a
-// particle has moved more than half a skin relative to the cell's mean translation.
 // Fields: density (kg/m^3), pressure (Pa), wall_share (gamma).
 #pragma once
 
 #include "micro/terms/cell_fluid.h"
-#include "micro/terms/sph_sweeps.h"
+#include "micro/terms/list_origin.h"
+#include "micro/terms/sph_lists.h"
 
-#include <atomic>
 #include <vector>
 
 namespace turgor
@@ -20,6 +17,8 @@ struct SphFluidParameters
   double skin = 0.;       ///< m
   double depth = 1.;      ///< m, slab depth
   double viscosity = 0.;  ///< Pa s
+  bool exact_volume = true; ///< volumes of the particles fill the cell exactly; else as summed
+  double ordering = 0.;     ///< Pa, p_0; with exact_volume
 };
 
 class SphFluid final : public CellFluid
@@ -52,16 +51,13 @@ public:
 private:
   struct Cell
   {
-    std::vector<std::uint16_t> neighbours;
-    std::vector<std::uint32_t> first_neighbour, first_arc;
-    std::vector<sph::Arc> arcs;
-    std::vector<double> built_at[2]; ///< positions when the lists were built
-    std::uint32_t chunks = 0;        ///< most chunks of faces any particle sees
+    SphLists lists;
+    ListOrigin built_at;
+    double ordering_energy = 0.;     ///< J
     std::uint32_t crossed = 0;
     std::size_t builds = 0;
   };
 
-  bool moved_too_far(const Particles<2> &particles, const Group &group, const Cell &cell) const;
   void build(const Group &group, Cell &cell) const; ///< from built_at
 
   SphFluidParameters parameters;

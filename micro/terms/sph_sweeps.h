@@ -1,11 +1,18 @@
 // The two hot sweeps of the fluid in one closed cell, over plain arrays, compiled once
 // per instruction set and chosen at run time (sph_sweeps_avx2.cc, sph_sweeps_avx512.cc).
 //
-// Formulation: variational, wall-corrected summation density. For fluid particle i of the cell
+// Formulation: variational, wall-corrected summation density with the cell's exact volume. For fluid particle i
 //   gamma_i = integral over the cell of W(|x - x_i|)       (share of the kernel inside the wall)
-//   rho_i   = (m / gamma_i) sum_j W_ij                     (self included)
-//   E       = sum_i m e(rho_i)
-//   f_k     = - sum_i m p_i / rho_i^2 d rho_i / d x_k      for fluid and wall alike
+//   r_i     = (m / gamma_i) sum_j W_ij                     (self included)
+//   rho_i   = s r_i,  s = sum_j (m / r_j) / V              V: the exact volume inside the wall
+//   E       = sum_i m e(rho_i) + p_0 V (1 - s)
+//   f_k     = -dE/dx_k = (p_mean - p_0) dV/dx_k - sum_i (m s / rho_i^2) (p_i - p_mean + s p_0) dr_i/dx_k
+//             p_mean = sum_i (m / rho_i) p_i / V            for fluid and wall alike
+// s makes the particles' volumes fill the cell exactly: how the particles happen to be packed (0.05 % of density
+// are 10 % of turgor) no longer decides the pressure, which acts on the wall's own polygon, while the sums
+// carry what differs from it. Nothing would then keep the particles evenly spread (any packing
+// with equal r_i is at rest), so disorder, 1 - s, costs a little energy: p_0, the ordering pressure.
+// Without a volume (an open wall) s = 1, p_mean = p_0 = 0.
 // gamma from the wall alone: gamma_i = 1 + sum_faces [ integral G(r) r.n dS - angle / (2 pi) ],
 // div(r G) = W, by 3-point Gauss on the face; the discrete expression itself is differentiated,
 // so F = -dE/dx and momentum hold to round-off (compare Ferrand et al. 2013,
@@ -26,8 +33,7 @@ struct Arc
   std::uint16_t first = 0, count = 0;
 };
 
-constexpr unsigned int row_doubles = 8; ///< a row is one cache line: x, y, vx, vy, a, V, 1/gamma, unused
-constexpr unsigned int block = 16;       ///< particles treated together in density()
+constexpr unsigned int row_doubles = 8; ///< a row is one cache line: x, y, vx, vy, a, V, 1/gamma, b
 constexpr unsigned int list_padding = 8; ///< lists are padded with the dummy row to this many entries
 
 /// One cell, raw. Lengths: n fluid particles, n_wall nodes.
@@ -49,19 +55,25 @@ struct CellView
   const std::uint32_t *first_arc = nullptr; ///< n + 1 offsets
   double *rows = nullptr;         ///< (n + 1) * row_doubles, 64-byte aligned scratch
   double *scratch = nullptr;      ///< 2 * scratch_half, 64-byte aligned
-  std::uint32_t scratch_half = 0; ///< 4 list_padding * block * (chunks of faces one particle can see)
+  std::uint32_t scratch_half = 0; ///< 4 list_padding * (chunks of list_padding faces that all particles see)
+  double *arc_ends = nullptr;     ///< 5 * arc_stride scratch
+  std::uint32_t arc_stride = 0;   ///< number of arcs, rounded up to list_padding
   double support = 0.;            ///< m
   double mass = 0.;               ///< kg, of one fluid particle
   double depth = 1.;              ///< m, slab depth: W is per area, rho per volume
   double viscosity = 0.;          ///< Pa s; 0 compiles the viscous part out
   void (*eos)(const void *, std::uint32_t n, const double *rho, double *p) = nullptr; ///< p(rho), Pa
   const void *eos_data = nullptr;
+  double volume = 0.;             ///< m^3, inside the wall; 0: densities are left as summed
+  double ordering = 0.;           ///< Pa, p_0
+  double scale = 1.;              ///< out, s
+  double mean_pressure = 0.;      ///< out, Pa, p_mean; the caller applies p_mean dV/dx to the wall
   std::uint32_t crossed = 0;      ///< out: particles found outside the wall
 };
 
 struct Sweeps
 {
-  /// rho, gamma, p of every particle and the pressure forces between fluid and wall.
+  /// rho, gamma, p of every particle and the forces of p - p_mean between fluid and wall.
   void (*density)(CellView &) = nullptr;
   /// The forces between fluid particles; needs density() at the same positions.
   void (*force)(CellView &) = nullptr;

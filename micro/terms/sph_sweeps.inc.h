@@ -4,141 +4,12 @@
 // for a wide machine must never be the one the linker keeps for all.
 #include "micro/terms/sph_sweeps.h"
 
-#if defined(__AVX512F__) && defined(__AVX512DQ__)
-#include <immintrin.h>
-#endif
+#include "micro/terms/sph_lanes.inc.h"
 
 namespace turgor::sph
 {
 namespace
 {
-#if defined(__AVX512F__) && defined(__AVX512DQ__)
-constexpr int W = 8;
-using V = __m512d;
-inline V splat(double a) { return _mm512_set1_pd(a); }
-inline V load(const double *p) { return _mm512_loadu_pd(p); }
-inline void store(double *p, V a) { _mm512_storeu_pd(p, a); }
-inline V positive(V a) { return _mm512_max_pd(a, _mm512_setzero_pd()); }
-inline V select_less(V a, V b, V yes, V no) { return _mm512_mask_blend_pd(_mm512_cmp_pd_mask(a, b, _CMP_LT_OQ), no, yes); }
-inline double sum(V a) { return _mm512_reduce_add_pd(a); }
-/// 1/sqrt(a), a > 0: hardware estimate (14 bit) and two Newton steps (full precision).
-inline V rsqrt(V a)
-{
-  V y = _mm512_rsqrt14_pd(a);
-  const V h = _mm512_mul_pd(a, splat(0.5));
-  y = _mm512_mul_pd(y, _mm512_fnmadd_pd(_mm512_mul_pd(h, y), y, splat(1.5)));
-  y = _mm512_mul_pd(y, _mm512_fnmadd_pd(_mm512_mul_pd(h, y), y, splat(1.5)));
-  return y;
-}
-/// 1/a: hardware estimate and two Newton steps.
-inline V reciprocal(V a)
-{
-  V y = _mm512_rcp14_pd(a);
-  y = _mm512_mul_pd(y, _mm512_fnmadd_pd(a, y, splat(2.)));
-  return _mm512_mul_pd(y, _mm512_fnmadd_pd(a, y, splat(2.)));
-}
-inline void load_xy(const double *rows, const std::uint16_t *j, V &x, V &y)
-{
-  const auto at = [&](int k) { return _mm_load_pd(rows + std::uint32_t(j[k]) * row_doubles); };
-  const __m256d p0 = _mm256_insertf128_pd(_mm256_castpd128_pd256(at(0)), at(1), 1);
-  const __m256d p1 = _mm256_insertf128_pd(_mm256_castpd128_pd256(at(2)), at(3), 1);
-  const __m256d p2 = _mm256_insertf128_pd(_mm256_castpd128_pd256(at(4)), at(5), 1);
-  const __m256d p3 = _mm256_insertf128_pd(_mm256_castpd128_pd256(at(6)), at(7), 1);
-  const V a = _mm512_insertf64x4(_mm512_castpd256_pd512(p0), p1, 1);
-  const V b = _mm512_insertf64x4(_mm512_castpd256_pd512(p2), p3, 1);
-  x = _mm512_permutex2var_pd(a, _mm512_setr_epi64(0, 2, 4, 6, 8, 10, 12, 14), b);
-  y = _mm512_permutex2var_pd(a, _mm512_setr_epi64(1, 3, 5, 7, 9, 11, 13, 15), b);
-}
-/// The rows j[0..7], transposed: c[k] holds column k of the eight rows.
-inline void load_rows(const double *rows, const std::uint16_t *j, V c[row_doubles])
-{
-  V r[8];
-  for (int k = 0; k < 8; ++k)
-    r[k] = _mm512_load_pd(rows + std::uint32_t(j[k]) * row_doubles);
-  V t[8];
-  for (int k = 0; k < 8; k += 2)
-    {
-      t[k] = _mm512_unpacklo_pd(r[k], r[k + 1]);
-      t[k + 1] = _mm512_unpackhi_pd(r[k], r[k + 1]);
-    }
-  for (int k = 0; k < 2; ++k)
-    {
-      const V a = _mm512_shuffle_f64x2(t[k], t[k + 2], 0x88), b = _mm512_shuffle_f64x2(t[k], t[k + 2], 0xdd);
-      const V e = _mm512_shuffle_f64x2(t[k + 4], t[k + 6], 0x88), g = _mm512_shuffle_f64x2(t[k + 4], t[k + 6], 0xdd);
-      c[k] = _mm512_shuffle_f64x2(a, e, 0x88);
-      c[k + 4] = _mm512_shuffle_f64x2(a, e, 0xdd);
-      c[k + 2] = _mm512_shuffle_f64x2(b, g, 0x88);
-      c[k + 6] = _mm512_shuffle_f64x2(b, g, 0xdd);
-    }
-}
-#else
-constexpr int W = 4;
-typedef double V __attribute__((vector_size(32)));
-inline V splat(double a) { return V{a, a, a, a}; }
-inline V load(const double *p) { V a; __builtin_memcpy(&a, p, sizeof a); return a; }
-inline void store(double *p, V a) { __builtin_memcpy(p, &a, sizeof a); }
-inline V positive(V a) { return a > splat(0.) ? a : splat(0.); }
-inline V select_less(V a, V b, V yes, V no) { return a < b ? yes : no; }
-inline double sum(V a) { return (a[0] + a[1]) + (a[2] + a[3]); }
-inline V rsqrt(V a)
-{
-  V y;
-  for (int k = 0; k < W; ++k)
-    y[k] = 1. / __builtin_sqrt(a[k]);
-  return y;
-}
-inline V reciprocal(V a) { return splat(1.) / a; }
-inline void load_xy(const double *rows, const std::uint16_t *j, V &x, V &y)
-{
-  for (int k = 0; k < W; ++k)
-    {
-      const double *row = rows + std::uint32_t(j[k]) * row_doubles;
-      x[k] = row[0];
-      y[k] = row[1];
-    }
-}
-inline void load_rows(const double *rows, const std::uint16_t *j, V c[row_doubles])
-{
-  for (int half = 0; half < 2; ++half)
-    {
-      V r[4];
-      for (int k = 0; k < 4; ++k)
-        r[k] = load(rows + std::uint32_t(j[k]) * row_doubles + 4 * half);
-      typedef long long M __attribute__((vector_size(32)));
-      const V lo0 = __builtin_shuffle(r[0], r[1], M{0, 4, 2, 6}), hi0 = __builtin_shuffle(r[0], r[1], M{1, 5, 3, 7});
-      const V lo1 = __builtin_shuffle(r[2], r[3], M{0, 4, 2, 6}), hi1 = __builtin_shuffle(r[2], r[3], M{1, 5, 3, 7});
-      c[4 * half] = __builtin_shuffle(lo0, lo1, M{0, 1, 4, 5});
-      c[4 * half + 1] = __builtin_shuffle(hi0, hi1, M{0, 1, 4, 5});
-      c[4 * half + 2] = __builtin_shuffle(lo0, lo1, M{2, 3, 6, 7});
-      c[4 * half + 3] = __builtin_shuffle(hi0, hi1, M{2, 3, 6, 7});
-    }
-}
-#endif
-
-constexpr double pi = 3.14159265358979323846;
-
-/// atan2(s, c) lane by lane (Cephes rational approximation, 2e-16).
-inline V angle(V s, V c)
-{
-  const V zero = splat(0.), as = select_less(s, zero, -s, s), ac = select_less(c, zero, -c, c);
-  const V big = select_less(as, ac, ac, as), small = select_less(as, ac, as, ac);
-  const V wide = big * splat(0.41421356237309503); // tan(pi/8) < small/big: reduce by pi/4
-  const V t = select_less(wide, small, small - big, small)
-              * reciprocal(select_less(wide, small, small + big, big) + splat(1e-290));
-  const V z = t * t;
-  const V p = ((((splat(-8.750608600031904122785E-1) * z + splat(-1.615753718733365076637E1)) * z
-                 + splat(-7.500855792314704667340E1)) * z + splat(-1.228866684490136173410E2)) * z
-               + splat(-6.485021904942025371773E1)) * z;
-  const V d = ((((z + splat(2.485846490142306297962E1)) * z + splat(1.650270098316988542046E2)) * z
-                + splat(4.328810604912902668951E2)) * z + splat(4.853903996359136964868E2)) * z
-              + splat(1.945506571482613964425E2);
-  V a = t + t * (p * reciprocal(d));
-  a = select_less(wide, small, a + splat(pi / 4), a);
-  a = select_less(as, ac, a, splat(pi / 2) - a);
-  a = select_less(c, zero, splat(pi) - a, a);
-  return select_less(s, zero, -a, a);
-}
-
 alignas(64) const double lane_number[8] = {0, 1, 2, 3, 4, 5, 6, 7};
 
 /// What one particle feels of one stretch of wall: gamma and its derivatives with respect to
@@ -148,12 +19,24 @@ struct Gradient
   V ax, ay, bx, by;
 };
 
-template <bool viscous>
-void density(CellView &c)
+/// Sum of value(0 .. n - 1), in eight interleaved parts: an order that does not depend on the machine.
+template <typename Value>
+inline double sum_of(const std::uint32_t n, const Value &value)
 {
-  const double R = c.support, iR = 1. / R, C = 7. / (pi * R * R) / c.depth;
-  const V viR = splat(iR), one = splat(1.), four = splat(4.), tiny = splat(1e-24 * R * R);
+  double parts[8] = {};
+  std::uint32_t i = 0;
+  for (; i + 8 <= n; i += 8)
+    for (std::uint32_t l = 0; l < 8; ++l)
+      parts[l] += value(i + l);
+  for (; i < n; ++i)
+    parts[0] += value(i);
+  return ((parts[0] + parts[4]) + (parts[1] + parts[5])) + ((parts[2] + parts[6]) + (parts[3] + parts[7]));
+}
 
+/// Positions and velocities side by side, a row a particle, and the row that pads the lists: out of reach.
+template <bool viscous>
+void fill_rows(CellView &c)
+{
   for (std::uint32_t i = 0; i < c.n; ++i)
     {
       double *row = c.rows + std::size_t(i) * row_doubles;
@@ -166,11 +49,18 @@ void density(CellView &c)
         }
     }
   double *dummy = c.rows + std::size_t(c.n) * row_doubles;
-  dummy[0] = c.x[0][0] + 1e3 * R;
-  dummy[1] = c.x[1][0] + 1e3 * R;
+  dummy[0] = c.x[0][0] + 1e3 * c.support;
+  dummy[1] = c.x[1][0] + 1e3 * c.support;
   for (unsigned int k = 2; k < row_doubles; ++k)
     dummy[k] = 0.;
+}
 
+/// Kernel sums (into rho) and what the faces within reach give to gamma and its gradient, angles left out.
+template <bool viscous>
+void sum_kernels(CellView &c)
+{
+  const double R = c.support, iR = 1. / R, C = 7. / (pi * R * R) / c.depth;
+  const V viR = splat(iR), one = splat(1.), four = splat(4.), tiny = splat(1e-24 * R * R);
   // Gauss points and weights on [0, 1].
   constexpr int gauss_points = 3;
   const double gauss_x[gauss_points] = {0.11270166537925831, 0.5, 0.88729833462074169};
@@ -178,19 +68,11 @@ void density(CellView &c)
 
   Gradient *gradients = reinterpret_cast<Gradient *>(c.scratch);
   V *slip = reinterpret_cast<V *>(c.scratch + c.scratch_half);
-  c.crossed = 0;
 
-  // In blocks of particles: shares and sums first, then the law for the whole block, then the wall's forces.
-  std::uint32_t first_chunk[block + 1];
-  double rho[block], pressure[block];
-  for (std::uint32_t begin = 0; begin < c.n; begin += block)
-  {
-  const std::uint32_t end = begin + block < c.n ? begin + block : c.n;
   std::uint32_t chunks = 0;
-  for (std::uint32_t i = begin; i < end; ++i)
+  for (std::uint32_t i = 0; i < c.n; ++i)
     {
-      first_chunk[i - begin] = chunks;
-      double *row = c.rows + std::size_t(i) * row_doubles;
+      const double *row = c.rows + std::size_t(i) * row_doubles;
       const V xi = splat(row[0]), yi = splat(row[1]);
       V acc = splat(0.);
       for (std::uint32_t k = c.first_neighbour[i]; k < c.first_neighbour[i + 1]; k += W)
@@ -202,9 +84,9 @@ void density(CellView &c)
           const V w = positive(one - u), w2 = w * w;
           acc += w2 * w2 * (four * u + one);
         }
-      const double kernel_sum = C * (1. + sum(acc));
+      c.rho[i] = c.mass * C * (1. + sum(acc));
 
-      double gamma = 1.;
+      V share = splat(0.);
       for (std::uint32_t arc = c.first_arc[i]; arc < c.first_arc[i + 1]; ++arc)
         {
           const std::uint32_t first = c.arcs[arc].first, count = c.arcs[arc].count;
@@ -214,7 +96,7 @@ void density(CellView &c)
               const V live = splat(double(count - k)), lane = load(lane_number);
               const V ax = load(c.wall_x[0] + at) - xi, ay = load(c.wall_x[1] + at) - yi;
               const V bx = load(c.wall_x[0] + at + 1) - xi, by = load(c.wall_x[1] + at + 1) - yi;
-              const V cross = ax * by - ay * bx, dot = ax * bx + ay * by;
+              const V cross = ax * by - ay * bx;
               const V ex = bx - ax, ey = by - ay;
               V s = splat(0.), sax = s, say = s, sbx = s, sby = s, wa = s, wb = s;
               for (int g = 0; g < gauss_points; ++g)
@@ -242,18 +124,19 @@ void density(CellView &c)
                     }
                 }
               const double scale = 7. / (pi * R * R), scale_grad = scale * iR * iR;
-              const V a2 = splat(1. / (2. * pi)) * reciprocal(ax * ax + ay * ay + tiny);
-              const V b2 = splat(1. / (2. * pi)) * reciprocal(bx * bx + by * by + tiny);
               const V S = s * splat(scale);
               const V cg = cross * splat(scale_grad);
               const V zero = splat(0.);
-              const V part = cross * S - angle(cross, dot) * splat(1. / (2. * pi));
-              gamma += sum(select_less(lane, live, part, zero));
+              // Whole turns: counted where a face passes the direction in which angle() jumps.
+              const V down = select_less(by, zero, select_less(zero, cross, one, zero), zero);
+              const V up = select_less(by, zero, zero, select_less(cross, zero, one, zero));
+              const V turns = select_less(ay, zero, -up, down);
+              share += select_less(lane, live, cross * S - turns, zero);
               Gradient &out = gradients[chunks];
-              out.ax = select_less(lane, live, by * S + cg * sax - ay * a2, zero);
-              out.ay = select_less(lane, live, cg * say - bx * S + ax * a2, zero);
-              out.bx = select_less(lane, live, cg * sbx - ay * S + by * b2, zero);
-              out.by = select_less(lane, live, ax * S + cg * sby - bx * b2, zero);
+              out.ax = select_less(lane, live, by * S + cg * sax, zero);
+              out.ay = select_less(lane, live, cg * say - bx * S, zero);
+              out.bx = select_less(lane, live, cg * sbx - ay * S, zero);
+              out.by = select_less(lane, live, ax * S + cg * sby, zero);
               if (viscous)
                 {
                   // |integral of W over the face| / distance to its plane, split between its nodes;
@@ -268,6 +151,47 @@ void density(CellView &c)
                 }
             }
         }
+      c.gamma[i] = 1. + sum(share);
+    }
+}
+
+/// The angle under which a stretch of wall is seen, from its two ends alone, and its gradient: gamma
+/// is complete, and rho as the sums give it.
+void add_angles(CellView &c)
+{
+  const double R = c.support;
+  const V tiny = splat(1e-24 * R * R);
+  const std::uint32_t arcs = c.first_arc[c.n], stride = c.arc_stride;
+  double *ends = c.arc_ends;
+  for (std::uint32_t i = 0; i < c.n; ++i)
+    for (std::uint32_t arc = c.first_arc[i]; arc < c.first_arc[i + 1]; ++arc)
+      {
+        const std::uint32_t a = c.arcs[arc].first, b = a + c.arcs[arc].count;
+        ends[arc] = c.wall_x[0][a] - c.x[0][i];
+        ends[arc + stride] = c.wall_x[1][a] - c.x[1][i];
+        ends[arc + 2 * stride] = c.wall_x[0][b] - c.x[0][i];
+        ends[arc + 3 * stride] = c.wall_x[1][b] - c.x[1][i];
+      }
+  for (std::uint32_t arc = arcs; arc < stride; ++arc)
+    for (std::uint32_t k = 0; k < 4; ++k)
+      ends[arc + k * stride] = R;
+  for (std::uint32_t arc = 0; arc < arcs; arc += W)
+    {
+      double *x0 = ends + arc, *y0 = x0 + stride, *x1 = y0 + stride, *y1 = x1 + stride;
+      const V ax = load(x0), ay = load(y0), bx = load(x1), by = load(y1), turn = splat(1. / (2. * pi));
+      store(y1 + stride, turn * (angle(by, bx) - angle(ay, ax)));
+      const V a2 = turn * reciprocal(ax * ax + ay * ay + tiny), b2 = turn * reciprocal(bx * bx + by * by + tiny);
+      store(x0, -ay * a2);
+      store(y0, ax * a2);
+      store(x1, by * b2);
+      store(y1, -bx * b2);
+    }
+  c.crossed = 0;
+  for (std::uint32_t i = 0; i < c.n; ++i)
+    {
+      double gamma = c.gamma[i];
+      for (std::uint32_t arc = c.first_arc[i]; arc < c.first_arc[i + 1]; ++arc)
+        gamma -= ends[arc + 4 * stride];
       // Just outside the wall the winding number is 0, not the 1 that was assumed.
       if (gamma > 1. + 1e-3)
         {
@@ -276,58 +200,106 @@ void density(CellView &c)
         }
       if (gamma < 0.02)
         gamma = 0.02;
-      rho[i - begin] = c.mass * kernel_sum / gamma;
+      c.rho[i] /= gamma;
       c.gamma[i] = gamma;
     }
-  first_chunk[end - begin] = chunks;
-  c.eos(c.eos_data, end - begin, rho, pressure);
-  for (std::uint32_t i = begin; i < end; ++i)
+}
+
+/// rho so that the volumes fill the cell, p, and their share in the rows.
+void apply_law(CellView &c)
+{
+  double scale = 1., mean_pressure = 0.;
+  if (c.volume > 0.)
+    {
+      scale = c.mass * sum_of(c.n, [&](std::uint32_t i) { return 1. / c.rho[i]; }) / c.volume;
+      for (std::uint32_t i = 0; i < c.n; ++i)
+        c.rho[i] *= scale;
+    }
+  c.eos(c.eos_data, c.n, c.rho, c.pressure);
+  if (c.volume > 0.)
+    mean_pressure = c.mass * sum_of(c.n, [&](std::uint32_t i) { return c.pressure[i] / c.rho[i]; }) / c.volume;
+  c.mean_pressure = mean_pressure;
+  c.scale = scale;
+  for (std::uint32_t i = 0; i < c.n; ++i)
     {
       double *row = c.rows + std::size_t(i) * row_doubles;
-      const double ig = 1. / c.gamma[i], ir = 1. / rho[i - begin], p = pressure[i - begin], volume = c.mass * ir;
-      c.rho[i] = rho[i - begin];
-      c.pressure[i] = p;
-      row[4] = volume * p * ir * ig;
+      const double ig = 1. / c.gamma[i], ir = 1. / c.rho[i], p = c.pressure[i] - mean_pressure + c.ordering * scale,
+                   volume = c.mass * ir;
+      row[4] = volume * p * scale * ir * ig;
       row[5] = volume;
       row[6] = ig;
-      row[7] = 0.;
+      row[7] = volume * p * ig;
+    }
+}
 
-      std::uint32_t chunk = first_chunk[i - begin];
-      if (chunk < first_chunk[i - begin + 1])
+/// Forces between fluid and wall.
+template <bool viscous>
+void push_wall(CellView &c)
+{
+  const Gradient *gradients = reinterpret_cast<const Gradient *>(c.scratch);
+  const V *slip = reinterpret_cast<const V *>(c.scratch + c.scratch_half);
+  const double *ends = c.arc_ends;
+  const std::uint32_t stride = c.arc_stride;
+  std::uint32_t chunk = 0;
+  for (std::uint32_t i = 0; i < c.n; ++i)
+    {
+      const double *row = c.rows + std::size_t(i) * row_doubles;
+      if (c.first_arc[i] < c.first_arc[i + 1])
         {
-          const V b = splat(volume * p * ig);
-          const double drag = 2. * c.viscosity * volume * ig;
+          const double push = row[7], drag = 2. * c.viscosity * row[5] * row[6];
+          const V b = splat(push);
           V fx = splat(0.), fy = splat(0.);
+          double end_x = 0., end_y = 0.;
           for (std::uint32_t arc = c.first_arc[i]; arc < c.first_arc[i + 1]; ++arc)
-            for (std::uint32_t k = 0; k < c.arcs[arc].count; k += W, ++chunk)
-              {
-                const std::uint32_t at = c.arcs[arc].first + k;
-                const Gradient &g = gradients[chunk];
-                V fax = b * g.ax, fay = b * g.ay, fbx = b * g.bx, fby = b * g.by;
-                if (viscous)
-                  {
-                    const V tx = slip[4 * chunk + 2], ty = slip[4 * chunk + 3], vx = splat(row[2]), vy = splat(row[3]);
-                    const V sa = splat(drag) * slip[4 * chunk]
-                                 * ((vx - load(c.wall_v[0] + at)) * tx + (vy - load(c.wall_v[1] + at)) * ty);
-                    const V sb = splat(drag) * slip[4 * chunk + 1]
-                                 * ((vx - load(c.wall_v[0] + at + 1)) * tx + (vy - load(c.wall_v[1] + at + 1)) * ty);
-                    fax += sa * tx;
-                    fay += sa * ty;
-                    fbx += sb * tx;
-                    fby += sb * ty;
-                  }
-                store(c.wall_f[0] + at, load(c.wall_f[0] + at) + fax);
-                store(c.wall_f[1] + at, load(c.wall_f[1] + at) + fay);
-                store(c.wall_f_next[0] + at, load(c.wall_f_next[0] + at) + fbx);
-                store(c.wall_f_next[1] + at, load(c.wall_f_next[1] + at) + fby);
-                fx += fax + fbx;
-                fy += fay + fby;
-              }
-          c.f[0][i] -= sum(fx);
-          c.f[1][i] -= sum(fy);
+            {
+              const std::uint32_t first = c.arcs[arc].first, last = first + c.arcs[arc].count - 1;
+              const double *end = ends + arc;
+              const double ax = push * end[0], ay = push * end[stride], bx = push * end[2 * stride], by = push * end[3 * stride];
+              c.wall_f[0][first] += ax;
+              c.wall_f[1][first] += ay;
+              c.wall_f_next[0][last] += bx;
+              c.wall_f_next[1][last] += by;
+              end_x += ax + bx;
+              end_y += ay + by;
+              for (std::uint32_t k = 0; k < c.arcs[arc].count; k += W, ++chunk)
+                {
+                  const std::uint32_t at = c.arcs[arc].first + k;
+                  const Gradient &g = gradients[chunk];
+                  V fax = b * g.ax, fay = b * g.ay, fbx = b * g.bx, fby = b * g.by;
+                  if (viscous)
+                    {
+                      const V tx = slip[4 * chunk + 2], ty = slip[4 * chunk + 3], vx = splat(row[2]), vy = splat(row[3]);
+                      const V sa = splat(drag) * slip[4 * chunk]
+                                   * ((vx - load(c.wall_v[0] + at)) * tx + (vy - load(c.wall_v[1] + at)) * ty);
+                      const V sb = splat(drag) * slip[4 * chunk + 1]
+                                   * ((vx - load(c.wall_v[0] + at + 1)) * tx + (vy - load(c.wall_v[1] + at + 1)) * ty);
+                      fax += sa * tx;
+                      fay += sa * ty;
+                      fbx += sb * tx;
+                      fby += sb * ty;
+                    }
+                  store(c.wall_f[0] + at, load(c.wall_f[0] + at) + fax);
+                  store(c.wall_f[1] + at, load(c.wall_f[1] + at) + fay);
+                  store(c.wall_f_next[0] + at, load(c.wall_f_next[0] + at) + fbx);
+                  store(c.wall_f_next[1] + at, load(c.wall_f_next[1] + at) + fby);
+                  fx += fax + fbx;
+                  fy += fay + fby;
+                }
+            }
+          c.f[0][i] -= sum(fx) + end_x;
+          c.f[1][i] -= sum(fy) + end_y;
         }
     }
-  }
+}
+
+template <bool viscous>
+void density(CellView &c)
+{
+  fill_rows<viscous>(c);
+  sum_kernels<viscous>(c);
+  add_angles(c);
+  apply_law(c);
+  push_wall<viscous>(c);
 }
 
 template <bool viscous>

@@ -51,33 +51,16 @@ void ThesisFluid::update_lists(const Particles<2> &particles, const std::size_t 
 {
   const Group &g = particles.groups[group];
   Cell &cell = cells[group];
-  const std::uint32_t n = g.end - g.begin, nw = g.wall_count();
-  bool stale = cell.built_at[0].size() != n;
-  if (!stale)
-    {
-      double mean[2] = {0., 0.}, most = 0.;
-      for (int d = 0; d < 2; ++d)
-        for (std::uint32_t k = 0; k < nw; ++k)
-          mean[d] += (particles.x[d][g.begin + k] - cell.built_at[d][k]) / nw;
-      for (std::uint32_t k = 0; k < n; ++k)
-        {
-          const double dx = particles.x[0][g.begin + k] - cell.built_at[0][k] - mean[0];
-          const double dy = particles.x[1][g.begin + k] - cell.built_at[1][k] - mean[1];
-          most = std::max(most, dx * dx + dy * dy);
-        }
-      stale = !(most < 0.25 * parameters.skin * parameters.skin);
-    }
-  if (!stale)
+  if (!cell.built_at.stale(particles, g, parameters.skin))
     return;
-  for (int d = 0; d < 2; ++d)
-    cell.built_at[d].assign(particles.x[d].begin() + g.begin, particles.x[d].begin() + g.end);
+  cell.built_at.take(particles.x, g);
   build(g, cell);
 }
 
 void ThesisFluid::build(const Group &g, Cell &cell) const
 {
   const std::uint32_t nw = g.wall_count(), n = g.fluid_count();
-  const double *wx = cell.built_at[0].data(), *wy = cell.built_at[1].data(), *x = wx + nw, *y = wy + nw;
+  const double *wx = cell.built_at[0], *wy = cell.built_at[1], *x = wx + nw, *y = wy + nw;
   ++cell.builds;
   cell.fluid.clear();
   cell.wall.clear();
@@ -190,8 +173,7 @@ void ThesisFluid::jumped(Particles<2> &particles, const Particles<2>::Components
       double *rho = particles.field("density").data() + g.fluid;
       for (const auto *positions : {&before, &static_cast<const Particles<2>::Components &>(particles.x)})
         {
-          for (int d = 0; d < 2; ++d)
-            cell.built_at[d].assign((*positions)[d].begin() + g.begin, (*positions)[d].begin() + g.end);
+          cell.built_at.take(*positions, g);
           build(g, cell);
           const double *x = (*positions)[0].data() + g.fluid, *y = (*positions)[1].data() + g.fluid;
           const double share = (positions == &before ? -1. : 1.) * mass[group] / parameters.depth;
@@ -303,8 +285,7 @@ Rates ThesisFluid::rates(const Particles<2> &particles) const
 void ThesisFluid::forget_lists()
 {
   for (Cell &cell : cells)
-    for (auto &positions : cell.built_at)
-      positions.clear();
+    cell.built_at.forget();
 }
 
 std::size_t ThesisFluid::crossed() const
@@ -342,7 +323,7 @@ std::size_t ThesisFluid::memory_bytes() const
   std::size_t bytes = 0;
   for (const Cell &cell : cells)
     bytes += 4 * (cell.fluid.capacity() + cell.wall.capacity() + cell.first_fluid.capacity() + cell.first_wall.capacity())
-             + 8 * (cell.built_at[0].capacity() + cell.built_at[1].capacity());
+             + cell.built_at.memory_bytes();
   return bytes;
 }
 
@@ -351,8 +332,7 @@ void ThesisFluid::save(std::ostream &out, const Particles<2> &particles) const
   write_binary(out, mass);
   write_binary(out, particles.field("density"));
   for (const Cell &cell : cells)
-    for (int d = 0; d < 2; ++d)
-      write_binary(out, cell.built_at[d]);
+    cell.built_at.save(out);
 }
 
 void ThesisFluid::load(std::istream &in, Particles<2> &particles)
@@ -368,9 +348,8 @@ void ThesisFluid::load(std::istream &in, Particles<2> &particles)
       const Group &g = particles.groups[group];
       for (std::uint32_t i = g.fluid; i < g.end; ++i)
         particles.inverse_mass[i] = 1. / mass[group];
-      for (int d = 0; d < 2; ++d)
-        read_binary(in, cell.built_at[d]);
-      if (cell.built_at[0].size() == g.end - g.begin)
+      cell.built_at.load(in);
+      if (cell.built_at.size() == g.end - g.begin)
         build(g, cell);
     }
 }

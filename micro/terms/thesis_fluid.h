@@ -19,6 +19,7 @@
 #pragma once
 
 #include "micro/terms/cell_fluid.h"
+#include "micro/terms/list_origin.h"
 #include "micro/terms/lennard_jones_wall.h"
 #include "micro/terms/sph_kernel.h"
 
@@ -77,7 +78,7 @@ private:
   struct Cell
   {
     std::vector<std::uint32_t> fluid, wall, first_fluid, first_wall;
-    std::vector<double> built_at[2]; ///< positions when the lists were built
+    ListOrigin built_at;
     std::size_t crossed = 0, builds = 0;
   };
 

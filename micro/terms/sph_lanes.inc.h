@@ -1,0 +1,143 @@
+// The vector of doubles the sweeps compute with, 8 lanes with AVX-512, else 4: arithmetic beyond the operators,
+// gathering of rows, angle. Included by sph_sweeps.inc.h alone and under its rule: anonymous
+// namespace, no inline function of a shared header.
+#pragma once
+
+#include "micro/terms/sph_sweeps.h"
+
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+#include <immintrin.h>
+#endif
+
+namespace turgor::sph
+{
+namespace
+{
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+constexpr int W = 8;
+using V = __m512d;
+inline V splat(double a) { return _mm512_set1_pd(a); }
+inline V load(const double *p) { return _mm512_loadu_pd(p); }
+inline void store(double *p, V a) { _mm512_storeu_pd(p, a); }
+inline V positive(V a) { return _mm512_max_pd(a, _mm512_setzero_pd()); }
+inline V select_less(V a, V b, V yes, V no) { return _mm512_mask_blend_pd(_mm512_cmp_pd_mask(a, b, _CMP_LT_OQ), no, yes); }
+inline double sum(V a) { return _mm512_reduce_add_pd(a); }
+/// 1/sqrt(a), a > 0: hardware estimate (14 bit) and two Newton steps (full precision).
+inline V rsqrt(V a)
+{
+  V y = _mm512_rsqrt14_pd(a);
+  const V h = _mm512_mul_pd(a, splat(0.5));
+  y = _mm512_mul_pd(y, _mm512_fnmadd_pd(_mm512_mul_pd(h, y), y, splat(1.5)));
+  y = _mm512_mul_pd(y, _mm512_fnmadd_pd(_mm512_mul_pd(h, y), y, splat(1.5)));
+  return y;
+}
+/// 1/a: hardware estimate and two Newton steps.
+inline V reciprocal(V a)
+{
+  V y = _mm512_rcp14_pd(a);
+  y = _mm512_mul_pd(y, _mm512_fnmadd_pd(a, y, splat(2.)));
+  return _mm512_mul_pd(y, _mm512_fnmadd_pd(a, y, splat(2.)));
+}
+inline void load_xy(const double *rows, const std::uint16_t *j, V &x, V &y)
+{
+  const auto at = [&](int k) { return _mm_load_pd(rows + std::uint32_t(j[k]) * row_doubles); };
+  const __m256d p0 = _mm256_insertf128_pd(_mm256_castpd128_pd256(at(0)), at(1), 1);
+  const __m256d p1 = _mm256_insertf128_pd(_mm256_castpd128_pd256(at(2)), at(3), 1);
+  const __m256d p2 = _mm256_insertf128_pd(_mm256_castpd128_pd256(at(4)), at(5), 1);
+  const __m256d p3 = _mm256_insertf128_pd(_mm256_castpd128_pd256(at(6)), at(7), 1);
+  const V a = _mm512_insertf64x4(_mm512_castpd256_pd512(p0), p1, 1);
+  const V b = _mm512_insertf64x4(_mm512_castpd256_pd512(p2), p3, 1);
+  x = _mm512_permutex2var_pd(a, _mm512_setr_epi64(0, 2, 4, 6, 8, 10, 12, 14), b);
+  y = _mm512_permutex2var_pd(a, _mm512_setr_epi64(1, 3, 5, 7, 9, 11, 13, 15), b);
+}
+/// The rows j[0..7], transposed: c[k] holds column k of the eight rows.
+inline void load_rows(const double *rows, const std::uint16_t *j, V c[row_doubles])
+{
+  V r[8];
+  for (int k = 0; k < 8; ++k)
+    r[k] = _mm512_load_pd(rows + std::uint32_t(j[k]) * row_doubles);
+  V t[8];
+  for (int k = 0; k < 8; k += 2)
+    {
+      t[k] = _mm512_unpacklo_pd(r[k], r[k + 1]);
+      t[k + 1] = _mm512_unpackhi_pd(r[k], r[k + 1]);
+    }
+  for (int k = 0; k < 2; ++k)
+    {
+      const V a = _mm512_shuffle_f64x2(t[k], t[k + 2], 0x88), b = _mm512_shuffle_f64x2(t[k], t[k + 2], 0xdd);
+      const V e = _mm512_shuffle_f64x2(t[k + 4], t[k + 6], 0x88), g = _mm512_shuffle_f64x2(t[k + 4], t[k + 6], 0xdd);
+      c[k] = _mm512_shuffle_f64x2(a, e, 0x88);
+      c[k + 4] = _mm512_shuffle_f64x2(a, e, 0xdd);
+      c[k + 2] = _mm512_shuffle_f64x2(b, g, 0x88);
+      c[k + 6] = _mm512_shuffle_f64x2(b, g, 0xdd);
+    }
+}
+#else
+constexpr int W = 4;
+typedef double V __attribute__((vector_size(32)));
+inline V splat(double a) { return V{a, a, a, a}; }
+inline V load(const double *p) { V a; __builtin_memcpy(&a, p, sizeof a); return a; }
+inline void store(double *p, V a) { __builtin_memcpy(p, &a, sizeof a); }
+inline V positive(V a) { return a > splat(0.) ? a : splat(0.); }
+inline V select_less(V a, V b, V yes, V no) { return a < b ? yes : no; }
+inline double sum(V a) { return (a[0] + a[1]) + (a[2] + a[3]); }
+inline V rsqrt(V a)
+{
+  V y;
+  for (int k = 0; k < W; ++k)
+    y[k] = 1. / __builtin_sqrt(a[k]);
+  return y;
+}
+inline V reciprocal(V a) { return splat(1.) / a; }
+inline void load_xy(const double *rows, const std::uint16_t *j, V &x, V &y)
+{
+  for (int k = 0; k < W; ++k)
+    {
+      const double *row = rows + std::uint32_t(j[k]) * row_doubles;
+      x[k] = row[0];
+      y[k] = row[1];
+    }
+}
+inline void load_rows(const double *rows, const std::uint16_t *j, V c[row_doubles])
+{
+  for (int half = 0; half < 2; ++half)
+    {
+      V r[4];
+      for (int k = 0; k < 4; ++k)
+        r[k] = load(rows + std::uint32_t(j[k]) * row_doubles + 4 * half);
+      typedef long long M __attribute__((vector_size(32)));
+      const V lo0 = __builtin_shuffle(r[0], r[1], M{0, 4, 2, 6}), hi0 = __builtin_shuffle(r[0], r[1], M{1, 5, 3, 7});
+      const V lo1 = __builtin_shuffle(r[2], r[3], M{0, 4, 2, 6}), hi1 = __builtin_shuffle(r[2], r[3], M{1, 5, 3, 7});
+      c[4 * half] = __builtin_shuffle(lo0, lo1, M{0, 1, 4, 5});
+      c[4 * half + 1] = __builtin_shuffle(hi0, hi1, M{0, 1, 4, 5});
+      c[4 * half + 2] = __builtin_shuffle(lo0, lo1, M{2, 3, 6, 7});
+      c[4 * half + 3] = __builtin_shuffle(hi0, hi1, M{2, 3, 6, 7});
+    }
+}
+#endif
+
+constexpr double pi = 3.14159265358979323846;
+
+/// atan2(s, c) lane by lane (Cephes rational approximation, 2e-16).
+inline V angle(V s, V c)
+{
+  const V zero = splat(0.), as = select_less(s, zero, -s, s), ac = select_less(c, zero, -c, c);
+  const V big = select_less(as, ac, ac, as), small = select_less(as, ac, as, ac);
+  const V wide = big * splat(0.41421356237309503); // tan(pi/8) < small/big: reduce by pi/4
+  const V t = select_less(wide, small, small - big, small)
+              * reciprocal(select_less(wide, small, small + big, big) + splat(1e-290));
+  const V z = t * t;
+  const V p = ((((splat(-8.750608600031904122785E-1) * z + splat(-1.615753718733365076637E1)) * z
+                 + splat(-7.500855792314704667340E1)) * z + splat(-1.228866684490136173410E2)) * z
+               + splat(-6.485021904942025371773E1)) * z;
+  const V d = ((((z + splat(2.485846490142306297962E1)) * z + splat(1.650270098316988542046E2)) * z
+                + splat(4.328810604912902668951E2)) * z + splat(4.853903996359136964868E2)) * z
+              + splat(1.945506571482613964425E2);
+  V a = t + t * (p * reciprocal(d));
+  a = select_less(wide, small, a + splat(pi / 4), a);
+  a = select_less(as, ac, a, splat(pi / 2) - a);
+  a = select_less(c, zero, splat(pi) - a, a);
+  return select_less(s, zero, -a, a);
+}
+} // namespace
+} // namespace turgor::sph
