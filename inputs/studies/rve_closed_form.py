@@ -38,12 +38,20 @@ PATH = [IDENTITY, stretch(.99), stretch(.98), ("way", stretch(.99)[1]), ("way", 
         ("way", shear(.5)[1]), ("way", shear(.75)[1]), shear(1.)]
 
 
+# What a row is called -> the entries that make it.
+FLUIDS = {"hydrostatic": {"RVE/Fluid": "hydrostatic"},
+          "sph": {"RVE/Fluid": "sph"},
+          "sph summed": {"RVE/Fluid": "sph", "SPH/Volume": "summed"},
+          "thesis": {"RVE/Fluid": "sph", "SPH/Formulation": "thesis"}}
+
+
 def walk(program, path, fluid, rule, seed, entries):
     """Rows of stress.csv for the points of a path; a failed run raises its sentence."""
     with tempfile.TemporaryDirectory() as directory:
         keyframes = " | ".join("%d : %.17g, %.17g; %.17g, %.17g" % ((k,) + F) for k, (_, F) in enumerate(path))
         settings = {"Path/Keyframes": keyframes, "Path/Points": len(path), "Path/F_dot": "0, 0; 0, 0",
-                    "RVE/Fluid": fluid, "RVE/Rule": rule, "SPH/Seed": seed}
+                    "RVE/Rule": rule, "SPH/Seed": seed}
+        settings.update(FLUIDS[fluid])
         settings.update(entries)
         command = [program, "run", os.path.join(ROOT, "inputs", "rve_response.prm"), "-o", directory, "--quiet",
                    "--threads", "1"]
@@ -126,7 +134,8 @@ def main():
     parser.add_argument("--relax-steps", type=int, default=6000)
     parser.add_argument("--tolerance", type=float, default=2e-3)
     parser.add_argument("--rules", default="hydrostatic/cauchy_born,hydrostatic/elastic_equilibrium,"
-                                           "sph/cauchy_born,sph/elastic_equilibrium")
+                                           "sph/cauchy_born,sph/elastic_equilibrium,"
+                                           "sph summed/elastic_equilibrium,thesis/cauchy_born,thesis/elastic_equilibrium")
     parser.add_argument("--only", help="walk from I straight to this deformation alone, e.g. 'shear 1'")
     parser.add_argument("--set", action="append", default=[], help="further entries, Section/Name=value")
     options = parser.parse_args()
@@ -137,9 +146,9 @@ def main():
     rows = []
     for kind in options.rules.split(","):
         fluid, rule = kind.split("/")
-        entries = {"RVE/Relax steps": options.relax_steps, "RVE/Tolerance": options.tolerance} if fluid == "sph" else {}
+        entries = {"RVE/Relax steps": options.relax_steps, "RVE/Tolerance": options.tolerance} if fluid != "hydrostatic" else {}
         entries.update(item.split("=", 1) for item in options.set)
-        for seed in range(1, (options.seeds if fluid == "sph" else 1) + 1):
+        for seed in range(1, (1 if fluid == "hydrostatic" else options.seeds) + 1):
             rows += compare(options.program, path, fluid, rule, seed, entries)
             with open(options.output, "w", newline="") as file:
                 writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
