@@ -5,6 +5,7 @@
 #include "app/run_command.h"
 #include "app/study_errors.h"
 #include "app/study_input.h"
+#include "app/swing.h"
 #include "micro/io/atomic_file.h"
 #include "micro/io/checksum.h"
 #include "micro/io/progress_bar.h"
@@ -31,6 +32,7 @@ struct Row
   std::string status = "waiting", message;
   ResourceUse use;
   std::optional<double> error_history, error_field;
+  std::optional<Swing> swing, reference_swing;
 };
 
 std::string number(const std::optional<double> &value)
@@ -96,14 +98,19 @@ void measure(Row &row, const std::filesystem::path &reference)
   };
   attempt([&] { row.error_history = history_error(read_csv(row.directory / "probe.csv"), read_csv(reference / "probe.csv")); });
   attempt([&] {
+    row.swing = first_swing(read_csv(row.directory / "probe.csv"));
+    row.reference_swing = first_swing(read_csv(reference / "probe.csv"));
+  });
+  attempt([&] {
     row.error_field = field_error(read_csv(row.directory / "cell_displacement.csv"), read_csv(reference / "cell_displacement.csv"));
   });
 }
 
 void write_tables(const std::vector<Row> &rows, const std::filesystem::path &directory)
 {
-  std::ostringstream table, runs;
+  std::ostringstream table, runs, swings;
   table << "method,settings,error_history,error_field,cpu_time_s,wall_time_s,peak_memory_bytes\n";
+  swings << "method,settings,amplitude [m],time_of_largest [s],period [s],amplitude_error,period_error\n";
   runs << "label,method,settings,status,threads,directory,message\n";
   for (const Row &row : rows)
     {
@@ -111,6 +118,16 @@ void write_tables(const std::vector<Row> &rows, const std::filesystem::path &dir
       table << csv_field(row.run.method) << ',' << csv_field(row.run.settings) << ',' << number(row.error_history) << ','
             << number(row.error_field) << ',' << (costed ? number(row.use.cpu_time) : "") << ','
             << (costed ? number(row.use.wall_time) : "") << ',' << (costed ? std::to_string(row.use.peak_memory) : "") << '\n';
+      if (row.swing && row.reference_swing)
+        {
+          const Swing &swing = *row.swing, &expected = *row.reference_swing;
+          std::optional<double> late;
+          if (swing.period && expected.period)
+            late = *swing.period / *expected.period - 1.;
+          swings << csv_field(row.run.method) << ',' << csv_field(row.run.settings) << ',' << number(swing.amplitude) << ','
+                 << number(swing.time_of_largest) << ',' << number(swing.period) << ','
+                 << number(swing.amplitude / expected.amplitude - 1.) << ',' << number(late) << '\n';
+        }
       runs << csv_field(row.run.label) << ',' << csv_field(row.run.method) << ',' << csv_field(row.run.settings) << ','
            << row.status << ',' << row.run.threads << ',' << csv_field(row.directory.string()) << ','
            << csv_field(row.message) << '\n';
@@ -118,6 +135,8 @@ void write_tables(const std::vector<Row> &rows, const std::filesystem::path &dir
   std::filesystem::create_directories(directory);
   write_atomically(directory / "error_vs_time.csv", table.str());
   write_atomically(directory / "runs.csv", runs.str());
+  if (std::any_of(rows.begin(), rows.end(), [](const Row &row) { return row.swing.has_value(); }))
+    write_atomically(directory / "swing.csv", swings.str());
 }
 
 void print(const std::vector<Row> &rows)

@@ -1,6 +1,7 @@
 // The study: errors with values found by hand, the study file's mistakes, CSV fields.
 #include "app/study_errors.h"
 #include "app/study_input.h"
+#include "app/swing.h"
 #include "micro/io/run_context.h"
 #include "tests/app/temporary_directory.h"
 
@@ -50,6 +51,26 @@ BOOST_AUTO_TEST_CASE(history_error_by_hand)
   // (1/4) (1 + 0.25) + (1/4) (0.25 + 0) = 0.375; the norm is 4
   BOOST_TEST(history_error(table(directory, header + "0,1,2\n1,0,2\n"), reference) == std::sqrt(0.375 / 4.),
              boost::test_tools::tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(swing_by_hand)
+{
+  const TemporaryDirectory directory;
+  // u_y = -(1 - cos(2 pi t / 0.8)): -2 at 0.4, back at 0.8, sampled where neither falls on a sample.
+  std::string text = header;
+  for (int k = 0; k <= 33; ++k)
+    {
+      const double t = 0.03 * k;
+      text += std::to_string(t) + ",0.1," + std::to_string(std::cos(2. * M_PI * t / 0.8) - 1.) + "\n";
+    }
+  const Swing swing = first_swing(table(directory, text));
+  BOOST_TEST(std::abs(swing.amplitude + 2.) < 1e-3);
+  BOOST_TEST(std::abs(swing.time_of_largest - 0.4) < 1e-3);
+  BOOST_REQUIRE(swing.period.has_value());
+  BOOST_TEST(std::abs(*swing.period - 0.8) < 1e-3);
+  // A history that ends on its way back has no period; one at rest no swing.
+  BOOST_TEST(!first_swing(table(directory, header + "0,0,0\n1,0,2\n2,0,1.5\n")).period.has_value());
+  BOOST_CHECK_EXCEPTION(first_swing(table(directory, header + "0,0,0\n1,0,0\n2,0,0\n")), std::runtime_error, Says{"nothing moves"});
 }
 
 BOOST_AUTO_TEST_CASE(history_that_ends_early_is_refused)
