@@ -194,48 +194,31 @@ Rates SphFluid::rates(const Particles<2> &particles) const
   const double R = parameters.support, rho = eos.reference_density(), c = eos.sound_speed(1.05 * rho);
   // Stiffest acoustic mode of the pair sums: wave number about 6.5 / R.
   bound.fluid.frequency_squared = 6.5 * 6.5 * c * c / (R * R);
+  // Wendland C2, continuous limit: sum V |W'|/r = 14/R^2; the central pair drag takes half of
+  // it in one direction, chi mu/2 = 8 mu, and the highest mode moves neighbours oppositely.
+  bound.fluid.drag = 2. * 8. * 7. * parameters.viscosity / (rho * R * R);
+  if (particles.groups.empty())
+    return bound;
+  const Group &g = particles.groups.front(); // all cells start as copies
+  const std::uint32_t n = g.wall_count();
+  std::vector<double> x, y;
+  double lightest = 0., length = 0., squares = 0.; // inverse mass of the lightest node; sums over the faces
+  for (std::uint32_t k = 0; k <= n; ++k)
+    {
+      const std::uint32_t node = g.begin + k % n;
+      x.push_back(particles.x[0][node]);
+      y.push_back(particles.x[1][node]);
+      lightest = std::max(lightest, particles.inverse_mass[node]);
+      const double face = k > 0 ? std::hypot(x[k] - x[k - 1], y[k] - y[k - 1]) : 0.;
+      length += face;
+      squares += face * face;
+    }
+  // All nodes together against the fluid's bulk modulus: B depth sum_k |dA/dx_k|^2 / (A m_node).
   if (parameters.exact_volume)
-    {
-      // All nodes together against the fluid's bulk modulus: B depth sum_k |dA/dx_k|^2 / (A m_node).
-      for (const Group &g : particles.groups)
-        {
-          std::vector<double> x, y;
-          const std::uint32_t n = g.wall_count();
-          double lightest = 0., lengths = 0.;
-          for (std::uint32_t k = 0; k <= n; ++k)
-            {
-              x.push_back(particles.x[0][g.begin + k % n]);
-              y.push_back(particles.x[1][g.begin + k % n]);
-              lightest = std::max(lightest, particles.inverse_mass[g.begin + k % n]);
-            }
-          for (std::uint32_t k = 0; k < n; ++k)
-            lengths += (x[k + 1] - x[k]) * (x[k + 1] - x[k]) + (y[k + 1] - y[k]) * (y[k + 1] - y[k]);
-          bound.wall.frequency_squared = std::max(
-            bound.wall.frequency_squared, rho * c * c * parameters.depth * lengths / ring_area(x.data(), y.data(), n) * lightest);
-          break; // all cells start as copies
-        }
-    }
-  if (parameters.viscosity > 0.)
-    {
-      // Wendland C2, continuous limit: sum V |W'|/r = 14/R^2; the central pair drag takes half of
-      // it in one direction, chi mu/2 = 8 mu, and the highest mode moves neighbours oppositely.
-      bound.fluid.drag = 2. * 8. * 7. * parameters.viscosity / (rho * R * R);
-      // No slip drags the wall's light nodes: mu z0 l over the least gap that counts, half a
-      // spacing (doc/validation.md has the measured limit beside this bound).
-      for (const Group &g : particles.groups)
-        {
-          double heaviest = 0.; // inverse mass of the lightest node
-          for (std::uint32_t i = g.begin; i < g.fluid; ++i)
-            heaviest = std::max(heaviest, particles.inverse_mass[i]);
-          const std::uint32_t n = g.wall_count();
-          double length = 0.;
-          for (std::uint32_t k = 0; k < n; ++k)
-            length += (particles.position(g.begin + (k + 1) % n) - particles.position(g.begin + k)).norm() / n;
-          bound.wall.drag = std::max(bound.wall.drag, parameters.viscosity * parameters.depth * length * heaviest
-                                                        / (0.5 * R / 2.6));
-          break; // all cells start as copies
-        }
-    }
+    bound.wall.frequency_squared = rho * c * c * parameters.depth * squares / ring_area(x.data(), y.data(), n) * lightest;
+  // No slip drags the wall's light nodes: mu z0 l over the least gap that counts, half a
+  // spacing (doc/validation.md has the measured limit beside this bound).
+  bound.wall.drag = parameters.viscosity * parameters.depth * (length / n) * lightest / (0.5 * R / 2.6);
   return bound;
 }
 
