@@ -4,11 +4,11 @@
 #include "coupling/tissue_output.h"
 #include "macro/binary.h"
 #include "macro/tissue.h"
+#include "micro/io/cpu_clock.h"
 
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <optional>
 
 namespace turgor
@@ -21,8 +21,6 @@ double seconds_since(Clock::time_point start)
 {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
-
-double process_cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 // What the loop itself must remember over a checkpoint.
 struct Memory

@@ -1,10 +1,11 @@
 #include "rve/hydrostatic_rve.h"
 
+#include "micro/io/cpu_clock.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <numbers>
 #include <stdexcept>
 
@@ -12,13 +13,6 @@ namespace turgor
 {
 namespace
 {
-double thread_seconds()
-{
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
-}
-
 void map(const Tensor2<2> &A, const std::vector<double> &from, std::vector<double> &to)
 {
   to.resize(from.size());
@@ -209,7 +203,7 @@ Tensor4<2> HydrostaticRve::tangent(const std::vector<double> &x, const Tensor2<2
 RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor2<2> &F, const Tensor2<2> &F_dot,
                                       const RveRequest &request, Workspace &workspace) const
 {
-  const double start = thread_seconds();
+  const double start = thread_cpu_seconds();
   if (!F.allFinite() || !F_dot.allFinite() || !(F.determinant() > 0.))
     throw std::invalid_argument("An RVE needs a finite F with positive determinant and a finite F_dot.");
   if (committed.unknowns.size() != network.unknowns() || !committed.F.allFinite() ||
@@ -275,7 +269,7 @@ RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor
       if (!std::isfinite(answer.diagnostics.residual))
         answer.diagnostics.residual = HUGE_VAL;
     }
-  answer.diagnostics.cpu_seconds = thread_seconds() - start;
+  answer.diagnostics.cpu_seconds = thread_cpu_seconds() - start;
   return answer;
 }
 } // namespace turgor

@@ -3,23 +3,16 @@
 #include "micro/cells/tissue_block.h"
 #include "micro/cells/turgid_reference.h"
 #include "micro/engine/kick_drift_kick.h"
+#include "micro/io/cpu_clock.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <time.h>
 
 namespace turgor
 {
 namespace
 {
-double thread_seconds()
-{
-  timespec now;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
-
 HydrostaticRveSettings solid_settings(const SphRveSettings &settings)
 {
   HydrostaticRveSettings result;
@@ -222,7 +215,7 @@ Tensor2<2> SphRve::run_bursts(Scratch &scratch, const RveState<2> &committed, co
 RveAnswer<2> SphRve::evaluate(const RveState<2> &committed, const Tensor2<2> &F, const Tensor2<2> &F_dot,
                               const RveRequest &request, Workspace &workspace) const
 {
-  const double began = thread_seconds();
+  const double began = thread_cpu_seconds();
   if (!F.allFinite() || !F_dot.allFinite() || !(F.determinant() > 0.))
     throw std::invalid_argument("An RVE needs a finite F with positive determinant and a finite F_dot.");
   Scratch &scratch = dynamic_cast<Scratch &>(workspace);
@@ -301,7 +294,7 @@ RveAnswer<2> SphRve::evaluate(const RveState<2> &committed, const Tensor2<2> &F,
           answer.tangent = stand_in.tangent;
         }
     }
-  answer.diagnostics.cpu_seconds = thread_seconds() - began;
+  answer.diagnostics.cpu_seconds = thread_cpu_seconds() - began;
   return answer;
 }
 

@@ -2,13 +2,13 @@
 
 #include "micro/cells/turgid_reference.h"
 #include "micro/engine/binary.h"
+#include "micro/io/cpu_clock.h"
 #include "micro/io/field_file.h"
 #include "micro/processes/osmosis.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <sstream>
 
 #include <deal.II/base/parameter_handler.h>
@@ -177,8 +177,6 @@ FieldFrame frame_of(const Particles<2> &p, const std::vector<double> (&x0)[2], c
   frame.fields = {displacement, velocity, pressure, wall, cell};
   return frame;
 }
-
-double thread_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 } // namespace
 
 void FullMicro::run(RunContext &context)
@@ -249,7 +247,7 @@ void FullMicro::run(RunContext &context)
     }
 
   const auto wall_start = std::chrono::steady_clock::now();
-  const double cpu_start = thread_seconds();
+  const double cpu_start = process_cpu_seconds();
   const std::uint64_t first = at.step;
   while (at.step < last)
     {
@@ -275,7 +273,7 @@ void FullMicro::run(RunContext &context)
   const double steps_run = double(at.step - first), n = double(particles.size());
   if (steps_run > 0.)
     {
-      const double cpu = thread_seconds() - cpu_start;
+      const double cpu = process_cpu_seconds() - cpu_start;
       const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
       context.result("cpu_per_particle_step", cpu / steps_run / n * 1e9, "ns");
       context.result("wall_per_particle_step", wall / steps_run / n * 1e9, "ns");
