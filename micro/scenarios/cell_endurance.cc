@@ -1,9 +1,11 @@
 #include "micro/scenarios/cell_endurance.h"
 
-#include "micro/cells/turgid_reference.h"
+#include "micro/cells/sph_cell_entries.h"
 #include "micro/engine/binary.h"
 #include "micro/engine/counter_random.h"
 #include "micro/engine/kick_drift_kick.h"
+#include "micro/scenarios/shared_entries.h"
+#include "micro/scenarios/stepping.h"
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -85,35 +87,17 @@ void CellEndurance::declare_parameters(dealii::ParameterHandler &prm)
   prm.add_parameter("Start speed", start_speed,
                     "Largest component of random velocities that disturb the cell at the start; 0: none. Units: m/s.",
                     Double(0., 100.));
-  prm.add_parameter("Step fraction", step_fraction,
-                    "Time step over the stable limit that the terms state. Units: none.", Double(0.01, 1.));
+  declare_step_fraction(prm, step_fraction);
   prm.add_parameter("Samples", samples, "Rows of endurance.csv. Units: none.", Integer(10, 1000000));
-  prm.add_parameter("Checkpoints", checkpoints, "Checkpoints during the run; 0: none. Units: none.",
-                    Integer(0, 100000));
-  prm.enter_subsection("Cell");
-  cell.add_parameters(prm);
-  prm.leave_subsection();
-  prm.enter_subsection("SPH");
-  sph.add_parameters(prm);
-  prm.leave_subsection();
+  declare_checkpoints(prm, checkpoints);
+  declare_sph_cell(prm, cell, sph);
 }
 
 void CellEndurance::check() const
 {
-  if (2 * cell.period / sph.particles_per_side * sph.support_ratio > cell.period)
-    throw InputError("SPH/Support ratio: the kernel's diameter is larger than a cell; use more Particles per side or a "
-                     "smaller ratio.");
+  check_sph_cell(cell, sph);
   if (steps != std::floor(steps))
     throw InputError("Steps is " + std::to_string(steps) + ", but has to be a whole number.");
-  try
-    {
-      make_parenchyma(cell, 1, 1, true, true);
-      sph.check();
-    }
-  catch (const std::invalid_argument &wrong)
-    {
-      throw InputError(wrong.what());
-    }
 }
 
 double CellEndurance::pressure_of_area(const double pressure_at_reference, const double J) const
@@ -148,8 +132,7 @@ CellEndurance::Sample CellEndurance::measure(const SphPatch &wet, SphPatch &wall
 
 void CellEndurance::run(RunContext &context)
 {
-  context.say("annealing the reference cell (" + std::to_string(sph.anneal_steps) + " steps)");
-  const ReferenceCell reference = make_turgid_reference(cell, sph, [&](double f) { context.progress(f, "annealing"); });
+  const ReferenceCell reference = anneal_reference(context, cell, sph);
   const ParenchymaPatch patch = make_parenchyma(cell, 1, 1, true, true);
   const auto wet = make_sph_patch(patch, sph, reference);
   ReferenceCell empty = reference;
@@ -249,18 +232,21 @@ void CellEndurance::run(RunContext &context)
   if (!resumed)
     record();
 
-  const auto save = [&](std::ostream &out) {
-    Progress saved = at;
-    saved.list_builds += double(wet->fluid->list_builds());
-    write_binary(out, saved);
-    system.save(out);
+  const auto save = [&] {
+    context.save_checkpoint([&](std::ostream &out) {
+      Progress saved = at;
+      saved.list_builds += double(wet->fluid->list_builds());
+      write_binary(out, saved);
+      system.save(out);
+    });
   };
+  const StepCheckpoints keep(context, last, checkpoints, save,
+                             [&] { return "after " + std::to_string(at.step) + " steps"; });
   const bool moving = rate.norm() > 0.;
   const auto power = [&] {
     return moving ? image_virial(system).cwiseProduct(system.box.H_dot * system.box.H.inverse()).sum() : 0.;
   };
-  const std::uint64_t sample_every = std::max<std::uint64_t>(1, last / samples);
-  const std::uint64_t checkpoint_every = checkpoints > 0 ? std::max<std::uint64_t>(1, last / (checkpoints + 1)) : 0;
+  const std::uint64_t sample_every = steps_between(last, samples);
   double power_before = power();
   while (at.step < last)
     {
@@ -273,11 +259,7 @@ void CellEndurance::run(RunContext &context)
         record();
       if (at.step % 64 == 0)
         context.progress(double(at.step) / double(last), "micro steps");
-      const bool stop = context.stop_requested();
-      if (stop || (checkpoint_every > 0 && at.step % checkpoint_every == 0 && at.step < last))
-        context.save_checkpoint(save);
-      if (stop)
-        throw RunStopped("stopped after " + std::to_string(at.step) + " steps; --resume goes on from there");
+      keep.after_step(at.step);
     }
   report(context, *wet, at);
 }

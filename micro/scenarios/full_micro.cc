@@ -1,10 +1,12 @@
 #include "micro/scenarios/full_micro.h"
 
-#include "micro/cells/turgid_reference.h"
+#include "micro/cells/sph_cell_entries.h"
 #include "micro/engine/binary.h"
 #include "micro/io/cpu_clock.h"
 #include "micro/io/field_file.h"
 #include "micro/processes/osmosis.h"
+#include "micro/scenarios/shared_entries.h"
+#include "micro/scenarios/stepping.h"
 
 #include <algorithm>
 #include <chrono>
@@ -48,44 +50,27 @@ std::string FullMicro::description() const
 void FullMicro::declare_parameters(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;
-  prm.add_parameter("Columns", columns, "Cells in x. Units: none.", Integer(1, 1000));
-  prm.add_parameter("Rows", rows, "Cells in y. Units: none.", Integer(1, 1000));
-  prm.add_parameter("Load", load, "Tissue density times body force times width, downward. Units: Pa.",
-                    Double(-1e8, 1e8));
+  declare_block(prm, columns, rows, load);
   prm.add_parameter("End time", end_time, "Simulated time. Units: s.", Double(1e-9, 10.));
-  prm.add_parameter("Step fraction", step_fraction,
-                    "Time step over the stable limit that the terms state. Units: none.", Double(0.01, 1.));
+  declare_step_fraction(prm, step_fraction);
   prm.add_parameter("Window", window,
                     "Share of the steps that is really run, to time a scene too large to finish; 0 runs all. Units: none.",
                     Double(0., 1.));
-  prm.add_parameter("Surfaces", surfaces,
-                    "frozen: the missing neighbours' reference forces stay; free: turgid cells bulge, fixed mass; "
-                    "osmosis: free, turgor restored; slab: periodic in y. Units: none.",
-                    Selection("frozen|free|osmosis|slab"));
+  declare_surfaces(prm, surfaces);
   prm.add_parameter("Relax steps", relax_steps, "Damped steps before t = 0 for free surfaces. Units: steps.",
                     Integer(0, 100000000));
   prm.add_parameter("Samples", samples, "Rows of probe.csv. Units: none.", Integer(1, 1000000));
   prm.add_parameter("Frames", frames, "Frames of the field file after the first; 0 writes no fields. Units: none.",
                     Integer(0, 100000));
-  prm.add_parameter("Checkpoints", checkpoints, "Checkpoints during the run; 0: none. Units: none.",
-                    Integer(0, 100000));
-  prm.enter_subsection("Cell");
-  cell.add_parameters(prm);
-  prm.leave_subsection();
-  prm.enter_subsection("SPH");
-  sph.add_parameters(prm);
-  prm.leave_subsection();
+  declare_checkpoints(prm, checkpoints);
+  declare_sph_cell(prm, cell, sph);
 }
 
 void FullMicro::check() const
 {
   if (double(columns) * rows * sph.particles_per_side * sph.particles_per_side > 2e8)
     throw InputError("Columns x Rows x Particles per side^2 is more than 2e8 particles: choose a smaller block.");
-  if (2 * cell.period / sph.particles_per_side * sph.support_ratio > cell.period)
-    throw InputError("SPH/Support ratio: the kernel's diameter is larger than a cell; use more Particles per side or a "
-                     "smaller ratio.");
-  make_parenchyma(cell, 1, 1, true, true);
-  sph.check();
+  check_sph_cell(cell, sph);
 }
 
 Vector<2> FullMicro::probe_displacement(const TissueBlock &block, const Progress &at) const
@@ -181,8 +166,7 @@ FieldFrame frame_of(const Particles<2> &p, const std::vector<double> (&x0)[2], c
 
 void FullMicro::run(RunContext &context)
 {
-  context.say("annealing the reference cell (" + std::to_string(sph.anneal_steps) + " steps)");
-  const ReferenceCell reference = make_turgid_reference(cell, sph, [&](double f) { context.progress(f, "annealing"); });
+  const ReferenceCell reference = anneal_reference(context, cell, sph);
   TissueBlock block = make_tissue_block(cell, sph, reference, columns, rows, surfaces_from(surfaces));
   ParticleSystem<2> &system = block.cells->system;
   system.threads = context.threads();
@@ -197,10 +181,6 @@ void FullMicro::run(RunContext &context)
   const double acceleration = -load / (block.density * block.width);
 
   KickDriftKick<2> integrator(system);
-  const auto save = [&](std::ostream &out) {
-    at.save(out);
-    system.save(out);
-  };
   const bool resumed = context.load_checkpoint([&](std::istream &in) {
     at.load(in);
     system.load(in);
@@ -224,10 +204,16 @@ void FullMicro::run(RunContext &context)
   if (frames > 0 && context.is_writer())
     fields = std::make_unique<FieldFile>(context.directory(), "cells", resumed);
 
-  const std::uint64_t sample_every = std::max<std::uint64_t>(1, at.steps / samples);
-  const std::uint64_t frame_every = frames > 0 ? std::max<std::uint64_t>(1, at.steps / frames) : 0;
-  const std::uint64_t checkpoint_every =
-    checkpoints > 0 ? std::max<std::uint64_t>(1, last / (checkpoints + 1)) : 0;
+  const std::uint64_t sample_every = steps_between(at.steps, samples), frame_every = steps_between(at.steps, frames);
+  const auto save = [&] {
+    require_finite(context, block, at);
+    context.save_checkpoint([&](std::ostream &out) {
+      at.save(out);
+      system.save(out);
+    });
+  };
+  const StepCheckpoints keep(context, last, checkpoints, save,
+                             [&] { return "at t = " + std::to_string(at.time() * 1e3) + " ms"; });
   const auto record = [&] {
     require_finite(context, block, at);
     const Vector<2> u = probe_displacement(block, at);
@@ -259,14 +245,7 @@ void FullMicro::run(RunContext &context)
         fields->write(frame_of(particles, at.x0, at.time()));
       if (at.step % 16 == 0)
         context.progress(double(at.step) / double(last), "full run");
-      const bool stop = context.stop_requested();
-      if (stop || (checkpoint_every > 0 && at.step % checkpoint_every == 0 && at.step < last))
-        {
-          require_finite(context, block, at);
-          context.save_checkpoint(save);
-        }
-      if (stop)
-        throw RunStopped("stopped at t = " + std::to_string(at.time() * 1e3) + " ms; --resume goes on from there");
+      keep.after_step(at.step);
     }
   require_finite(context, block, at);
 

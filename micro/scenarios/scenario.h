@@ -26,7 +26,8 @@ public:
   /// Declares all entries (add_parameter: pattern, default, "Units: ..." in the text).
   virtual void declare_parameters(dealii::ParameterHandler &prm) = 0;
 
-  /// Called after parsing: what patterns cannot say. Throws InputError with entry, value, allowed range.
+  /// Called after parsing: what patterns cannot say. Throws InputError or std::invalid_argument with entry, value,
+  /// allowed range.
   virtual void check() const {}
 
   /// True if the scene shares its work over MPI ranks.

@@ -1,6 +1,7 @@
 #include "micro/scenarios/static_lattice.h"
 
 #include "micro/io/field_file.h"
+#include "micro/scenarios/shared_entries.h"
 
 #include <algorithm>
 #include <chrono>
@@ -206,14 +207,8 @@ std::string StaticLattice::description() const
 void StaticLattice::declare_parameters(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;
-  prm.add_parameter("Columns", columns, "Cells in x. Units: none.", Integer(1, 1000));
-  prm.add_parameter("Rows", rows, "Cells in y. Units: none.", Integer(1, 1000));
-  prm.add_parameter("Load", load, "Tissue density times body force times width, downward. Units: Pa.",
-                    Double(-1e8, 1e8));
-  prm.add_parameter("Surfaces", surfaces,
-                    "frozen: the missing neighbours' reference forces stay; free: turgid cells bulge, fixed mass; "
-                    "osmosis: free, turgor restored; slab: periodic in y. Units: none.",
-                    Selection("frozen|free|osmosis|slab"));
+  declare_block(prm, columns, rows, load);
+  declare_surfaces(prm, surfaces);
   prm.add_parameter("Tolerance", equilibrium.tolerance,
                     "Largest unbalanced force over turgor * node spacing * depth. Units: none.", Double(1e-14, 1e-2));
   prm.add_parameter("Most iterations", equilibrium.max_iterations,
@@ -231,14 +226,7 @@ void StaticLattice::check() const
   if (double(columns) * rows * 4. * cell.nodes_per_side > 1e6)
     throw InputError("Columns x Rows x 4 x Cell/Nodes per side is more than 1e6 wall nodes, too many for a direct solver: "
                      "choose a smaller block.");
-  try
-    {
-      make_parenchyma(cell, 1, 1, true, true);
-    }
-  catch (const std::invalid_argument &e)
-    {
-      throw InputError(e.what());
-    }
+  make_parenchyma(cell, 1, 1, true, true);
 }
 
 void StaticLattice::write(RunContext &context, const LatticeBlock &block) const

@@ -1,0 +1,36 @@
+#include "micro/scenarios/shared_entries.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace turgor
+{
+namespace Patterns = dealii::Patterns;
+
+void declare_block(dealii::ParameterHandler &prm, unsigned int &columns, unsigned int &rows, double &load)
+{
+  prm.add_parameter("Columns", columns, "Cells in x. Units: none.", Patterns::Integer(1, 1000));
+  prm.add_parameter("Rows", rows, "Cells in y. Units: none.", Patterns::Integer(1, 1000));
+  prm.add_parameter("Load", load, "Tissue density times body force times width, downward. Units: Pa.",
+                    Patterns::Double(-1e8, 1e8));
+}
+
+void declare_surfaces(dealii::ParameterHandler &prm, std::string &surfaces)
+{
+  prm.add_parameter("Surfaces", surfaces,
+                    "frozen: the missing neighbours' reference forces stay; free: turgid cells bulge, fixed mass; "
+                    "osmosis: free, turgor restored; slab: periodic in y. Units: none.",
+                    Patterns::Selection("frozen|free|osmosis|slab"));
+}
+
+void declare_step_fraction(dealii::ParameterHandler &prm, double &step_fraction)
+{
+  prm.add_parameter("Step fraction", step_fraction,
+                    "Time step over the stable limit that the terms state. Units: none.", Patterns::Double(0.01, 1.));
+}
+
+void declare_checkpoints(dealii::ParameterHandler &prm, unsigned int &checkpoints)
+{
+  prm.add_parameter("Checkpoints", checkpoints, "Checkpoints during the run; 0: none. Units: none.",
+                    Patterns::Integer(0, 100000));
+}
+} // namespace turgor
