@@ -1,10 +1,9 @@
 // The fluid, wall and lamella terms of a patch of cells: F = -dE/dx by finite differences,
 // momentum, gamma against direct quadrature, both instruction sets against each other.
-#include "micro/cells/sph_parenchyma.h"
 #include "micro/cells/turgid_reference.h"
-#include "micro/engine/counter_random.h"
 #include "micro/engine/kick_drift_kick.h"
 #include "micro/terms/sph_fluid.h"
+#include "tests/micro/small_patch.h"
 
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>
@@ -14,46 +13,14 @@
 #include <sstream>
 
 using namespace turgor;
+using test::largest_force;
 
 namespace
 {
-struct Fixture
+struct Fixture : test::SmallPatch
 {
-  ParenchymaParameters cell;
-  SphParameters sph;
-  Fixture()
-  {
-    cell.nodes_per_side = 10;
-    sph.particles_per_side = 9;
-  }
-
-  /// A disturbed patch, so that no force is zero by symmetry.
-  std::unique_ptr<SphPatch> disturbed(unsigned int columns, unsigned int rows, double viscosity = 0.) const
-  {
-    ParenchymaParameters p = cell;
-    p.fluid_viscosity = viscosity;
-    const ParenchymaPatch patch = make_parenchyma(p, columns, rows, true, true);
-    auto result = make_sph_patch(patch, sph, unannealed_cell(patch, sph));
-    Particles<2> &particles = result->system.particles;
-    for (std::size_t i = 0; i < particles.size(); ++i)
-      for (int d = 0; d < 2; ++d)
-        {
-          particles.x[d][i] += 0.02 * patch.spacing * (2. * random_uniform(7, 2 * i + d) - 1.);
-          particles.v[d][i] = 2. * random_uniform(8, 2 * i + d) - 1.;
-        }
-    result->system.box.H(0, 1) = 0.1 * result->system.box.H(1, 1);
-    return result;
-  }
+  Fixture() { box_shear = 0.1; }
 };
-
-double largest_force(const Particles<2> &particles)
-{
-  double largest = 0.;
-  for (int d = 0; d < 2; ++d)
-    for (const double f : particles.f[d])
-      largest = std::max(largest, std::abs(f));
-  return largest;
-}
 } // namespace
 
 BOOST_FIXTURE_TEST_SUITE(sph_fluid, Fixture)
@@ -159,10 +126,8 @@ BOOST_AUTO_TEST_CASE(momentum_is_conserved_to_round_off)
   auto patch = disturbed(2, 2, 1.);
   ParticleSystem<2> &system = patch->system;
   system.compute_forces();
-  Vector<2> total = Vector<2>::Zero();
-  for (std::size_t i = 0; i < system.particles.size(); ++i)
-    total += Vector<2>(system.particles.f[0][i], system.particles.f[1][i]);
-  BOOST_TEST(total.norm() < 1e-12 * largest_force(system.particles) * std::sqrt(double(system.particles.size())));
+  const Particles<2> &p = system.particles;
+  BOOST_TEST(test::total_force(p).norm() < 1e-12 * largest_force(p) * std::sqrt(double(p.size())));
 }
 
 BOOST_AUTO_TEST_CASE(drag_dissipates)
@@ -326,11 +291,7 @@ BOOST_AUTO_TEST_CASE(lists_do_not_change_results)
   auto fresh = disturbed(1, 1);
   fresh->system.particles.x = after.x;
   fresh->system.compute_forces();
-  double difference = 0.;
-  for (int d = 0; d < 2; ++d)
-    for (std::size_t i = 0; i < after.size(); ++i)
-      difference = std::max(difference, std::abs(after.f[d][i] - fresh->system.particles.f[d][i]));
-  BOOST_TEST(difference < 1e-10 * largest_force(after));
+  BOOST_TEST(test::largest_difference(after, fresh->system.particles) < 1e-10 * largest_force(after));
 }
 
 BOOST_AUTO_TEST_CASE(undamped_energy_is_bounded_and_second_order)

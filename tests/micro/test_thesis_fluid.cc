@@ -1,10 +1,9 @@
 // The thesis's fluid scheme: kernel, wall repulsion, continuity, forces, viscosities, history.
-#include "micro/cells/sph_parenchyma.h"
-#include "micro/engine/counter_random.h"
 #include "micro/engine/kick_drift_kick.h"
 #include "micro/terms/lennard_jones_wall.h"
 #include "micro/terms/sph_kernel.h"
 #include "micro/terms/thesis_fluid.h"
+#include "tests/micro/small_patch.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -15,64 +14,14 @@
 #include <sstream>
 
 using namespace turgor;
+using test::largest_force;
 
 namespace
 {
-struct Fixture
+struct Fixture : test::SmallPatch
 {
-  ParenchymaParameters cell;
-  SphParameters sph;
-  Fixture()
-  {
-    cell.nodes_per_side = 10;
-    cell.fluid_viscosity = 0.;
-    sph.particles_per_side = 9;
-    sph.formulation = "thesis";
-  }
-
-  /// Jittered particles with random velocities, so that no force is zero by symmetry.
-  std::unique_ptr<SphPatch> disturbed(unsigned int columns, unsigned int rows) const
-  {
-    const ParenchymaPatch patch = make_parenchyma(cell, columns, rows, true, true);
-    auto result = make_sph_patch(patch, sph, unannealed_cell(patch, sph));
-    Particles<2> &particles = result->system.particles;
-    for (std::size_t i = 0; i < particles.size(); ++i)
-      for (int d = 0; d < 2; ++d)
-        {
-          particles.x[d][i] += 0.02 * patch.spacing * (2. * random_uniform(7, 2 * i + d) - 1.);
-          particles.v[d][i] = 2. * random_uniform(8, 2 * i + d) - 1.;
-        }
-    return result;
-  }
-
-  /// One cell with its fluid on a square lattice, at rest.
-  std::unique_ptr<SphPatch> lattice() const
-  {
-    const ParenchymaPatch patch = make_parenchyma(cell, 1, 1, true, true);
-    ReferenceCell reference = unannealed_cell(patch, sph);
-    const unsigned int n = sph.particles_per_side;
-    for (unsigned int k = 0; k < n * n; ++k)
-      {
-        reference.x[reference.wall_count + k] = (k % n + 0.5) * cell.period / n;
-        reference.y[reference.wall_count + k] = (k / n + 0.5) * cell.period / n;
-      }
-    return make_sph_patch(patch, sph, reference);
-  }
-
-  std::uint32_t middle(const SphPatch &patch) const
-  {
-    return patch.system.particles.groups[0].fluid + sph.particles_per_side * sph.particles_per_side / 2;
-  }
+  Fixture() { sph.formulation = "thesis"; }
 };
-
-double largest_force(const Particles<2> &particles)
-{
-  double largest = 0.;
-  for (int d = 0; d < 2; ++d)
-    for (const double f : particles.f[d])
-      largest = std::max(largest, std::abs(f));
-  return largest;
-}
 } // namespace
 
 BOOST_FIXTURE_TEST_SUITE(thesis_fluid, Fixture)
@@ -169,10 +118,7 @@ BOOST_AUTO_TEST_CASE(momentum_is_conserved_to_round_off)
       auto patch = disturbed(2, 2);
       patch->system.compute_forces();
       const Particles<2> &p = patch->system.particles;
-      Vector<2> total = Vector<2>::Zero();
-      for (std::size_t i = 0; i < p.size(); ++i)
-        total += Vector<2>(p.f[0][i], p.f[1][i]);
-      BOOST_TEST(total.norm() < 1e-12 * largest_force(p) * std::sqrt(double(p.size())));
+      BOOST_TEST(test::total_force(p).norm() < 1e-12 * largest_force(p) * std::sqrt(double(p.size())));
     }
 }
 
@@ -324,12 +270,8 @@ BOOST_AUTO_TEST_CASE(lists_do_not_change_results)
   const Particles<2> after = patch->system.particles;
   patch->fluid->forget_lists();
   patch->system.compute_forces();
-  double difference = 0.;
-  for (int d = 0; d < 2; ++d)
-    for (std::size_t i = 0; i < after.size(); ++i)
-      difference = std::max(difference, std::abs(after.f[d][i] - patch->system.particles.f[d][i]));
   BOOST_TEST(patch->fluid->list_builds() > 2u);
-  BOOST_TEST(difference < 1e-10 * largest_force(after));
+  BOOST_TEST(test::largest_difference(after, patch->system.particles) < 1e-10 * largest_force(after));
 }
 
 BOOST_AUTO_TEST_CASE(particles_beyond_the_wall_are_counted)
