@@ -114,8 +114,10 @@ int run_command(const RunOptions &options, const ScenarioRegistry &registry, Mpi
     }
   else if (settings.writer)
     std::cerr << "turgor: " << ending.message << "\n"
-              << (ending.code == 130 ? "Stopped; continue with --resume. " : "The run has failed. ") << "What there is, is in "
-              << place << "." << std::endl;
+              << (ending.code != 130              ? "The run has failed. " :
+                  directory.has_checkpoint() ? "Stopped; continue with --resume. " :
+                                                    "Stopped before there was a checkpoint; run it again. ")
+              << "What there is, is in " << place << "." << std::endl;
   // Another rank may wait for this one for ever.
   if (mpi != nullptr && ranks > 1 && ending.code == 1)
     mpi->abort(ending.code);

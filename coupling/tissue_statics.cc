@@ -88,9 +88,18 @@ void TissueStatics::run(RunContext &context)
 
   context.progress(0.1, "Newton's method");
   StaticAnswer<2> answer;
+  StaticSettings settings = newton;
+  settings.each_iteration = [&] {
+    if (context.stop_requested()) // agreed by all ranks, which iterate alike
+      throw RunStopped("stopped before the full load was carried");
+  };
   try
   {
-    answer = body.settle(newton);
+    answer = body.settle(settings);
+  }
+  catch (const RunStopped &)
+  {
+    throw;
   }
   catch (const TissueFailed &e)
   {

@@ -108,6 +108,8 @@ public:
           return true;
         if (iteration == settings.most_iterations)
           return false;
+        if (settings.each_iteration)
+          settings.each_iteration();
         const dealii::Vector<double> change = update();
         ++answer.iterations;
         // full steps when they can be evaluated and do not blow up: a nearly incompressible body's residual rises

@@ -231,6 +231,8 @@ EquilibriumReport NetworkEquilibrium::solve(std::vector<double> &x, const Tensor
           report.message = "No equilibrium within " + std::to_string(settings.max_iterations) + " Newton iterations.";
           return report;
         }
+      if (settings.each_iteration)
+        settings.each_iteration();
 
       // A positive definite model of the energy.
       shift = shift <= smallest_shift || report.residual <= tolerance ? 0. : 0.2 * shift;

@@ -18,7 +18,7 @@
 #include "micro/cells/block_ldlt.h"
 #include "micro/cells/hydrostatic_network.h"
 
-
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,6 +28,7 @@ struct EquilibriumSettings
 {
   double tolerance = 1e-9;           ///< largest unbalanced force / (turgor * spacing * depth)
   unsigned int max_iterations = 300; ///< Newton iterations
+  std::function<void()> each_iteration = {}; ///< called before each; what it throws ends the search
 };
 
 struct EquilibriumReport

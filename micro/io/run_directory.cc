@@ -257,6 +257,7 @@ void RunDirectory::save_checkpoint(const std::function<void(std::ostream &)> &wr
                      {"cpu_time_s", use.cpu_time},
                      {"peak_memory_bytes", use.peak_memory}},
                     payload.view());
+  saved = true;
 }
 
 bool RunDirectory::load_checkpoint(const std::function<void(std::istream &)> &read)

@@ -62,6 +62,9 @@ public:
   /// Writes summary.json. status: finished, failed or stopped; message: why, may be empty.
   void finish(const std::string &status, const std::string &message);
 
+  /// True if --resume would go on from somewhere.
+  bool has_checkpoint() const { return saved || resumed.has_value(); }
+
   /// True once anything was written into the directory.
   bool has_written() const { return prepared; }
 
@@ -85,6 +88,7 @@ private:
   std::vector<std::string> active_terms, active_fields;
   mutable ProgressBar bar;
   ResourceMeter meter;
+  bool saved = false; ///< a checkpoint, by this run
   mutable bool prepared = false;
 };
 } // namespace turgor

@@ -112,7 +112,11 @@ void FullMicro::relax(RunContext &context, TissueBlock &block, const ReferenceCe
       if (surfaces == "osmosis" && s % 10 == 0)
         osmosis.apply(system, *block.cells->fluid, 10. * dt);
       if (s % 50 == 0)
-        context.progress(double(s) / relax_steps, "relaxing the free surface");
+        {
+          context.progress(double(s) / relax_steps, "relaxing the free surface");
+          if (context.stop_requested())
+            throw RunStopped("stopped while the free surface was relaxed");
+        }
     }
   for (int d = 0; d < 2; ++d)
     std::fill(system.particles.v[d].begin(), system.particles.v[d].end(), 0.);

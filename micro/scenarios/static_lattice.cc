@@ -261,24 +261,22 @@ void StaticLattice::run(RunContext &context)
   const auto seconds = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
+  EquilibriumSettings settings = equilibrium;
+  settings.each_iteration = [&] {
+    if (context.stop_requested())
+      throw RunStopped("stopped before the full load was carried");
+  };
   LatticeBlock block(cell, columns, rows, surfaces_from(surfaces));
   context.result("setup_time", seconds(), "s");
   context.progress(0.1, "relaxing without load");
-  const LatticeEffort relaxing = block.relax(equilibrium);
+  const LatticeEffort relaxing = block.relax(settings);
   double bulge = 0.;
   const std::vector<double> flat = turgid_reference(block.network->patch()).positions;
   for (std::size_t i = 0; i < flat.size(); ++i)
     bulge = std::max(bulge, std::abs(block.relaxed[i] - flat[i]));
   const double relaxed_pressure = *std::min_element(block.pressure().begin(), block.pressure().end());
-  const auto stop = [&] {
-    if (context.stop_requested())
-      throw RunStopped("Stopped before the full load; this scene keeps no checkpoint, run it again.");
-  };
-  stop();
-  const LatticeEffort loading = block.load(load, equilibrium, [&](const double reached) {
-    context.progress(0.2 + 0.8 * reached, "loading");
-    stop();
-  });
+  const LatticeEffort loading = block.load(
+    load, settings, [&](const double reached) { context.progress(0.2 + 0.8 * reached, "loading"); });
 
   const Vector<2> u = block.probe_displacement();
   const auto [least, most] = std::minmax_element(block.pressure().begin(), block.pressure().end());

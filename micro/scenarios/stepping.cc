@@ -11,7 +11,11 @@ namespace turgor
 ReferenceCell anneal_reference(RunContext &context, const ParenchymaParameters &cell, const SphParameters &sph)
 {
   context.say("annealing the reference cell (" + std::to_string(sph.anneal_steps) + " steps)");
-  return make_turgid_reference(cell, sph, [&](const double fraction) { context.progress(fraction, "annealing"); });
+  return make_turgid_reference(cell, sph, [&](const double fraction) {
+    context.progress(fraction, "annealing");
+    if (context.stop_requested())
+      throw RunStopped("stopped while the reference cell was annealed");
+  });
 }
 
 std::uint64_t steps_between(const std::uint64_t steps, const std::uint64_t times)

@@ -12,7 +12,7 @@ namespace turgor
 {
 class RunContext;
 
-/// The annealed cell, with progress shown.
+/// The annealed cell, with progress shown. Throws RunStopped: there is nothing to save yet, a resumed run anneals again.
 ReferenceCell anneal_reference(RunContext &context, const ParenchymaParameters &cell, const SphParameters &sph);
 
 /// Steps from one time to the next, so that something happens `times` in `steps` steps; at least 1, and 0 for never.

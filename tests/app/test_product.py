@@ -21,6 +21,13 @@ def content(*path):
         return file.read()
 
 
+def catches_interrupt(process):
+    """Whether the program has put up its handler of Ctrl-C; before that the signal just kills."""
+    with open(f"/proc/{process}/status", encoding="utf-8") as file:
+        caught = next(int(line.split()[1], 16) for line in file if line.startswith("SigCgt:"))
+    return bool(caught >> (signal.SIGINT - 1) & 1)
+
+
 class Product(unittest.TestCase):
     def setUp(self):
         self.temporary = tempfile.TemporaryDirectory()
@@ -71,6 +78,38 @@ class Product(unittest.TestCase):
 
     def test_killed_full_run_resumes_to_the_same_bits(self):
         self.kill_and_resume(FULL)
+
+    def stop(self, *arguments, after=None):
+        """Ctrl-C while the scene works, once it has written the file `after`: what it said, if it ended as it should."""
+        child = subprocess.Popen(self.command("run", *arguments, "-o", "out", "--quiet"), cwd=self.directory,
+                                 stderr=subprocess.PIPE, text=True)
+        while child.poll() is None and not (catches_interrupt(child.pid) and
+                                            (after is None or os.path.exists(os.path.join(self.directory, "out", after)))):
+            time.sleep(0.005)
+        time.sleep(0.3)
+        self.assertIsNone(child.poll(), "it was done before it could be stopped")
+        child.send_signal(signal.SIGINT)
+        said = child.communicate(timeout=60)[1]
+        self.assertEqual(child.returncode, 130, said)
+        with open(os.path.join(self.directory, "out", "summary.json"), encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["status"], "stopped")
+        return said
+
+    def test_stop_while_annealing(self):
+        said = self.stop(*FULL, "--set", "SPH/Anneal steps=10000000")
+        self.assertIn("stopped while the reference cell was annealed", said)
+        self.assertIn("Stopped before there was a checkpoint; run it again.", said)
+
+    def test_stop_in_the_full_run(self):
+        said = self.stop(*FULL, "--set", "SPH/Particles per side=9", "--set", "Cell/Nodes per side=10", "--set",
+                         "End time=1e-2", after="probe.csv")
+        self.assertIn("continue with --resume", said)
+
+    def test_stop_of_the_static_scenes(self):
+        self.assertIn("stopped before the full load was carried",
+                      self.stop(os.path.join(SOURCE, "inputs", "static_lattice.prm"), "--set", "Columns=40", "--set", "Rows=40"))
+        self.assertIn("stopped before the full load was carried",
+                      self.stop(os.path.join(SOURCE, "inputs", "tissue_statics.prm"), "--set", "Tissue statics/Elements=24"))
 
     def test_ranks_are_refused_by_a_scene_without_them(self):
         done = subprocess.run(self.command("run", *FULL, "-o", "out", "--ranks", "2"), cwd=self.directory,

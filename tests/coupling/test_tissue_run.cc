@@ -1,7 +1,7 @@
 // A small tissue of fake RVEs from rest to the end time.
 #include "coupling/tissue_run.h"
 #include "tests/coupling/fake_rve.h"
-#include "tests/coupling/memory_context.h"
+#include "tests/memory_context.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,5 +1,5 @@
 // A RunContext that keeps everything in memory: series as rows, one checkpoint, results.
-// It can ask to stop at the n-th question. Fields go to its directory, removed at the end.
+// It can ask to stop at the n-th question, or while a named work is under way. Fields go to its directory, removed at the end.
 #pragma once
 
 #include "micro/io/run_context.h"
@@ -33,6 +33,7 @@ public:
 
   unsigned int use_threads = 1;
   unsigned long stop_at = 0;        // the question that is answered with yes; 0 = never
+  std::string stop_while;           // as progress() names it; empty = never
   mutable unsigned long asked = 0;
   std::map<std::string, double> results;
 
@@ -63,9 +64,12 @@ public:
     return std::make_unique<Rows>(rows);
   }
 
-  void progress(double, const std::string &) override {}
+  void progress(double, const std::string &what) override { doing = what; }
   void say(const std::string &) override {}
-  bool stop_requested() const override { return ++asked == stop_at; }
+  bool stop_requested() const override
+  {
+    return ++asked == stop_at || (!stop_while.empty() && doing == stop_while);
+  }
   void save_checkpoint(const std::function<void(std::ostream &)> &write) override
   {
     std::ostringstream out;
@@ -86,6 +90,7 @@ public:
 private:
   Disk &disk;
   bool resume;
+  std::string doing;
   std::filesystem::path path;
 };
 } // namespace turgor::test
