@@ -2,6 +2,7 @@
 import csv
 import json
 import os
+import shutil
 import signal
 import subprocess
 import tempfile
@@ -14,6 +15,10 @@ SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file_
 # A few steps each.
 FE2 = [os.path.join(SOURCE, "inputs", "tissue_gravity.prm"), "--set", "Time/End time=3e-6"]
 FULL = [os.path.join(SOURCE, "inputs", "full_micro.prm"), "--set", "Columns=2", "--set", "Rows=2", "--set", "End time=1e-6"]
+# A sheared, viscous and disturbed cell: work, dissipation and every other sum of the run is at stake.
+ENDURANCE = [os.path.join(SOURCE, "inputs", "cell_endurance.prm")] + [
+    word for value in ("Steps=20000", "Samples=1000", "F_dot=0, 400; 0, 0", "Start speed=0.1", "Cell/Fluid viscosity=1",
+                       "Cell/Nodes per side=8", "SPH/Particles per side=8") for word in ("--set", value)]
 
 
 def content(*path):
@@ -45,8 +50,8 @@ class Product(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         return done.stdout
 
-    def assert_same(self, one, other):
-        for name in ("probe.csv", "cell_displacement.csv"):
+    def assert_same(self, one, other, tables=("probe.csv", "cell_displacement.csv")):
+        for name in tables:
             self.assertEqual(content(self.directory, one, name), content(self.directory, other, name), name)
 
     def test_same_bits_on_threads_and_ranks(self):
@@ -61,23 +66,38 @@ class Product(unittest.TestCase):
         self.run_program("run", *FULL, "-o", "two", "--threads", "2")
         self.assert_same("one", "two")
 
-    def kill_and_resume(self, arguments):
+    def rows(self, directory, table):
+        path = os.path.join(self.directory, directory, table)
+        return content(path).count(b"\n") if os.path.exists(path) else 0
+
+    def kill_and_resume(self, arguments, tables=("probe.csv", "cell_displacement.csv")):
+        """Killed in three places between its beginning and its end, it goes on from a checkpoint to the same bits."""
         self.run_program("run", *arguments, "-o", "whole")
-        for pause in (0., 0.05, 0.3):
+        for share in (0.1, 0.3, 0.6):
+            shutil.rmtree(os.path.join(self.directory, "cut"), ignore_errors=True)
             child = subprocess.Popen(self.command("run", *arguments, "-o", "cut", "--quiet"), cwd=self.directory)
-            while child.poll() is None and not os.path.exists(os.path.join(self.directory, "cut", "probe.csv")):
-                time.sleep(0.005)
-            time.sleep(pause)
+            while child.poll() is None and self.rows("cut", tables[0]) < share * self.rows("whole", tables[0]):
+                time.sleep(0.002)
             child.send_signal(signal.SIGKILL)
-            child.wait()
-            self.run_program("run", *arguments, "-o", "cut", "--resume")
-            self.assert_same("whole", "cut")
+            self.assertEqual(child.wait(), -signal.SIGKILL, "it was done before it could be killed")
+            self.assertLess(self.rows("cut", tables[0]), self.rows("whole", tables[0]))
+            self.assertIn("Resumed from checkpoint", self.run_program("run", *arguments, "-o", "cut", "--resume"))
+            self.assert_same("whole", "cut", tables)
 
     def test_killed_fe2_resumes_to_the_same_bits(self):
-        self.kill_and_resume(FE2)
+        self.kill_and_resume(FE2[:1] + ["--set", "Time/End time=2e-5", "--set", "Time/Checkpoint interval=0"])
 
     def test_killed_full_run_resumes_to_the_same_bits(self):
-        self.kill_and_resume(FULL)
+        self.kill_and_resume(FULL[:-1] + ["End time=3e-6"])
+
+    def test_killed_endurance_run_resumes_to_the_same_bits(self):
+        self.kill_and_resume(ENDURANCE, ("endurance.csv",))
+        # The sums over the whole run too: they are what only the checkpoint carries.
+        results = []
+        for directory in ("whole", "cut"):
+            with open(os.path.join(self.directory, directory, "summary.json"), encoding="utf-8") as file:
+                results.append(json.load(file)["results"])
+        self.assertEqual(*results)
 
     def stop(self, *arguments, after=None):
         """Ctrl-C while the scene works, once it has written the file `after`: what it said, if it ended as it should."""
