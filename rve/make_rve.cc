@@ -12,6 +12,7 @@ std::unique_ptr<Rve<2>> make_rve(const RveParameters &p)
 {
   try
     {
+      p.check();
       if (p.fluid == "hydrostatic")
         {
           HydrostaticRveSettings settings;
@@ -28,7 +29,6 @@ std::unique_ptr<Rve<2>> make_rve(const RveParameters &p)
           settings.equilibrium = {p.tolerance, p.max_iterations};
           return std::make_unique<HydrostaticRve>(p.cell, settings);
         }
-      p.sph.check();
       SphRveSettings settings;
       settings.rule = p.rule == "cauchy_born"         ? SphRule::cauchy_born :
                       p.rule == "elastic_equilibrium" ? SphRule::elastic_equilibrium :

@@ -1,5 +1,7 @@
 #include "rve/rve_parameters.h"
 
+#include "micro/cells/sph_cell_entries.h"
+
 #include <deal.II/base/parameter_handler.h>
 
 namespace turgor
@@ -43,5 +45,13 @@ void RveParameters::add_parameters(dealii::ParameterHandler &prm)
   prm.enter_subsection("Cell");
   cell.add_parameters(prm);
   prm.leave_subsection();
+}
+
+void RveParameters::check() const
+{
+  make_parenchyma(cell, columns, rows, true, true);
+  sph.check();
+  if (fluid == "sph")
+    check_sph_cell(cell, sph);
 }
 } // namespace turgor

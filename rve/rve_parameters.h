@@ -30,5 +30,7 @@ struct RveParameters
 
   /// Declares subsections "RVE" and "Cell" in the current subsection of prm.
   void add_parameters(dealii::ParameterHandler &prm);
+  /// Throws std::invalid_argument, entry and allowed range in one sentence.
+  void check() const;
 };
 } // namespace turgor

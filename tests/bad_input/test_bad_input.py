@@ -101,6 +101,7 @@ CELL = [
     ("Cell/Wall bending", "perhaps", ["true or false"]),
     ("Cell/Wall thickness", "1e-3", ["thinner than half the period"]),
 ]
+NO_TURGOR = ("Cell/Turgor", "0", ["Cell/Turgor is 0", "positive turgor (Pa)"])
 BY_SCENE = {
     "tissue_gravity": CELL + [
         ("RVE/Rule", "cauchy_burn", ["Did you mean 'cauchy_born'?"]),
@@ -113,7 +114,9 @@ BY_SCENE = {
         ("Columns", "0", ["a whole number from 1"]),
         ("Surfaces", "frozn", ["Did you mean 'frozen'?"]),
         ("Step fraction", "2", ["from 0.01 to 1"]),
+        NO_TURGOR,
     ],
+    "cell_endurance": [NO_TURGOR, ("Steps", "2.5", ["whole number"])],
     "rve_response": CELL[:1] + [("RVE/Rule", "elastic", ["one of"]), ("RVE/Columns", "0", ["a whole number from 1"])],
 }
 
@@ -148,6 +151,15 @@ def add(name, case):
     setattr(BadInput, "test_" + "".join(c if c.isalnum() else "_" for c in name), lambda self: self.check(*case))
 
 
+def turgor_is_needed_by_the_sph_rve():
+    """Cell/Turgor = 0 is wrong with one kind of RVE only."""
+    for scene in ("rve_response", "tissue_gravity"):
+        yield [f"turgor_of_the_sph_rve_{scene}", f"set Scenario = {scene}\n",
+               RUN + ["--set", "RVE/Fluid=sph", "--set", "Cell/Turgor=0"], NO_TURGOR[2]]
+
+
+for case_name, *rest in turgor_is_needed_by_the_sph_rve():
+    add(case_name, rest)
 for case_name, *rest in general():
     add(case_name, rest)
 for scene_name in SCENES:
