@@ -36,7 +36,9 @@ void RveParameters::add_parameters(dealii::ParameterHandler &prm)
                     "Micro time step over the stable limit that the terms state; for Fluid = sph. Units: 1.",
                     Double(0.01, 1.));
   prm.add_parameter("Relax steps", relax_steps,
-                    "Damped steps that one call of elastic_equilibrium may take with Fluid = sph. Units: steps.",
+                    "Damped steps that one call of elastic_equilibrium may take with Fluid = sph; a change of F that stretches by "
+                    "more than 16 % may take up to twice as many for every 16 %, and half and quarter steps where the cells "
+                    "need them. Units: steps.",
                     Integer(0, 10000000));
   prm.leave_subsection();
   prm.enter_subsection("SPH");

@@ -11,6 +11,9 @@
 // Stress: virial (3.17) in the current volume. Of a burst, over the window tau_0 at its end: the straight
 // line fitted through the window, at its last instant (F moves during the window; a plain mean
 // would answer for an earlier F); tau_0 = 0 takes the last instant alone.
+// A change of F too large for one affine jump is walked (sph_motion.h). When the cells break the call is tried again
+// with half the time step, then a quarter; an answer then still converges or says why not, within 7 times the
+// work of one try, which sph_motion.h bounds.
 // A tangent, where asked, is that of the hydrostatic cell in elastic equilibrium at the same F:
 // good for step estimates, not the derivative of this answer.
 //
@@ -18,31 +21,11 @@
 // (cell_fluid.h: the density of the thesis's scheme); empty for cauchy_born.
 #pragma once
 
-#include "micro/cells/sph_parenchyma.h"
 #include "rve/hydrostatic_rve.h"
+#include "rve/sph_rve_settings.h"
 
 namespace turgor
 {
-enum class SphRule
-{
-  cauchy_born,
-  elastic_equilibrium,
-  constrained_runs
-};
-
-struct SphRveSettings
-{
-  SphRule rule = SphRule::constrained_runs;
-  unsigned int columns = 1, rows = 1;
-  SphParameters sph;
-  double step_fraction = 0.9;    ///< of the stable step
-  double burst = 2e-7;           ///< s, tau
-  unsigned int bursts = 1;
-  double window = 1e-7;          ///< s, tau_0
-  double tolerance = 1e-3;       ///< elastic_equilibrium: largest unbalanced force / (turgor spacing depth)
-  unsigned int relax_steps = 2000; ///< elastic_equilibrium: at most
-};
-
 class SphRve final : public Rve<2>
 {
 public:
@@ -67,10 +50,11 @@ private:
 
   std::size_t particle_count() const { return reference_cell.x.size() * patch.rings.size(); }
 
-  void place(Scratch &scratch, const RveState<2> &committed, const Tensor2<2> &F, const Tensor2<2> &F_dot) const;
-  void relax(Scratch &scratch, const Tensor2<2> &F, const Tensor2<2> &F_dot, RveDiagnostics &diagnostics) const;
-  Tensor2<2> run_bursts(Scratch &scratch, const RveState<2> &committed, const Tensor2<2> &F, const Tensor2<2> &F_dot,
-                        RveDiagnostics &diagnostics) const;
+  /// One try, each time step split into `refinement`. broke: the cells did not hold, which shorter steps may cure.
+  RveAnswer<2> attempt(Scratch &scratch, const RveState<2> &committed, const Tensor2<2> &F, const Tensor2<2> &F_dot,
+                       int refinement, bool &broke) const;
+
+  static constexpr int finest_refinement = 4; ///< of the time step, when cells break
 
   SphRveSettings settings;
   ParenchymaPatch patch;

@@ -178,6 +178,53 @@ BOOST_AUTO_TEST_CASE(a_failed_call_says_why_and_gives_the_committed_state_back)
   BOOST_TEST(a.sigma.norm() == 0.);
 }
 
+// One affine jump to here would put fluid particles onto each other and through the wall.
+BOOST_AUTO_TEST_CASE(far_F_is_reached_in_one_call_near_the_answer_of_many, *boost::unit_test::label("slow"))
+{
+  const Tensor2<2> Q = matrix(0.8, -0.6, 0.6, 0.8);
+  for (const SphRule rule : {SphRule::elastic_equilibrium, SphRule::constrained_runs})
+    {
+      SphRveSettings settings = small(rule);
+      const SphRve rve(small_cell(1.), settings);
+      settings.relax_steps = 6000; // small steps have no more than these
+      const SphRve patient(small_cell(1.), settings);
+      for (const Tensor2<2> &F : {matrix(0.7, 0., 0., 1. / 0.7), matrix(1.4, 0., 0., 1. / 1.4), matrix(1., 1., 0., 1.)})
+        {
+          const RveAnswer<2> once = answer(rve, rve.initial_state(), F),
+                             turned = answer(rve, rve.initial_state(), Q * F);
+          BOOST_TEST(once.diagnostics.converged, once.diagnostics.message);
+          BOOST_TEST((once.trial.F == F));
+          BOOST_TEST((turned.sigma - Q * once.sigma * Q.transpose()).norm() < 1e-5 * once.sigma.norm());
+          RveState<2> state = rve.initial_state();
+          Tensor2<2> sigma = zero;
+          for (int k = 1; k <= 20; ++k)
+            {
+              const RveAnswer<2> step = answer(patient, state, identity + k / 20. * (F - identity));
+              BOOST_TEST(step.diagnostics.converged, step.diagnostics.message);
+              state = step.trial;
+              sigma = step.sigma;
+            }
+          // The walls' stress; the fluid's pressure creeps on and depends on the number of steps spent.
+          BOOST_TEST(deviator(once.sigma - sigma).norm() < 0.05 * deviator(sigma).norm());
+          BOOST_TEST_MESSAGE("one call " << once.sigma.row(0) << "; " << once.sigma.row(1) << ", 20 calls " << sigma.row(0)
+                                         << "; " << sigma.row(1) << " Pa");
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(farther_than_a_call_can_walk_says_so)
+{
+  for (const SphRule rule : {SphRule::elastic_equilibrium, SphRule::constrained_runs})
+    {
+      const SphRve rve(small_cell(), small(rule));
+      const RveAnswer<2> a = answer(rve, rve.initial_state(), matrix(30., 0., 0., 1. / 30.));
+      BOOST_TEST(!a.diagnostics.converged);
+      BOOST_TEST(a.diagnostics.message.find("smaller change of F") != std::string::npos);
+      BOOST_TEST((a.trial.unknowns == rve.initial_state().unknowns));
+      BOOST_TEST(a.diagnostics.iterations == 0);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(wrong_input_throws)
 {
   for (const SphRule rule : all_rules)

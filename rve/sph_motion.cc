@@ -1,0 +1,204 @@
+#include "rve/sph_motion.h"
+
+#include "micro/engine/kick_drift_kick.h"
+#include "rve/stretch_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace turgor
+{
+SphMotion::SphMotion(SphPatch &cells_, const SphRveSettings &settings_, const double full_step,
+                     const int refinement_)
+  : cells(cells_)
+  , settings(settings_)
+  , refinement(refinement_)
+  , dt(full_step / refinement)
+{}
+
+void SphMotion::store(const SphPatch &cells, std::vector<double> &unknowns)
+{
+  const Particles<2> &p = cells.system.particles;
+  for (const auto *part : {&p.x, &p.v})
+    for (int d = 0; d < 2; ++d)
+      unknowns.insert(unknowns.end(), (*part)[d].begin(), (*part)[d].end());
+  for (const std::string &name : cells.fluid->history())
+    unknowns.insert(unknowns.end(), p.field(name).begin(), p.field(name).end());
+}
+
+void SphMotion::place(const RveState<2> &from, const Tensor2<2> &F, const Tensor2<2> &F_dot)
+{
+  ParticleSystem<2> &system = cells.system;
+  Particles<2> &p = system.particles;
+  const std::size_t n = p.size();
+  const Tensor2<2> map = F * from.F.inverse(), L = F_dot * F.inverse(),
+                   L_old = from.F_dot * from.F.inverse();
+  const std::vector<std::string> history = cells.fluid->history();
+  for (std::size_t k = 0; k < history.size(); ++k)
+    std::copy_n(from.unknowns.begin() + std::ptrdiff_t((4 + k) * n), n, p.field(history[k]).begin());
+  Particles<2>::Components before;
+  for (std::ptrdiff_t d = 0; d < 2; ++d)
+    before[d].assign(from.unknowns.begin() + d * std::ptrdiff_t(n), from.unknowns.begin() + (d + 1) * std::ptrdiff_t(n));
+  for (std::size_t i = 0; i < n; ++i)
+    {
+      const Vector<2> x_old = at(from.unknowns, i, n, 0), v_old = at(from.unknowns, i, n, 1);
+      const Vector<2> x = map * x_old, v = v_old - L_old * x_old + L * x;
+      for (int d = 0; d < 2; ++d)
+        {
+          p.x[d][i] = x[d];
+          p.v[d][i] = v[d];
+        }
+    }
+  system.box.H = F * cells.patch.lattice;
+  system.box.H_dot = F_dot * cells.patch.lattice;
+  cells.fluid->jumped(p, before);
+}
+
+bool SphMotion::bring(const RveState<2> &from, const Tensor2<2> &F, const Tensor2<2> &F_dot,
+                      RveDiagnostics &diagnostics)
+{
+  const StretchPath path(from.F, F);
+  if (path.length() <= longest_jump)
+    {
+      place(from, F, F_dot);
+      return true;
+    }
+  const double jumps = std::ceil(path.length() / walk_jump);
+  if (!(jumps <= most_jumps))
+    {
+      diagnostics.message = "F stretches the cells by a factor of " + std::to_string(std::exp(path.length()))
+                            + " in one call, allowed are " + std::to_string(std::exp(most_jumps * walk_jump))
+                            + "; use a smaller change of F per call.";
+      return false;
+    }
+  RveState<2> on_the_way = from;
+  for (int k = 1; k < int(jumps); ++k)
+    {
+      const Tensor2<2> next = path.at(k / jumps);
+      place(on_the_way, next, Tensor2<2>::Zero());
+      relax(next, Tensor2<2>::Zero(), walk_steps, diagnostics);
+      if (!(diagnostics.residual < runaway))
+        {
+          diagnostics.message = "the cells broke on the way to F, at step " + std::to_string(k) + " of "
+                                + std::to_string(int(jumps))
+                                + "; use a smaller RVE/Step fraction or a smaller change of F per call.";
+          return false;
+        }
+      on_the_way = {next, Tensor2<2>::Zero(), {}};
+      store(cells, on_the_way.unknowns);
+    }
+  place(on_the_way, F, F_dot);
+  return true;
+}
+
+double SphMotion::residual() const
+{
+  const Particles<2> &p = cells.system.particles;
+  const ParenchymaParameters &cell = cells.patch.parameters;
+  double largest = 0.;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (const double f = std::hypot(p.f[0][i], p.f[1][i]); !(f <= largest))
+      largest = std::isfinite(f) ? f : HUGE_VAL;
+  return largest / (cell.turgor * cells.patch.spacing * cell.depth);
+}
+
+void SphMotion::relax(const Tensor2<2> &F, const Tensor2<2> &F_dot, const int full_steps,
+                      RveDiagnostics &diagnostics)
+{
+  ParticleSystem<2> &system = cells.system;
+  Particles<2> &p = system.particles;
+  for (int d = 0; d < 2; ++d)
+    std::fill(p.v[d].begin(), p.v[d].end(), 0.);
+  system.box.H_dot.setZero();
+  const ParenchymaParameters &cell = cells.patch.parameters;
+  const double crossing = cell.period / cells.fluid->equation_of_state().sound_speed(cell.fluid_density);
+  KickDriftKick<2> integrator(system);
+  system.compute_forces();
+  diagnostics.residual = residual();
+  for (int steps = 0; diagnostics.residual > settings.tolerance && diagnostics.residual < runaway
+                      && steps < full_steps * refinement;
+       steps += 10)
+    {
+      for (int k = 0; k < 10; ++k)
+        integrator.step(dt, 2. / crossing);
+      diagnostics.iterations += 10;
+      diagnostics.residual = residual();
+    }
+  const Tensor2<2> L = F_dot * F.inverse();
+  for (std::size_t i = 0; i < p.size(); ++i)
+    {
+      const Vector<2> v = L * p.position(i);
+      p.v[0][i] = v[0];
+      p.v[1][i] = v[1];
+    }
+  system.box.H_dot = F_dot * cells.patch.lattice;
+  system.compute_forces();
+}
+
+void SphMotion::equilibrate(const RveState<2> &from, const Tensor2<2> &F, const Tensor2<2> &F_dot,
+                            RveDiagnostics &diagnostics)
+{
+  if (!bring(from, F, F_dot, diagnostics))
+    return;
+  const double length = StretchPath(from.F, F).length();
+  const int rounds = length <= longest_jump ? 1 : rounds_per_jump * int(std::ceil(length / longest_jump));
+  for (int k = 0; k < rounds && (k == 0 || diagnostics.residual > accepted * settings.tolerance); ++k)
+    relax(F, F_dot, int(settings.relax_steps), diagnostics);
+}
+
+Tensor2<2> SphMotion::run_bursts(const RveState<2> &committed, const Tensor2<2> &F, const Tensor2<2> &F_dot,
+                                 RveDiagnostics &diagnostics)
+{
+  ParticleSystem<2> &system = cells.system;
+  const int steps = std::max(1, int(std::lround(settings.burst / dt)));
+  const int window = std::clamp(int(std::lround(settings.window / dt)), 1, steps);
+  const double tau = steps * dt, depth = cells.patch.parameters.depth;
+  KickDriftKick<2> integrator(system);
+  RveState<2> from = committed;
+  Tensor2<2> sigma = Tensor2<2>::Zero();
+  for (unsigned int burst = 0; burst < settings.bursts; ++burst)
+    {
+      if (burst > 0)
+        {
+          from.F = F;
+          from.F_dot = F_dot;
+          from.unknowns.clear();
+          store(cells, from.unknowns);
+        }
+      Tensor2<2> F_start = F - tau * F_dot;
+      // A burst must not reach back beyond what the cells can take: start nearer then.
+      for (double share = 0.5; !(F_start.determinant() > 0.5 * F.determinant()); share *= 0.5)
+        F_start = F - share * tau * F_dot;
+      if (!bring(from, F_start, F_dot, diagnostics))
+        return Tensor2<2>::Zero();
+      diagnostics.residual = 0.; // of a walk; in a burst forces do not balance
+      const Tensor2<2> rate = (F - F_start) / tau; // F_dot but for that case
+      system.box.H_dot = rate * cells.patch.lattice;
+      system.compute_forces();
+      // Least squares of sigma over the window, about its mean time: mean + slope * half window.
+      Tensor2<2> mean = Tensor2<2>::Zero(), moment = Tensor2<2>::Zero(), square = Tensor2<2>::Zero();
+      double time_square = 0.;
+      for (int s = 0; s < steps; ++s)
+        {
+          integrator.step(dt);
+          const int k = s - (steps - window);
+          if (k >= 0)
+            {
+              const Tensor2<2> now = system.virial() / (system.box.volume() * depth);
+              const double t = k - 0.5 * (window - 1);
+              mean += now / window;
+              moment += t * now;
+              square += now.cwiseProduct(now) / window;
+              time_square += t * t;
+            }
+        }
+      const Tensor2<2> slope = window > 2 ? Tensor2<2>(moment / time_square) : Tensor2<2>::Zero();
+      sigma = mean + slope * (0.5 * (window - 1));
+      const Tensor2<2> variance = square - mean.cwiseProduct(mean) - slope.cwiseProduct(slope) * time_square / window;
+      diagnostics.stress_spread = std::sqrt(std::max(0., variance.sum() / 4.));
+      diagnostics.iterations += steps;
+      system.box.H = F * cells.patch.lattice; // free of the steps' round-off
+    }
+  return sigma;
+}
+} // namespace turgor
