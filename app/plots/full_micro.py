@@ -13,8 +13,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from drawing import INK, colour_bar, has_history, plot_history, read_table  # noqa: E402
 from fields import frames  # noqa: E402
-from tissue_gravity import INK, plot_history, read_table  # noqa: E402
 
 
 def scatter(axis, points, pressure, wall, norm, colours, spot):
@@ -56,15 +56,10 @@ def picture(directory):
     zoom.set_xticks([])
     zoom.set_yticks([])
     axis.indicate_inset_zoom(zoom, edgecolor=INK)
-    bar = figure.add_axes([0.66, 0.315, 0.28, 0.014])
-    scale = figure.colorbar(plt.cm.ScalarMappable(norm=norm, cmap=colours), cax=bar, orientation="horizontal")
-    scale.set_label("fluid pressure [kPa]", color=INK, fontsize=9)
-    scale.ax.tick_params(labelsize=8, colors=INK)
-    scale.outline.set_visible(False)
+    colour_bar(figure, [0.66, 0.315, 0.28, 0.014], norm, colours, "fluid pressure [kPa]")
 
     below = figure.add_axes([0.085, 0.075, 0.88, 0.155])
-    plot_history(below, table)
-    below.axvline(frame.time * 1e3, color=INK, linewidth=0.9, linestyle=(0, (4, 3)))
+    plot_history(below, table, frame.time)
     path = os.path.join(directory, "full_micro.png")
     figure.savefig(path, dpi=150)
     plt.close(figure)
@@ -73,11 +68,7 @@ def picture(directory):
 
 def main(directory):
     """Paths of the pictures made."""
-    if not all(os.path.exists(os.path.join(directory, name)) for name in ("probe.csv", "cells.xdmf")):
-        return []
-    if len(read_table(os.path.join(directory, "probe.csv"))["time [s]"]) < 2:
-        return []
-    return [picture(directory)]
+    return [picture(directory)] if has_history(directory, "cells.xdmf") else []
 
 
 if __name__ == "__main__":

@@ -3,45 +3,29 @@ app/plots/<scenario>.py draws (contract: main(directory)).
 
   plot.py DIR
 """
-import csv
 import importlib
 import json
 import os
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-import numpy as np  # noqa: E402
-
-
-def read_table(path):
-    """(names, array) of a CSV with one header line; rows that are not numbers throughout are left out."""
-    with open(path, newline="", encoding="utf-8") as file:
-        rows = list(csv.reader(file))
-    values = []
-    for row in rows[1:]:
-        try:
-            values.append([float(x) for x in row])
-        except ValueError:
-            continue
-    return (rows[0] if rows else []), np.array([v for v in values if len(v) == len(rows[0])])
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from drawing import plt, read_table  # noqa: E402
 
 
 def plot_series(path):
     """One panel per unit below each other; the picture beside the table. Its path, or None without data."""
-    names, values = read_table(path)
-    if len(names) < 2 or len(values) < 2:
+    table = read_table(path)
+    names = list(table)
+    if len(names) < 2 or len(table[names[0]]) < 2:
         return None
     units = {}
-    for column, name in enumerate(names[1:], 1):
-        units.setdefault(name[name.rfind("["):] if "[" in name else "", []).append(column)
+    for name in names[1:]:
+        units.setdefault(name[name.rfind("["):] if "[" in name else "", []).append(name)
     figure, panels = plt.subplots(len(units), 1, figsize=(7, 1 + 2.6 * len(units)), sharex=True, squeeze=False,
                                   layout="constrained")
     for panel, (unit, columns) in zip(panels[:, 0], units.items()):
-        for column in columns:
-            panel.plot(values[:, 0], values[:, column], label=names[column].split(" [")[0], lw=1.2)
+        for name in columns:
+            panel.plot(table[names[0]], table[name], label=name.split(" [")[0], lw=1.2)
         panel.set_ylabel(unit or "1")
         panel.grid(alpha=0.3)
         if len(columns) <= 12:
@@ -75,7 +59,6 @@ def main(directory):
                 pictures.append(picture)
     scenario = scenario_of(directory)
     if scenario.isidentifier() and os.path.exists(os.path.join(here, scenario + ".py")):
-        sys.path.insert(0, here)
         made = importlib.import_module(scenario).main(directory)
         pictures += made if isinstance(made, list) else []
     for picture in pictures:

@@ -4,7 +4,6 @@ beside their quadrature points, and the displacement of the probe over time.
 main(directory) reads tissue.xdmf and its frames, rve_outlines.csv and probe.csv, and writes
 tissue_gravity.png into the same directory: the frame nearest to the probe's deepest point.
 """
-import csv
 import os
 import sys
 
@@ -17,18 +16,8 @@ from matplotlib.collections import LineCollection
 from matplotlib.patches import ConnectionPatch
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from drawing import ACCENT, INK, colour_bar, has_history, plot_history, read_table  # noqa: E402
 from fields import frames  # noqa: E402
-
-INK = "#22313f"
-ACCENT = "#b5432e"
-
-
-def read_table(path):
-    """{column: array} of a CSV file with one header line."""
-    with open(path, newline="") as file:
-        rows = list(csv.reader(file))
-    data = np.array([[float(x) for x in row] for row in rows[1:]]).reshape(-1, len(rows[0]))
-    return {name.strip(): data[:, k] for k, name in enumerate(rows[0])}
 
 
 def read_rves(path, time):
@@ -82,14 +71,6 @@ def cell_lines(reference, points, period):
         s = np.linspace(xs[0], xs[-1], 81)
         curves.append(at(s, np.full(81, k * period)))
     return curves
-
-
-def style(axis):
-    for side in ("top", "right"):
-        axis.spines[side].set_visible(False)
-    for side in ("left", "bottom"):
-        axis.spines[side].set_color(INK)
-    axis.tick_params(colors=INK, labelsize=8)
 
 
 def draw_rve(axis, rve, colour, reach):
@@ -199,40 +180,19 @@ def picture(directory):
             figure.add_artist(
                 ConnectionPatch(edge, at, coordsA=inset.transAxes, coordsB=axis.transData, color=INK, linewidth=0.9, zorder=5)
             )
-    bar = figure.add_axes([0.50, 0.325, 0.22, 0.014])
-    scale = figure.colorbar(plt.cm.ScalarMappable(norm=norm, cmap=colours), cax=bar, orientation="horizontal")
-    scale.set_label("shear stress [kPa]", color=INK, fontsize=9)
-    scale.ax.tick_params(labelsize=8, colors=INK)
-    scale.outline.set_visible(False)
+    colour_bar(figure, [0.50, 0.325, 0.22, 0.014], norm, colours, "shear stress [kPa]")
 
     below = figure.add_axes([0.085, 0.075, 0.88, 0.165])
-    plot_history(below, probe_table)
-    below.axvline(time * 1e3, color=INK, linewidth=0.9, linestyle=(0, (4, 3)))
+    plot_history(below, probe_table, time)
     path = os.path.join(directory, "tissue_gravity.png")
     figure.savefig(path, dpi=150)
     plt.close(figure)
     return path
 
 
-def plot_history(axis, table):
-    t = table["time [s]"] * 1e3
-    axis.axhline(0, color="#c8d0d6", linewidth=0.8)
-    axis.plot(t, table["displacement_y [m]"] * 1e6, color=ACCENT, linewidth=2, label="down and up (y)")
-    axis.plot(t, table["displacement_x [m]"] * 1e6, color="#3d6e99", linewidth=1.4, label="along (x)")
-    axis.set_xlim(0, t[-1])
-    axis.set_xlabel("time [ms]", color=INK, fontsize=9)
-    axis.set_ylabel("probe moves [µm]", color=INK, fontsize=9)
-    axis.legend(frameon=False, fontsize=9, loc="lower left")
-    style(axis)
-
-
 def main(directory):
     """Paths of the pictures made."""
-    if not all(os.path.exists(os.path.join(directory, name)) for name in ("probe.csv", "tissue.xdmf")):
-        return []
-    if len(read_table(os.path.join(directory, "probe.csv"))["time [s]"]) < 2:
-        return []
-    return [picture(directory)]
+    return [picture(directory)] if has_history(directory, "tissue.xdmf") else []
 
 
 if __name__ == "__main__":

@@ -1,0 +1,99 @@
+"""What the pictures share: tables, colours, axes, the probe's history, numbers beside points that do not cover each other.
+"""
+import csv
+import os
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+INK = "#22313f"
+ACCENT = "#b5432e"
+ALONG = "#3d6e99"
+
+
+def read_table(path):
+    """{column: array} of a CSV with one header line; rows that are not numbers throughout are left out."""
+    with open(path, newline="", encoding="utf-8") as file:
+        rows = list(csv.reader(file))
+    if not rows:
+        return {}
+    values = []
+    for row in rows[1:]:
+        try:
+            values.append([float(x) for x in row])
+        except ValueError:
+            continue
+    data = np.array([v for v in values if len(v) == len(rows[0])]).reshape(-1, len(rows[0]))
+    return {name.strip(): data[:, k] for k, name in enumerate(rows[0])}
+
+
+def has_history(directory, fields):
+    """Whether the run wrote its fields and at least two rows of probe.csv, which a picture needs."""
+    files = [os.path.join(directory, name) for name in ("probe.csv", fields)]
+    return all(os.path.exists(file) for file in files) and len(read_table(files[0])["time [s]"]) >= 2
+
+
+def style(axis):
+    for side in ("top", "right"):
+        axis.spines[side].set_visible(False)
+    for side in ("left", "bottom"):
+        axis.spines[side].set_color(INK)
+    axis.tick_params(colors=INK, labelsize=8)
+
+
+def colour_bar(figure, place, norm, colours, label):
+    bar = figure.colorbar(plt.cm.ScalarMappable(norm=norm, cmap=colours), cax=figure.add_axes(place),
+                          orientation="horizontal")
+    bar.set_label(label, color=INK, fontsize=9)
+    bar.ax.tick_params(labelsize=8, colors=INK)
+    bar.outline.set_visible(False)
+
+
+def plot_history(axis, table, now):
+    """The probe's two displacements over time, with a line at the time `now` (s) of the picture."""
+    t = table["time [s]"] * 1e3
+    axis.axhline(0, color="#c8d0d6", linewidth=0.8)
+    axis.plot(t, table["displacement_y [m]"] * 1e6, color=ACCENT, linewidth=2, label="down and up (y)")
+    axis.plot(t, table["displacement_x [m]"] * 1e6, color=ALONG, linewidth=1.4, label="along (x)")
+    axis.axvline(now * 1e3, color=INK, linewidth=0.9, linestyle=(0, (4, 3)))
+    axis.set_xlim(0, t[-1])
+    axis.set_xlabel("time [ms]", color=INK, fontsize=9)
+    axis.set_ylabel("probe moves [µm]", color=INK, fontsize=9)
+    axis.legend(frameon=False, fontsize=9, loc="best")
+    style(axis)
+
+
+def number_points(axis, points, fontsize=7.5):
+    """Writes a text beside each point (x, y, text, colour), where it covers no marker and no text written before.
+
+    Limits and scales of the axis must be final. Crowded texts stand farther off, with a line to their point.
+    """
+    figure = axis.figure
+    figure.canvas.draw()
+    renderer, dot = figure.canvas.get_renderer(), figure.dpi / 72
+    at = np.array([axis.transData.transform(point[:2]) for point in points]).reshape(-1, 2)
+    taken = [(x - 4 * dot, y - 4 * dot, x + 4 * dot, y + 4 * dot) for x, y in at]
+    inside = axis.get_window_extent(renderer)
+
+    def overlap(a, b):
+        return max(0, min(a[2], b[2]) - max(a[0], b[0])) * max(0, min(a[3], b[3]) - max(a[1], b[1]))
+
+    for (x, y), (data_x, data_y, text, colour) in zip(at, points):
+        label = axis.annotate(text, (data_x, data_y), xytext=(0, 0), textcoords="offset points", fontsize=fontsize,
+                              color=colour, ha="center", va="center",
+                              arrowprops=dict(arrowstyle="-", color=colour, linewidth=0.5, shrinkA=0, shrinkB=2))
+        size = label.get_window_extent(renderer)
+        wide, high = size.width / 2, size.height / 2
+
+        def cost(place):
+            box = (x + place[0] * dot - wide, y + place[1] * dot - high, x + place[0] * dot + wide, y + place[1] * dot + high)
+            outside = max(0, inside.x0 - box[0]) + max(0, box[2] - inside.x1) + max(0, inside.y0 - box[1]) + max(0, box[3] - inside.y1)
+            return sum(overlap(box, other) for other in taken) + 100 * outside, box
+
+        places = [(r * np.cos(a), r * np.sin(a)) for r in (9, 14, 20, 27) for a in np.pi / 8 * np.arange(1, 17)]
+        place = min(places, key=lambda one: (cost(one)[0], np.hypot(*one)))
+        label.set_position(place)
+        taken.append(cost(place)[1])
