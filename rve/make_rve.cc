@@ -26,7 +26,7 @@ std::unique_ptr<Rve<2>> make_rve(const RveParameters &p)
                              "elastic_equilibrium.");
           settings.columns = p.columns;
           settings.rows = p.rows;
-          settings.equilibrium = {p.tolerance, p.max_iterations};
+          settings.equilibrium = {p.equilibrium_tolerance(), p.max_iterations};
           return std::make_unique<HydrostaticRve>(p.cell, settings);
         }
       SphRveSettings settings;
@@ -40,7 +40,7 @@ std::unique_ptr<Rve<2>> make_rve(const RveParameters &p)
       settings.burst = p.burst;
       settings.bursts = p.bursts;
       settings.window = p.window;
-      settings.tolerance = p.tolerance;
+      settings.tolerance = p.equilibrium_tolerance();
       settings.relax_steps = p.relax_steps;
       return std::make_unique<SphRve>(p.cell, settings);
     }

@@ -4,8 +4,32 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <sstream>
+#include <stdexcept>
+
 namespace turgor
 {
+namespace
+{
+// Newton on one pressure per cell reaches round-off, about 1e-13. Damped particles come to about 2e-3 at moderate
+// deformations; below 1e-3 a call only spends its steps.
+constexpr double hydrostatic_tolerance = 1e-9, sph_tolerance = 1e-3, least_tolerance = 1e-13;
+} // namespace
+
+double RveParameters::equilibrium_tolerance() const
+{
+  if (tolerance == 0.)
+    return fluid == "sph" ? sph_tolerance : hydrostatic_tolerance;
+  if (tolerance < least_tolerance)
+    {
+      std::ostringstream text;
+      text << "RVE/Tolerance is " << tolerance << "; allowed are 0 (what suits RVE/Fluid) and " << least_tolerance
+           << " to 0.1.";
+      throw std::invalid_argument(text.str());
+    }
+  return tolerance;
+}
+
 void RveParameters::add_parameters(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;
@@ -21,9 +45,10 @@ void RveParameters::add_parameters(dealii::ParameterHandler &prm)
   prm.add_parameter("Columns", columns, "Cells of the RVE in x. Units: 1.", Integer(1, 100));
   prm.add_parameter("Rows", rows, "Cells of the RVE in y. Units: 1.", Integer(1, 100));
   prm.add_parameter("Tolerance", tolerance,
-                    "Largest unbalanced force on a wall node at equilibrium, over turgor * node spacing * depth. "
-                    "Units: 1.",
-                    Double(1e-13, 1e-1));
+                    "Largest unbalanced force on a wall node or particle at equilibrium, over turgor * node spacing * "
+                    "depth: 1e-13 to 0.1, or 0 for what suits the fluid, which is 1e-9 with Fluid = hydrostatic and 1e-3 "
+                    "with Fluid = sph. Particles stop at it and count as balanced up to 50 times it. Units: 1.",
+                    Double(0., 1e-1));
   prm.add_parameter("Max iterations", max_iterations,
                     "Newton iterations after which one search for equilibrium gives up. Units: 1.",
                     Integer(1, 100000));
@@ -51,6 +76,7 @@ void RveParameters::add_parameters(dealii::ParameterHandler &prm)
 
 void RveParameters::check() const
 {
+  equilibrium_tolerance();
   make_parenchyma(cell, columns, rows, true, true);
   sph.check();
   if (fluid == "sph")

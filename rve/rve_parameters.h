@@ -18,7 +18,7 @@ struct RveParameters
   std::string rule = "elastic_equilibrium"; ///< cauchy_born | elastic_equilibrium | constrained_runs
   std::string fluid = "hydrostatic";        ///< hydrostatic | sph
   unsigned int columns = 1, rows = 1;       ///< cells in the RVE
-  double tolerance = 1e-9;                  ///< largest unbalanced force / (turgor * spacing * depth)
+  double tolerance = 0.;                    ///< as entered, 0: what suits the fluid; see equilibrium_tolerance()
   unsigned int max_iterations = 300;        ///< Newton iterations of one call
   double window = 1e-7;                     ///< s, tau_0 of the averaged virial stress (Eq. 3.17)
   double burst = 2e-7;                      ///< s, length of a constrained-runs burst
@@ -27,6 +27,10 @@ struct RveParameters
   unsigned int relax_steps = 2000;          ///< elastic_equilibrium with particles: damped steps of one call
   SphParameters sph;                        ///< used with fluid = sph only
   ParenchymaParameters cell;
+
+  /// Largest unbalanced force / (turgor * spacing * depth). Throws std::invalid_argument for an entry that no search
+  /// can reach.
+  double equilibrium_tolerance() const;
 
   /// Declares subsections "RVE" and "Cell" in the current subsection of prm.
   void add_parameters(dealii::ParameterHandler &prm);

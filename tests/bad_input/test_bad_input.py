@@ -117,7 +117,8 @@ BY_SCENE = {
         NO_TURGOR,
     ],
     "cell_endurance": [NO_TURGOR, ("Steps", "2.5", ["whole number"])],
-    "rve_response": CELL[:1] + [("RVE/Rule", "elastic", ["one of"]), ("RVE/Columns", "0", ["a whole number from 1"])],
+    "rve_response": CELL[:1] + [("RVE/Rule", "elastic", ["one of"]), ("RVE/Columns", "0", ["a whole number from 1"]),
+                                  ("RVE/Tolerance", "1e-20", ["allowed are 0"])],
 }
 
 

@@ -100,6 +100,32 @@ BOOST_AUTO_TEST_CASE(factory_refuses_what_does_not_exist)
   p = {};
   p.cell.depth = -1.;
   BOOST_CHECK_EXCEPTION(make_rve(p), InputError, says("Cell/Depth"));
+  p = {};
+  p.tolerance = 1e-20;
+  BOOST_CHECK_EXCEPTION(make_rve(p), InputError, says("allowed are 0"));
+}
+
+// An entry left alone must let either fluid reach equilibrium, one to its round-off, one to what particles can.
+BOOST_AUTO_TEST_CASE(default_tolerance_suits_the_fluid)
+{
+  Tensor2<2> F;
+  F << 1., 0.1, 0., 1.;
+  for (const std::string fluid : {"hydrostatic", "sph"})
+    {
+      RveParameters p;
+      p.fluid = fluid;
+      p.cell.nodes_per_side = 10;
+      p.cell.fluid_viscosity = 1.;
+      p.sph.particles_per_side = 9;
+      p.sph.anneal_steps = 10000;
+      const auto rve = make_rve(p);
+      const auto workspace = rve->make_workspace();
+      const RveAnswer<2> a = rve->evaluate(rve->initial_state(), F, Tensor2<2>::Zero(), {}, *workspace);
+      BOOST_TEST(a.diagnostics.converged, a.diagnostics.message);
+      BOOST_TEST(a.diagnostics.residual < (fluid == "sph" ? 50e-3 : 1e-9));
+      p.tolerance = 1e-4;
+      BOOST_TEST(p.equilibrium_tolerance() == 1e-4);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(scene_agrees_with_the_closed_form)
