@@ -1,0 +1,121 @@
+// The two sweeps of the fluid alone, on the reference cell, in cache, one thread: ns per neighbour within the support.
+//
+//   build-bench/benchmarks/benchmark_sweeps --benchmark_repetitions=5 --benchmark_report_aggregates_only
+//
+// force: the force sweep (target: at most 1.2 ns per neighbour). density: the density sweep with the wall's part; pairs_only: the
+// same with no wall in reach, so that the difference of the two is the wall. Lists have the skin of a run. No EOS to speak of.
+#include "micro/cells/sph_parenchyma.h"
+#include "micro/cells/turgid_reference.h"
+#include "micro/terms/sph_lists.h"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+
+namespace
+{
+using namespace turgor;
+
+/// Everything a CellView points to.
+struct Cell
+{
+  std::unique_ptr<SphPatch> patch;
+  SphLists lists;
+  std::vector<double> ring[8], rho, gamma, pressure, f[2];
+  std::unique_ptr<double, void (*)(void *)> scratch{nullptr, &std::free};
+  sph::CellView view;
+  double neighbours = 0.; ///< within the support, all particles
+
+  Cell(const bool viscous, const bool wall)
+  {
+    const ParenchymaParameters cell;
+    const SphParameters sph;
+    static const ReferenceCell reference = make_turgid_reference(cell, sph);
+    patch = make_sph_patch(make_parenchyma(cell, 1, 1, true, true), sph, reference);
+    const Particles<2> &p = patch->system.particles;
+    const Group &g = p.groups[0];
+    const std::uint32_t n = g.fluid_count(), nw = g.wall_count();
+    const double dx = cell.period / sph.particles_per_side;
+    view.support = sph.support_ratio * dx;
+    ListOrigin origin;
+    origin.take(p.x, g);
+    lists.build(origin, nw, view.support + sph.skin_ratio * dx);
+    if (!wall)
+      {
+        std::fill(lists.first_arc.begin(), lists.first_arc.end(), 0u);
+        lists.arcs.clear();
+        lists.chunks = 0;
+      }
+    patch->system.compute_forces();
+    neighbours = n * patch->fluid->mean_neighbours(p);
+
+    view.n = n;
+    view.n_wall = nw;
+    view.mass = reference.particle_mass;
+    view.depth = cell.depth;
+    view.viscosity = viscous ? 1. : 0.;
+    view.eos = [](const void *, const std::uint32_t count, const double *, double *pressure_out) {
+      std::fill(pressure_out, pressure_out + count, 200e3);
+    };
+    for (auto *field : {&rho, &gamma, &pressure, &f[0], &f[1]})
+      field->assign(n, 0.);
+    const std::size_t used = 2 * nw + sph::list_padding + 1;
+    for (auto &values : ring)
+      values.assign(used + sph::list_padding, 0.);
+    for (int d = 0; d < 2; ++d)
+      {
+        for (std::size_t k = 0; k < used; ++k)
+          ring[d][k] = p.x[d][g.begin + k % nw];
+        view.x[d] = p.x[d].data() + g.fluid;
+        view.v[d] = p.v[d].data() + g.fluid;
+        view.f[d] = f[d].data();
+        view.wall_x[d] = ring[d].data();
+        view.wall_v[d] = ring[2 + d].data();
+        view.wall_f[d] = ring[4 + d].data();
+        view.wall_f_next[d] = ring[6 + d].data();
+      }
+    view.rho = rho.data();
+    view.gamma = gamma.data();
+    view.pressure = pressure.data();
+    view.neighbours = lists.neighbours.data();
+    view.first_neighbour = lists.first_neighbour.data();
+    view.arcs = lists.arcs.data();
+    view.first_arc = lists.first_arc.data();
+    view.scratch_half = 4 * sph::list_padding * lists.chunks;
+    view.arc_stride = std::uint32_t((lists.arcs.size() + 7) / 8 * 8);
+    const std::size_t rows = std::size_t(n + 1) * sph::row_doubles, half = view.scratch_half,
+                      doubles = rows + 2 * half + 5 * view.arc_stride;
+    scratch.reset(static_cast<double *>(std::aligned_alloc(64, (doubles * sizeof(double) + 63) / 64 * 64)));
+    view.rows = scratch.get();
+    view.scratch = view.rows + rows;
+    view.arc_ends = view.scratch + 2 * half;
+    sph::sweeps().density(view);
+  }
+};
+
+void sweep(benchmark::State &state, void (*const which)(sph::CellView &), const bool wall)
+{
+  Cell cell(state.range(0) != 0, wall);
+  for (auto _ : state)
+    {
+      which(cell.view);
+      benchmark::DoNotOptimize(cell.view.f[0][0]);
+    }
+  // Seconds per neighbour; printed in ns.
+  state.counters["per_neighbour"] =
+    benchmark::Counter(cell.neighbours, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["neighbours"] = cell.neighbours / cell.view.n;
+  state.counters["listed"] = double(cell.lists.neighbours.size()) / cell.view.n; // with skin and padding
+  state.SetLabel(sph::sweeps().name);
+}
+void force(benchmark::State &state) { sweep(state, sph::sweeps().force, true); }
+void density(benchmark::State &state) { sweep(state, sph::sweeps().density, true); }
+void density_pairs_only(benchmark::State &state) { sweep(state, sph::sweeps().density, false); }
+BENCHMARK(force)->ArgName("viscous")->Arg(0)->Arg(1);
+BENCHMARK(density)->ArgName("viscous")->Arg(0)->Arg(1);
+BENCHMARK(density_pairs_only)->ArgName("viscous")->Arg(0)->Arg(1);
+} // namespace
+
+BENCHMARK_MAIN();
