@@ -17,10 +17,14 @@ from drawing import INK, colour_bar, has_history, plot_history, read_table  # no
 from fields import frames  # noqa: E402
 
 
-def scatter(axis, points, pressure, wall, norm, colours, spot):
-    axis.scatter(*points[~wall].T, c=pressure[~wall], s=spot, cmap=colours, norm=norm, linewidths=0, rasterized=True)
-    axis.scatter(*points[wall].T, color=INK, s=0.6 * spot, linewidths=0, rasterized=True)
+def scatter(axis, points, pressure, wall, norm, colours, spacing):
+    """Limits of the axis must be final: a dot fills the particles' spacing (mm), walls are thinner."""
     axis.set_aspect("equal")
+    axis.figure.canvas.draw()
+    pixels = np.diff(axis.transData.transform([(0, 0), (spacing, 0)])[:, 0])[0]
+    spot = (0.95 * pixels * 72 / axis.figure.dpi) ** 2
+    axis.scatter(*points[~wall].T, c=pressure[~wall], s=spot, cmap=colours, norm=norm, linewidths=0, rasterized=True)
+    axis.scatter(*points[wall].T, color=INK, s=0.25 * spot, linewidths=0, rasterized=True)
 
 
 def picture(directory):
@@ -38,21 +42,26 @@ def picture(directory):
 
     figure = plt.figure(figsize=(11.5, 8.0), facecolor="white")
     axis = figure.add_axes([0.03, 0.30, 0.56, 0.64])
-    scatter(axis, points, pressure, wall, norm, colours, 1500.0 / np.sqrt(len(points)) / 4)
+    cells = frame.field("cell").ravel()
+    count = cells.max() + 1
+    side = width / max(1.0, np.sqrt(count))
+    spacing = side / np.sqrt(np.sum(~wall) / count)
+    border = 0.03 * width
+    axis.set_xlim(min(points[:, 0].min(), low[0]) - border, points[:, 0].max() + border)
+    axis.set_ylim(points[:, 1].min() - border, max(points[:, 1].max(), high[1]) + border)
+    scatter(axis, points, pressure, wall, norm, colours, spacing)
     axis.plot([low[0], low[0]], [low[1], high[1]], color=INK, linewidth=2.5)
     axis.axis("off")
     axis.set_title(f"Every cell as particles, t = {frame.time * 1e3:.3f} ms (true scale)", color=INK, fontsize=12)
 
-    cells = frame.field("cell").ravel()
-    side = width / max(1.0, np.sqrt(cells.max() + 1))
-    centre = np.array([low[0] + 1.5 * side, 0.5 * (low[1] + high[1])])
+    reach = min(1.15 * side, 0.3 * width)
+    centre = np.array([low[0] + min(1.5 * side, width - reach), 0.5 * (low[1] + high[1])])
     centre = points[np.argmin(np.sum((reference - centre) ** 2, axis=1))]
-    reach = 1.15 * side
     zoom = figure.add_axes([0.62, 0.36, 0.36, 0.52])
     near = np.all(np.abs(points - centre) < 1.5 * reach, axis=1)
-    scatter(zoom, points[near], pressure[near], wall[near], norm, colours, 22)
     zoom.set_xlim(centre[0] - reach, centre[0] + reach)
     zoom.set_ylim(centre[1] - reach, centre[1] + reach)
+    scatter(zoom, points[near], pressure[near], wall[near], norm, colours, spacing)
     zoom.set_xticks([])
     zoom.set_yticks([])
     axis.indicate_inset_zoom(zoom, edgecolor=INK)

@@ -151,11 +151,11 @@ def picture(directory):
     axis.plot(*probe, "o", markersize=9, markerfacecolor="none", markeredgecolor=ACCENT, markeredgewidth=2, zorder=6)
     axis.annotate("probe", probe, (8, -16), textcoords="offset points", color=ACCENT, fontsize=10)
     axis.set_xlim(low[0] - 0.07 * width, high[0] + 0.12 * width)
-    axis.set_ylim(min(points[:, 1].min() * 1e3, low[1]) - 0.03 * width, high[1] + 0.14 * width)
+    axis.set_ylim(min(points[:, 1].min() * 1e3, low[1]) - 0.055 * width, high[1] + 0.14 * width)
     axis.set_aspect("equal")
     axis.axis("off")
     bar_width = 1e-3 * 0.5 * 1e3  # mm
-    foot = min(points[:, 1].min() * 1e3, low[1]) - 0.012 * width
+    foot = min(points[:, 1].min() * 1e3, low[1]) - 0.035 * width
     axis.plot([low[0], low[0] + bar_width], [foot, foot], color=INK, linewidth=3, solid_capstyle="butt")
     axis.text(low[0] + bar_width + 0.03 * width, foot, "0.5 mm", color=INK, fontsize=9, va="center")
     axis.set_title(f"A piece of plant tissue and its cells, t = {time * 1e3:.2f} ms (true scale)", color=INK, fontsize=13, pad=4)
