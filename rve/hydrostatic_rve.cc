@@ -1,5 +1,6 @@
 #include "rve/hydrostatic_rve.h"
 
+#include "micro/cells/turgid_network.h"
 #include "micro/io/cpu_clock.h"
 
 #include <Eigen/Eigenvalues>

@@ -81,13 +81,4 @@ private:
   std::vector<double> step, x_trial;
   double round_off_floor;
 };
-
-/// The fluid mass (kg) per cell for which a periodic patch of these cells is free of stress at F = I
-/// (mean of the virial stress zero, to 1e-9 of turgor), and its node positions there.
-struct TurgidReference
-{
-  double fluid_mass = 0.;
-  std::vector<double> positions;
-};
-TurgidReference turgid_reference(const ParenchymaPatch &patch);
 } // namespace turgor

@@ -1,5 +1,6 @@
 #include "micro/scenarios/static_lattice.h"
 
+#include "micro/cells/turgid_network.h"
 #include "micro/io/field_file.h"
 #include "micro/scenarios/shared_entries.h"
 

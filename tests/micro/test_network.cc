@@ -1,5 +1,6 @@
 // The hydrostatic network: forces, Hessian, stress by differences; momentum, objectivity; equilibrium.
 #include "micro/cells/network_equilibrium.h"
+#include "micro/cells/turgid_network.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,4 +1,5 @@
 // The static block of cells: balance of forces, frozen surfaces, the slab's closed form, water.
+#include "micro/cells/turgid_network.h"
 #include "micro/scenarios/static_lattice.h"
 
 #include <boost/test/unit_test.hpp>
