@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -25,7 +26,7 @@ double seconds(const timeval &time)
 }
 } // namespace
 
-ChildEnd run_child(const std::vector<std::string> &words, const std::string &log)
+ChildEnd run_child(const std::vector<std::string> &words, const std::string &log, const int stop_signal)
 {
   std::vector<std::string> copies = words;
   std::vector<char *> pointers;
@@ -41,6 +42,9 @@ ChildEnd run_child(const std::vector<std::string> &words, const std::string &log
     {
       // Ctrl-C reaches the whole group; the child is told by us instead, once.
       ::setpgid(0, 0);
+      ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+      if (const int nothing = ::open("/dev/null", O_RDONLY); nothing >= 0)
+        ::dup2(nothing, STDIN_FILENO);
       if (!log.empty())
         {
           const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0666);
@@ -64,7 +68,7 @@ ChildEnd run_child(const std::vector<std::string> &words, const std::string &log
         throw std::runtime_error("lost the child " + words[0] + ": " + std::strerror(errno) + ".");
       if (stop_was_requested() && !told)
         {
-          ::kill(child, SIGTERM);
+          ::kill(child, stop_signal);
           told = true;
         }
       if (ended != child)

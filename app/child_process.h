@@ -3,6 +3,7 @@
 
 #include "micro/io/resource_use.h"
 
+#include <csignal>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,9 @@ struct ChildEnd
 };
 
 /// words[0] is the program (looked up in PATH). log: file for its stdout and stderr; empty: shared with ours.
-/// A stop signal of ours is passed on. Throws std::runtime_error when it cannot be started.
-ChildEnd run_child(const std::vector<std::string> &words, const std::string &log = "");
+/// It reads nothing (stdin is /dev/null) and ends when we do. A stop signal of ours is passed on as stop_signal. Throws
+/// std::runtime_error when it cannot be started.
+ChildEnd run_child(const std::vector<std::string> &words, const std::string &log = "", int stop_signal = SIGTERM);
 
 /// Path of this program.
 std::string this_program();

@@ -95,12 +95,13 @@ int dispatch(int argc, char **argv)
           if (!input.scenario->uses_ranks())
             throw InputError("--ranks " + std::to_string(run.ranks) + ": the scenario " + input.scenario_name +
                              " does not share its work over ranks; use --threads N.");
-          start_ranks(run.ranks, {argv + 1, argv + argc});
+          return run_ranks(run.ranks, {argv + 1, argv + argc});
         }
       std::unique_ptr<MpiSession> mpi;
       if (under_mpi)
         mpi = std::make_unique<MpiSession>(argc, argv);
-      return run_command(run, registry, mpi.get());
+      const int code = run_command(run, registry, mpi.get());
+      return under_mpi && code == 130 ? 0 : code; // see run_ranks
     }
   if (list_app->parsed())
     return list_command(registry);

@@ -2,34 +2,38 @@
 
 #include "app/child_process.h"
 #include "micro/io/run_context.h"
+#include "micro/io/stop_flag.h"
 
 #include <mpi.h>
 
 #include <unistd.h>
 
-#include <cerrno>
+#include <csignal>
 #include <cstdlib>
-#include <cstring>
+#include <stdexcept>
 
 namespace turgor
 {
-void start_ranks(const unsigned int ranks, const std::vector<std::string> &arguments)
+int run_ranks(const unsigned int ranks, const std::vector<std::string> &arguments)
 {
-  // The stop signal must leave the ranks time to save their checkpoint.
-  std::vector<std::string> words = {"mpirun", "-n", std::to_string(ranks), "--oversubscribe", "--bind-to", "none",
-                                    "--mca", "odls_base_sigkill_timeout", "120"};
+  // mpirun's own way with SIGINT is to kill; SIGUSR1 it hands on to the ranks, who take it as the wish to stop. They then
+  // end with 0: at another code mpirun kills those who are still saving.
+  std::vector<std::string> words = {"mpirun", "-n", std::to_string(ranks), "--oversubscribe", "--bind-to", "none"};
   if (::geteuid() == 0)
     words.push_back("--allow-run-as-root");
   words.push_back(this_program());
   words.push_back("--under-mpi");
   words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char *> pointers;
-  for (std::string &word : words)
-    pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  ::execvp(pointers[0], pointers.data());
-  throw InputError(std::string("--ranks needs mpirun (package openmpi-bin), which could not be started: ") +
-                   std::strerror(errno) + ".");
+  install_stop_handler();
+  try
+    {
+      const int code = run_child(words, "", SIGUSR1).code;
+      return code == 0 && stop_was_requested() ? 130 : code;
+    }
+  catch (const std::runtime_error &problem)
+    {
+      throw InputError(std::string("--ranks needs mpirun (package openmpi-bin): ") + problem.what());
+    }
 }
 
 MpiSession::MpiSession(int &argc, char **&argv)

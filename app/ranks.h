@@ -7,8 +7,9 @@
 
 namespace turgor
 {
-/// Replaces this process by `mpirun -n ranks program --under-mpi arguments...`. Returns only by InputError.
-void start_ranks(unsigned int ranks, const std::vector<std::string> &arguments);
+/// Runs `mpirun -n ranks program --under-mpi arguments...` and returns its exit code; a wish to stop is passed on to
+/// the ranks. Throws InputError when there is no mpirun.
+int run_ranks(unsigned int ranks, const std::vector<std::string> &arguments);
 
 /// Initialised MPI, for the time of a run under mpirun.
 class MpiSession

@@ -204,7 +204,7 @@ int study_command(const StudyOptions &options, const ScenarioRegistry &registry)
     {
       const bool wanted = options.only.empty() || row.run.label == study.reference ||
                           std::find(options.only.begin(), options.only.end(), row.run.label) != options.only.end();
-      if (row.status != "finished" && wanted && !stop_was_requested())
+      if (row.status != "finished" && wanted && !row.run.input.empty() && !stop_was_requested())
         {
           std::cout << "Running " << row.run.label << " (" << row.run.threads << " threads) ..." << std::endl;
           compute(row, options.fresh);

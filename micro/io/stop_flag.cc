@@ -26,6 +26,7 @@ void install_stop_handler()
   action.sa_flags = SA_RESTART;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  sigaction(SIGUSR1, &action, nullptr); // what mpirun hands on to its ranks
 }
 
 bool stop_was_requested()

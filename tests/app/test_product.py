@@ -125,6 +125,18 @@ class Product(unittest.TestCase):
                          "End time=1e-2", after="probe.csv")
         self.assertIn("continue with --resume", said)
 
+    def test_stop_on_two_ranks(self):
+        said = self.stop(FE2[0], "--set", "Time/End time=1e-2", "--ranks", "2", "--threads", "1", after="probe.csv")
+        self.assertIn("continue with --resume", said)
+
+    def test_a_cell_deformed_beyond_its_step_says_so(self):
+        done = subprocess.run(self.command("run", *ENDURANCE, "--set", "F_dot=0, 20000; 0, 0", "--set", "Steps=4e4", "-o", "out",
+                                           "--quiet"), cwd=self.directory, capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("energy appeared from nothing", done.stderr)
+        self.assertIn("use a smaller Step fraction", done.stderr)
+        self.assertNotRegex(content(self.directory, "out", "endurance.csv").decode(), "nan|inf")
+
     def test_stop_of_the_static_scenes(self):
         self.assertIn("stopped before the full load was carried",
                       self.stop(os.path.join(SOURCE, "inputs", "static_lattice.prm"), "--set", "Columns=40", "--set", "Rows=40"))
