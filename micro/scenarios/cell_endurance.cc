@@ -213,6 +213,12 @@ void CellEndurance::run(RunContext &context)
     at.dissipated = at.start_energy + at.work - now.potential - now.kinetic;
     at.most_dissipated = std::max(at.most_dissipated, at.dissipated);
     at.energy_gain = std::max(at.energy_gain, at.most_dissipated - at.dissipated);
+    // Drag only takes energy, and round-off and the integrator's own error are a thousand times smaller.
+    if (at.energy_gain > 1e-3 * (at.start_energy + std::abs(at.work)))
+      throw RunFailed("energy appeared from nothing before t = " + std::to_string(1e3 * at.time()) + " ms (step "
+                      + std::to_string(at.step) + "): the cell has deformed so far that the step is too long for it. The "
+                      + "last checkpoint holds the last good state; use a smaller Step fraction (now "
+                      + std::to_string(step_fraction) + ").");
     at.most_kinetic = std::max(at.most_kinetic, now.kinetic);
     at.most_crossed = std::max(at.most_crossed, double(wet->fluid->crossed()));
     const double off[2] = {now.eos_pressure / now.eos_closed_form - 1., now.virial_pressure / now.virial_closed_form - 1.};

@@ -86,13 +86,14 @@ void FullMicro::require_finite(RunContext &, const TissueBlock &block, const Pro
 {
   const Particles<2> &p = block.cells->system.particles;
   const double box = 100. * std::max(columns, rows) * cell.period;
+  const double sound = block.cells->fluid->equation_of_state().sound_speed(cell.fluid_density);
   for (std::size_t c = 0; c < p.groups.size(); ++c)
     for (std::uint32_t i = p.groups[c].begin; i < p.groups[c].end; ++i)
-      if (!(std::abs(p.x[0][i]) < box && std::abs(p.x[1][i]) < box))
+      if (!(std::abs(p.x[0][i]) < box && std::abs(p.x[1][i]) < box && std::hypot(p.v[0][i], p.v[1][i]) < 2. * sound))
         {
           std::ostringstream sentence;
           sentence << "the run diverged before t = " << at.time() << " s (step " << at.step << "): a particle of cell ("
-                   << c % columns << ", " << c / columns << ") left the scene. The last checkpoint holds the last good "
+                   << c % columns << ", " << c / columns << ") left the scene or outran sound. The last checkpoint holds the last good "
                    << "state; use a smaller Step fraction (now " << step_fraction << ") or a smaller Load (now " << load
                    << " Pa).";
           throw RunFailed(sentence.str());
