@@ -75,7 +75,7 @@ def plot_errors(rows, directory):
             number_points(panels[line, place], [(float(row[time]), float(row[error]), str(number), colour[row["method"]])
                                                 for number, row in numbered
                                                 if row[error] and row[time] and float(row[error]) > 0])
-    figure.savefig(os.path.join(directory, "error_vs_time.png"), dpi=150)
+    figure.savefig(os.path.join(directory, "error_vs_time.png"), dpi=150, bbox_inches="tight")
     plt.close(figure)
 
 
