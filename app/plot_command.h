@@ -11,6 +11,9 @@ namespace turgor
 /// Exit code; throws InputError when DIR holds no run.
 int plot_command(const std::filesystem::path &directory);
 
+/// Draws the pictures of the run in DIR and enters them among the files this program made; false when that failed.
+bool draw_run(const std::filesystem::path &directory);
+
 /// Runs a script of app/plots with the Python found at configuration; its exit code.
 int run_plot_script(const std::string &script, const std::vector<std::string> &arguments);
 } // namespace turgor

@@ -109,7 +109,7 @@ int run_command(const RunOptions &options, const ScenarioRegistry &registry, Mpi
     {
       directory.say("Finished; results are in " + place + ".");
       // Pictures are a service: the run has its results whether or not they can be drawn.
-      if (settings.writer && !options.quiet && run_plot_script("plot.py", {place}) != 0)
+      if (settings.writer && !options.quiet && !draw_run(place))
         directory.say("The pictures could not be drawn; try: turgor plot " + place);
     }
   else if (settings.writer)

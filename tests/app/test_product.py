@@ -180,6 +180,7 @@ class Product(unittest.TestCase):
             place = list(csv.DictReader(file))[0]["directory"]
         self.run_program("plot", place)
         self.assertTrue(content(self.directory, place, "probe.png").startswith(b"\x89PNG"))
+        self.assertIn(b"probe.png", content(self.directory, place, "made_by_turgor.txt"))  # the next run removes it
         with open(os.path.join(self.directory, place, "summary.json"), encoding="utf-8") as file:
             self.assertLessEqual({"scenario", "version", "status", "wall_time_s", "cpu_time_s", "peak_memory_bytes",
                                   "active_terms", "fields", "results"}, set(json.load(file)))
