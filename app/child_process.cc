@@ -35,7 +35,7 @@ ChildEnd run_child(const std::vector<std::string> &words, const std::string &log
   pointers.push_back(nullptr);
   const auto start = std::chrono::steady_clock::now();
   std::fflush(nullptr);
-  const pid_t child = ::fork();
+  const pid_t parent = ::getpid(), child = ::fork();
   if (child < 0)
     throw std::runtime_error("cannot start " + words[0] + ": " + std::strerror(errno) + ".");
   if (child == 0)
@@ -43,6 +43,8 @@ ChildEnd run_child(const std::vector<std::string> &words, const std::string &log
       // Ctrl-C reaches the whole group; the child is told by us instead, once.
       ::setpgid(0, 0);
       ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+      if (::getppid() != parent) // it went before it could be asked for
+        ::_exit(130);
       if (const int nothing = ::open("/dev/null", O_RDONLY); nothing >= 0)
         ::dup2(nothing, STDIN_FILENO);
       if (!log.empty())

@@ -6,6 +6,7 @@
 #include "app/ranks.h"
 #include "app/run_command.h"
 #include "app/study_runner.h"
+#include "micro/io/stop_flag.h"
 #include "micro/io/run_context.h"
 
 #include <CLI/CLI.hpp>
@@ -97,6 +98,7 @@ int dispatch(int argc, char **argv)
                              " does not share its work over ranks; use --threads N.");
           return run_ranks(run.ranks, {argv + 1, argv + argc});
         }
+      install_stop_handler(); // before MPI starts up: a wish to stop must not find its default action, death
       std::unique_ptr<MpiSession> mpi;
       if (under_mpi)
         mpi = std::make_unique<MpiSession>(argc, argv);

@@ -28,7 +28,7 @@ int run_ranks(const unsigned int ranks, const std::vector<std::string> &argument
   try
     {
       const int code = run_child(words, "", SIGUSR1).code;
-      return code == 0 && stop_was_requested() ? 130 : code;
+      return stop_was_requested() && (code == 0 || code == 128 + SIGUSR1) ? 130 : code;
     }
   catch (const std::runtime_error &problem)
     {

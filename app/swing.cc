@@ -39,10 +39,13 @@ Swing first_swing(const CsvTable &probe)
   const std::vector<double> &moving = size(x) > size(y) ? x : y;
   if (t.size() < 3 || !(size(moving) > 0.))
     throw std::runtime_error(probe.file.string() + " has no swing: " + (t.size() < 3 ? "too few rows." : "nothing moves."));
+  // Out until it has come half the way back: a later swing may be larger by a hair.
   std::size_t largest = 0;
   for (std::size_t i = 0; i < t.size(); ++i)
     if (std::abs(moving[i]) > std::abs(moving[largest]))
       largest = i;
+    else if (std::abs(moving[i]) < 0.5 * std::abs(moving[largest]) && std::abs(moving[largest]) > 0.5 * size(moving))
+      break;
   Swing swing;
   std::tie(swing.time_of_largest, swing.amplitude) = vertex(t, moving, largest);
   const double sign = swing.amplitude > 0. ? 1. : -1.;
@@ -50,6 +53,9 @@ Swing first_swing(const CsvTable &probe)
   for (std::size_t i = largest; i < t.size(); ++i)
     if (sign * moving[i] < sign * moving[back])
       back = i;
+    else if (sign * (moving[i] - moving[back]) > 0.05 * std::abs(swing.amplitude)
+             && sign * moving[back] < 0.5 * std::abs(swing.amplitude))
+      break; // on its second way out
   if (back > largest && back + 1 < t.size())
     swing.period = vertex(t, moving, back).first;
   return swing;

@@ -56,6 +56,8 @@ struct Cell
     view.mass = reference.particle_mass;
     view.depth = cell.depth;
     view.viscosity = viscous ? 1. : 0.;
+    view.volume = cell.period * cell.period * cell.depth;
+    view.ordering = sph.ordering * cell.fluid_modulus;
     view.eos = [](const void *, const std::uint32_t count, const double *, double *pressure_out) {
       std::fill(pressure_out, pressure_out + count, 200e3);
     };

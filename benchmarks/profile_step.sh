@@ -44,7 +44,7 @@ awk '
     if (name ~ /add_angles|push_wall/) return "density sweep: wall alone"
     if (name ~ /sph::.*density|fill_rows|apply_law|eos_pressure|sum_of/) return "density sweep: rest, or all of it if inlined"
     if (name ~ /sph::.*force/) return "force sweep"
-    if (name ~ /SphLists|ListOrigin|moved_too_far|SphFluid::build/) return "list building and its test"
+    if (name ~ /SphLists|ListOrigin|SphFluid::build/) return "list building and its test"
     if (name ~ /RingWall|LamellaTies/) return "wall springs and ties"
     if (name ~ /KickDriftKick|drift_of_group/) return "integrator"
     if (name ~ /SphFluid/) return "fluid: copying wall and forces"

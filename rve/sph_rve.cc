@@ -125,7 +125,7 @@ RveAnswer<2> SphRve::attempt(Scratch &scratch, const RveState<2> &committed, con
       broke = !(answer.diagnostics.residual < SphMotion::runaway);
       if (settings.rule == SphRule::elastic_equilibrium && answer.diagnostics.residual > SphMotion::accepted * settings.tolerance)
         message = "the forces did not balance within RVE/Relax steps (residual "
-                  + std::to_string(answer.diagnostics.residual) + ", allowed are 50 times RVE/Tolerance = "
+                  + std::to_string(answer.diagnostics.residual) + ", allowed are " + std::to_string(int(SphMotion::accepted)) + " times RVE/Tolerance = "
                   + std::to_string(SphMotion::accepted * settings.tolerance) + ").";
     }
   return answer;

@@ -1,4 +1,4 @@
-// The wish to stop: set by Ctrl-C (SIGINT) or kill (SIGTERM), read between steps. A second
+// The wish to stop: set by Ctrl-C (SIGINT), kill (SIGTERM) or mpirun (SIGUSR1), read between steps. A second
 // Ctrl-C ends the program at once, with the last checkpoint as it is.
 #pragma once
 

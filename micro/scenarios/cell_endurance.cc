@@ -196,12 +196,23 @@ void CellEndurance::run(RunContext &context)
                                  {"crossed", ""}});
   const auto table = context.series("endurance", columns);
 
-  const auto record = [&] {
-    const Sample now = measure(*wet, *walls, at);
-    if (!now.sigma.allFinite() || !std::isfinite(now.kinetic))
+  // Nothing that has blown up is written, neither to a table nor to a checkpoint.
+  const auto require_sound = [&](const Sample &now) {
+    if (!now.sigma.allFinite() || !std::isfinite(now.kinetic) || !std::isfinite(now.potential))
       throw RunFailed("the cell diverged before t = " + std::to_string(1e3 * at.time()) + " ms (step "
                       + std::to_string(at.step) + "): use a smaller Step fraction (now " + std::to_string(step_fraction)
                       + ").");
+    // Drag only takes energy, and round-off and the integrator's own error are a thousand times smaller.
+    const double gain = at.most_dissipated - (at.start_energy + at.work - now.potential - now.kinetic);
+    if (at.step > 0 && gain > 1e-3 * (at.start_energy + std::abs(at.work)))
+      throw RunFailed("energy appeared from nothing before t = " + std::to_string(1e3 * at.time()) + " ms (step "
+                      + std::to_string(at.step) + "): the cell has deformed so far that the step is too long for it. A "
+                      + "checkpoint, where there is one, holds the last good state; use a smaller Step fraction (now "
+                      + std::to_string(step_fraction) + ").");
+  };
+  const auto record = [&] {
+    const Sample now = measure(*wet, *walls, at);
+    require_sound(now);
     if (at.step == 0)
       {
         at.start_energy = now.potential + now.kinetic;
@@ -213,12 +224,6 @@ void CellEndurance::run(RunContext &context)
     at.dissipated = at.start_energy + at.work - now.potential - now.kinetic;
     at.most_dissipated = std::max(at.most_dissipated, at.dissipated);
     at.energy_gain = std::max(at.energy_gain, at.most_dissipated - at.dissipated);
-    // Drag only takes energy, and round-off and the integrator's own error are a thousand times smaller.
-    if (at.energy_gain > 1e-3 * (at.start_energy + std::abs(at.work)))
-      throw RunFailed("energy appeared from nothing before t = " + std::to_string(1e3 * at.time()) + " ms (step "
-                      + std::to_string(at.step) + "): the cell has deformed so far that the step is too long for it. The "
-                      + "last checkpoint holds the last good state; use a smaller Step fraction (now "
-                      + std::to_string(step_fraction) + ").");
     at.most_kinetic = std::max(at.most_kinetic, now.kinetic);
     at.most_crossed = std::max(at.most_crossed, double(wet->fluid->crossed()));
     const double off[2] = {now.eos_pressure / now.eos_closed_form - 1., now.virial_pressure / now.virial_closed_form - 1.};
@@ -239,6 +244,7 @@ void CellEndurance::run(RunContext &context)
     record();
 
   const auto save = [&] {
+    require_sound(measure(*wet, *walls, at));
     context.save_checkpoint([&](std::ostream &out) {
       Progress saved = at;
       saved.list_builds += double(wet->fluid->list_builds());

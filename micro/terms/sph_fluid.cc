@@ -151,8 +151,8 @@ void SphFluid::add_forces(Particles<2> &particles, const Box<2> &, const std::si
 
   if (parameters.exact_volume)
     {
-      view.volume = parameters.depth * ring_area(view.wall_x[0], view.wall_x[1], nw);
-      view.ordering = parameters.ordering;
+      view.volume = std::max(0., parameters.depth * ring_area(view.wall_x[0], view.wall_x[1], nw));
+      view.ordering = view.volume > 0. ? parameters.ordering : 0.; // a wall turned inside out encloses nothing
     }
   const sph::Sweeps &sweeps = sph::sweeps();
   sweeps.density(view);
@@ -201,6 +201,8 @@ Rates SphFluid::rates(const Particles<2> &particles) const
     return bound;
   const Group &g = particles.groups.front(); // all cells start as copies
   const std::uint32_t n = g.wall_count();
+  if (n == 0)
+    return bound;
   std::vector<double> x, y;
   double lightest = 0., length = 0., squares = 0.; // inverse mass of the lightest node; sums over the faces
   for (std::uint32_t k = 0; k <= n; ++k)

@@ -64,16 +64,16 @@ struct CellView
   double viscosity = 0.;          ///< Pa s; 0 compiles the viscous part out
   void (*eos)(const void *, std::uint32_t n, const double *rho, double *p) = nullptr; ///< p(rho), Pa
   const void *eos_data = nullptr;
-  double volume = 0.;             ///< m^3, inside the wall; 0: densities are left as summed
+  double volume = 0.;             ///< m^3, inside the wall; 0, with ordering 0: densities are left as summed
   double ordering = 0.;           ///< Pa, p_0
   double scale = 1.;              ///< out, s
-  double mean_pressure = 0.;      ///< out, Pa, p_mean; the caller applies p_mean dV/dx to the wall
+  double mean_pressure = 0.;      ///< out, Pa, p_mean; the caller applies (p_mean - p_0) dV/dx to the wall
   std::uint32_t crossed = 0;      ///< out: particles found outside the wall
 };
 
 struct Sweeps
 {
-  /// rho, gamma, p of every particle and the forces of p - p_mean between fluid and wall.
+  /// rho, gamma, p of every particle and the forces of p - p_mean + s p_0 between fluid and wall.
   void (*density)(CellView &) = nullptr;
   /// The forces between fluid particles; needs density() at the same positions.
   void (*force)(CellView &) = nullptr;

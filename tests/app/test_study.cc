@@ -68,6 +68,15 @@ BOOST_AUTO_TEST_CASE(swing_by_hand)
   BOOST_TEST(std::abs(swing.time_of_largest - 0.4) < 1e-3);
   BOOST_REQUIRE(swing.period.has_value());
   BOOST_TEST(std::abs(*swing.period - 0.8) < 1e-3);
+  // A second swing, a little larger, is not the first.
+  std::string twice = header;
+  for (int k = 0; k <= 80; ++k)
+    {
+      const double t = 0.03 * k, grown = t > 0.8 ? 1.001 : 1.;
+      twice += std::to_string(t) + ",0.1," + std::to_string(grown * (std::cos(2. * M_PI * t / 0.8) - 1.)) + "\n";
+    }
+  BOOST_TEST(std::abs(first_swing(table(directory, twice)).time_of_largest - 0.4) < 1e-3);
+  BOOST_TEST(std::abs(*first_swing(table(directory, twice)).period - 0.8) < 1e-3);
   // A history that ends on its way back has no period; one at rest no swing.
   BOOST_TEST(!first_swing(table(directory, header + "0,0,0\n1,0,2\n2,0,1.5\n")).period.has_value());
   BOOST_CHECK_EXCEPTION(first_swing(table(directory, header + "0,0,0\n1,0,0\n2,0,0\n")), std::runtime_error, Says{"nothing moves"});
