@@ -1,5 +1,6 @@
 #include "coupling/rve_law.h"
 
+#include "coupling/answer_table.h"
 #include "coupling/state_bytes.h"
 #include "coupling/tensor_conversion.h"
 
@@ -22,16 +23,6 @@ namespace turgor
 namespace
 {
 constexpr double unset = std::numeric_limits<double>::signaling_NaN();
-
-// One row of the table that is gathered over the ranks.
-template <int dim>
-struct Row
-{
-  static constexpr std::size_t P = 0, sigma = dim * dim, energy = 2 * dim * dim, pressure = energy + 1,
-                               iterations = energy + 2, residual = energy + 3, spread = energy + 4,
-                               cpu = energy + 5, failed = energy + 6, width = energy + 7,
-                               width_with_tangent = width + dim * dim * dim * dim;
-};
 
 template <int dim>
 std::string place(std::size_t number, const dealii::Point<dim> &x)
@@ -78,37 +69,23 @@ struct RveLaw<dim>::Impl
   {}
 
   std::string call(std::size_t p, const Tensor2<dim> &F, const Tensor2<dim> &F_dot, const RveRequest &request,
-                   double *row);
-  void count(const std::vector<double> &table, std::size_t width);
+                   AnswerTable<dim> &table);
+  void count(const AnswerTable<dim> &table);
   void rebalance();
+  /// Bytes of the committed states of those of the points that are this rank's; nothing for the others.
+  std::vector<std::string> packed(const std::vector<std::size_t> &points) const;
 };
 
 // One RVE. Returns an empty text, or why it failed.
 template <int dim>
 std::string RveLaw<dim>::Impl::call(std::size_t p, const Tensor2<dim> &F, const Tensor2<dim> &F_dot,
-                                    const RveRequest &request, double *row)
+                                    const RveRequest &request, AnswerTable<dim> &table)
 {
-  using R = Row<dim>;
   std::string reason;
   try
   {
     RveAnswer<dim> a = rve->evaluate(committed[p], F, F_dot, request, *workspaces.local());
-    for (int i = 0; i < dim; ++i)
-      for (int j = 0; j < dim; ++j)
-      {
-        row[R::P + i * dim + j] = a.P(i, j);
-        row[R::sigma + i * dim + j] = a.sigma(i, j);
-      }
-    row[R::energy] = a.energy;
-    row[R::pressure] = a.pressure;
-    row[R::iterations] = a.diagnostics.iterations;
-    row[R::residual] = a.diagnostics.residual;
-    row[R::spread] = a.diagnostics.stress_spread;
-    row[R::cpu] = a.diagnostics.cpu_seconds;
-    if (request.tangent)
-      for (int i = 0; i < dim * dim; ++i)
-        for (int j = 0; j < dim * dim; ++j)
-          row[R::width + i * dim * dim + j] = a.tangent(i, j);
+    table.put(p, a);
     if (!a.diagnostics.converged)
       reason = a.diagnostics.message.empty() ? "did not converge." : a.diagnostics.message;
     else if (!a.P.allFinite() || !std::isfinite(a.energy))
@@ -123,36 +100,51 @@ std::string RveLaw<dim>::Impl::call(std::size_t p, const Tensor2<dim> &F, const 
   {
     reason = "failed for an unknown reason.";
   }
-  row[R::failed] = reason.empty() ? 0. : 1.;
-  return reason.empty() ? reason : place(p, points[p]) + reason;
+  if (reason.empty())
+    return reason;
+  table.put_failed(p);
+  return place(p, points[p]) + reason;
 }
 
 template <int dim>
-void RveLaw<dim>::Impl::count(const std::vector<double> &table, std::size_t width)
+void RveLaw<dim>::Impl::count(const AnswerTable<dim> &table)
 {
-  using R = Row<dim>;
   RveLawStatistics &s = statistics;
   bool any_failed = false;
   for (std::size_t p = 0; p < points.size(); ++p)
   {
-    const double *row = table.data() + p * width;
     ++s.calls;
-    if (row[R::failed] != 0.)
+    if (table.failed(p))
     {
       ++s.failed_calls;
       any_failed = true;
       continue;
     }
-    s.iterations += static_cast<std::uint64_t>(row[R::iterations]);
-    s.max_iterations = std::max(s.max_iterations, static_cast<int>(row[R::iterations]));
-    s.max_residual = std::max(s.max_residual, row[R::residual]);
-    s.max_stress_spread = std::max(s.max_stress_spread, row[R::spread]);
-    s.rve_cpu_seconds += row[R::cpu];
+    const RveDiagnostics d = table.diagnostics(p);
+    s.iterations += static_cast<std::uint64_t>(d.iterations);
+    s.max_iterations = std::max(s.max_iterations, d.iterations);
+    s.max_residual = std::max(s.max_residual, d.residual);
+    s.max_stress_spread = std::max(s.max_stress_spread, d.stress_spread);
+    s.rve_cpu_seconds += d.cpu_seconds;
     // The last cost alone does not predict the next: a step that needed one Newton iteration more is no trend.
-    cost[p] = cost[p] == 0. ? row[R::cpu] : 0.8 * cost[p] + 0.2 * row[R::cpu];
+    cost[p] = cost[p] == 0. ? d.cpu_seconds : 0.8 * cost[p] + 0.2 * d.cpu_seconds;
   }
   ++s.batches;
   s.failed_batches += any_failed ? 1 : 0;
+}
+
+template <int dim>
+std::vector<std::string> RveLaw<dim>::Impl::packed(const std::vector<std::size_t> &which) const
+{
+  std::vector<std::string> texts(points.size());
+  for (const std::size_t p : which)
+    if (shares.owners().at(p) == shares.rank())
+    {
+      ByteWriter writer;
+      writer.put_state(committed[p]);
+      texts[p] = std::move(writer.bytes);
+    }
+  return texts;
 }
 
 template <int dim>
@@ -164,13 +156,7 @@ void RveLaw<dim>::Impl::rebalance()
   // Moving states costs too, and measured times are noisy: only for a gain worth it.
   if (before < 1.05 * shares.imbalance(cost, better))
     return;
-  std::vector<std::string> luggage(points.size());
-  for (const std::size_t p : shares.mine())
-  {
-    ByteWriter writer;
-    writer.put_state(committed[p]);
-    luggage[p] = std::move(writer.bytes);
-  }
+  std::vector<std::string> luggage = packed(shares.mine());
   shares.reassign(better, luggage);
   std::vector<RveState<dim>> arrived(points.size());
   for (const std::size_t p : shares.mine())
@@ -211,15 +197,13 @@ void RveLaw<dim>::evaluate(const std::vector<dealii::Tensor<2, dim>> &F,
                            const std::vector<dealii::Tensor<2, dim>> &F_dot, const LawRequest &request,
                            LawAnswer<dim> &answer)
 {
-  using R = Row<dim>;
   Impl &m = *impl;
   const auto start = std::chrono::steady_clock::now();
   const std::size_t n = m.points.size();
   if (F.size() != n || F_dot.size() != n)
     throw std::logic_error("RveLaw::evaluate: the batch has another number of points than set_points().");
 
-  const std::size_t width = request.tangents ? R::width_with_tangent : R::width;
-  std::vector<double> table(n * width, 0.);
+  AnswerTable<dim> table(n, request.tangents);
   std::vector<std::string> reasons(n);
   RveRequest rve_request;
   rve_request.time_since_commit = request.time_since_commit;
@@ -227,7 +211,7 @@ void RveLaw<dim>::evaluate(const std::vector<dealii::Tensor<2, dim>> &F,
   const std::vector<std::size_t> &mine = m.shares.mine();
   const auto one = [&](std::size_t k) {
     const std::size_t p = mine[k];
-    reasons[p] = m.call(p, to_eigen<dim>(F[p]), to_eigen<dim>(F_dot[p]), rve_request, table.data() + p * width);
+    reasons[p] = m.call(p, to_eigen<dim>(F[p]), to_eigen<dim>(F_dot[p]), rve_request, table);
   };
   if (m.settings.threads <= 1)
     for (std::size_t k = 0; k < mine.size(); ++k)
@@ -235,8 +219,8 @@ void RveLaw<dim>::evaluate(const std::vector<dealii::Tensor<2, dim>> &F,
   else
     m.arena.execute([&] { tbb::parallel_for(std::size_t{0}, mine.size(), one, tbb::simple_partitioner()); });
 
-  m.shares.gather(width, table);
-  m.count(table, width);
+  table.gather(m.shares);
+  m.count(table);
 
   answer.P.resize(n);
   answer.energy.resize(n);
@@ -244,22 +228,10 @@ void RveLaw<dim>::evaluate(const std::vector<dealii::Tensor<2, dim>> &F,
   answer.failed.clear();
   for (std::size_t p = 0; p < n; ++p)
   {
-    const double *row = table.data() + p * width;
-    for (int i = 0; i < dim; ++i)
-      for (int j = 0; j < dim; ++j)
-      {
-        answer.P[p][i][j] = row[R::P + i * dim + j];
-        m.sigma[p](i, j) = row[R::sigma + i * dim + j];
-      }
-    answer.energy[p] = row[R::energy];
-    m.pressure[p] = row[R::pressure];
-    if (request.tangents)
-      for (int a = 0; a < dim; ++a)
-        for (int b = 0; b < dim; ++b)
-          for (int c = 0; c < dim; ++c)
-            for (int d = 0; d < dim; ++d)
-              answer.tangent[p][a][b][c][d] = row[R::width + (a * dim + b) * dim * dim + c * dim + d];
-    if (row[R::failed] != 0.)
+    table.read(p, answer);
+    m.sigma[p] = table.sigma(p);
+    m.pressure[p] = table.pressure(p);
+    if (table.failed(p))
       answer.failed.push_back({static_cast<unsigned int>(p), ""});
   }
   m.last = answer.failed.empty() ? Impl::Last::good : Impl::Last::failed;
@@ -309,13 +281,7 @@ template <int dim>
 void RveLaw<dim>::save(std::ostream &out) const
 {
   const Impl &m = *impl;
-  std::vector<std::string> texts(m.points.size());
-  for (const std::size_t p : m.shares.mine())
-  {
-    ByteWriter writer;
-    writer.put_state(m.committed[p]);
-    texts[p] = std::move(writer.bytes);
-  }
+  std::vector<std::string> texts = m.packed(m.shares.mine());
   m.shares.gather_texts(texts);
   ByteWriter head;
   head.put(static_cast<std::uint64_t>(texts.size()));
@@ -400,14 +366,7 @@ template <int dim>
 std::vector<RveState<dim>> RveLaw<dim>::states(const std::vector<std::size_t> &points) const
 {
   const Impl &m = *impl;
-  std::vector<std::string> texts(m.points.size());
-  for (const std::size_t p : points)
-    if (m.shares.owners().at(p) == m.shares.rank())
-    {
-      ByteWriter writer;
-      writer.put_state(m.committed[p]);
-      texts[p] = std::move(writer.bytes);
-    }
+  std::vector<std::string> texts = m.packed(points);
   m.shares.gather_texts(texts);
   std::vector<RveState<dim>> result;
   for (const std::size_t p : points)

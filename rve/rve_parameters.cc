@@ -78,8 +78,9 @@ void RveParameters::check() const
 {
   equilibrium_tolerance();
   make_parenchyma(cell, columns, rows, true, true);
-  sph.check();
   if (fluid == "sph")
     check_sph_cell(cell, sph);
+  else
+    sph.check();
 }
 } // namespace turgor

@@ -8,6 +8,7 @@
 #include "micro/engine/counter_random.h"
 #include "rve/hydrostatic_rve.h"
 #include "rve/sph_rve.h"
+#include "tests/rve/matrix.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -19,6 +20,7 @@
 #include <vector>
 
 using namespace turgor;
+using turgor::test::matrix;
 
 namespace
 {
@@ -26,13 +28,6 @@ struct Load
 {
   Tensor2<2> F, F_dot;
 };
-
-Tensor2<2> matrix(const double a, const double b, const double c, const double d)
-{
-  Tensor2<2> F;
-  F << a, b, c, d;
-  return F;
-}
 
 /// Corners of the range, one at a time, then random combinations of all of it.
 std::vector<Load> loads(const unsigned int random_combinations)

@@ -1,6 +1,7 @@
 // The hydrostatic RVE: closed form, tangent order, objectivity, extremes, bad input.
 #include "rve/flat_wall_closed_form.h"
 #include "rve/hydrostatic_rve.h"
+#include "tests/rve/matrix.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -10,16 +11,10 @@
 #include <stdexcept>
 
 using namespace turgor;
+using turgor::test::matrix;
 
 namespace
 {
-Tensor2<2> matrix(const double a, const double b, const double c, const double d)
-{
-  Tensor2<2> F;
-  F << a, b, c, d;
-  return F;
-}
-
 RveAnswer<2> answer(const Rve<2> &rve, const Tensor2<2> &F, const Tensor2<2> &F_dot = Tensor2<2>::Zero(),
                     const bool tangent = false)
 {

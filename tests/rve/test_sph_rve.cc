@@ -1,6 +1,7 @@
 // The RVE of SPH cells on a small cell: const, objective, its viscous stress by hand, constrained runs
 // against elastic equilibrium, failures.
 #include "rve/sph_rve.h"
+#include "tests/rve/matrix.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -9,15 +10,10 @@
 #include <stdexcept>
 
 using namespace turgor;
+using turgor::test::matrix;
 
 namespace
 {
-Tensor2<2> matrix(const double a, const double b, const double c, const double d)
-{
-  Tensor2<2> F;
-  F << a, b, c, d;
-  return F;
-}
 const Tensor2<2> identity = Tensor2<2>::Identity(), zero = Tensor2<2>::Zero();
 const double turgor_pressure = 200e3;
 const SphRule all_rules[] = {SphRule::cauchy_born, SphRule::elastic_equilibrium, SphRule::constrained_runs};

@@ -1,20 +1,16 @@
 // The way between two deformation gradients: ends, determinant, length by hand, turns with its end.
 #include "rve/stretch_path.h"
+#include "tests/rve/matrix.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
 
 using namespace turgor;
+using turgor::test::matrix;
 
 namespace
 {
-Tensor2<2> matrix(const double a, const double b, const double c, const double d)
-{
-  Tensor2<2> F;
-  F << a, b, c, d;
-  return F;
-}
 const Tensor2<2> from = matrix(1.1, 0.2, -0.1, 0.9), to = matrix(0.5, 1.2, -0.8, 0.4), Q = matrix(0.8, -0.6, 0.6, 0.8);
 } // namespace
 

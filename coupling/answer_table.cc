@@ -1,0 +1,114 @@
+#include "coupling/answer_table.h"
+
+namespace turgor
+{
+namespace
+{
+/// Columns of a row.
+template <int dim>
+struct Row
+{
+  static constexpr std::size_t P = 0, sigma = dim * dim, energy = 2 * dim * dim, pressure = energy + 1,
+                               iterations = energy + 2, residual = energy + 3, spread = energy + 4,
+                               cpu = energy + 5, failed = energy + 6, tangent = energy + 7;
+};
+} // namespace
+
+template <int dim>
+AnswerTable<dim>::AnswerTable(const std::size_t points, const bool tangents_)
+  : tangents(tangents_)
+  , width(Row<dim>::tangent + (tangents ? dim * dim * dim * dim : 0))
+  , table(points * width, 0.)
+{}
+
+template <int dim>
+void AnswerTable<dim>::put(const std::size_t point, const RveAnswer<dim> &a)
+{
+  using R = Row<dim>;
+  double *row = table.data() + point * width;
+  for (int i = 0; i < dim; ++i)
+    for (int j = 0; j < dim; ++j)
+    {
+      row[R::P + i * dim + j] = a.P(i, j);
+      row[R::sigma + i * dim + j] = a.sigma(i, j);
+    }
+  row[R::energy] = a.energy;
+  row[R::pressure] = a.pressure;
+  row[R::iterations] = a.diagnostics.iterations;
+  row[R::residual] = a.diagnostics.residual;
+  row[R::spread] = a.diagnostics.stress_spread;
+  row[R::cpu] = a.diagnostics.cpu_seconds;
+  if (tangents)
+    for (int i = 0; i < dim * dim; ++i)
+      for (int j = 0; j < dim * dim; ++j)
+        row[R::tangent + i * dim * dim + j] = a.tangent(i, j);
+}
+
+template <int dim>
+void AnswerTable<dim>::put_failed(const std::size_t point)
+{
+  table[point * width + Row<dim>::failed] = 1.;
+}
+
+template <int dim>
+void AnswerTable<dim>::gather(const PointShares &shares)
+{
+  shares.gather(width, table);
+}
+
+template <int dim>
+bool AnswerTable<dim>::failed(const std::size_t point) const
+{
+  return table[point * width + Row<dim>::failed] != 0.;
+}
+
+template <int dim>
+double AnswerTable<dim>::pressure(const std::size_t point) const
+{
+  return table[point * width + Row<dim>::pressure];
+}
+
+template <int dim>
+Tensor2<dim> AnswerTable<dim>::sigma(const std::size_t point) const
+{
+  Tensor2<dim> sigma;
+  for (int i = 0; i < dim; ++i)
+    for (int j = 0; j < dim; ++j)
+      sigma(i, j) = table[point * width + Row<dim>::sigma + i * dim + j];
+  return sigma;
+}
+
+template <int dim>
+RveDiagnostics AnswerTable<dim>::diagnostics(const std::size_t point) const
+{
+  using R = Row<dim>;
+  const double *row = table.data() + point * width;
+  RveDiagnostics diagnostics;
+  diagnostics.converged = !failed(point);
+  diagnostics.iterations = static_cast<int>(row[R::iterations]);
+  diagnostics.residual = row[R::residual];
+  diagnostics.stress_spread = row[R::spread];
+  diagnostics.cpu_seconds = row[R::cpu];
+  return diagnostics;
+}
+
+template <int dim>
+void AnswerTable<dim>::read(const std::size_t point, LawAnswer<dim> &answer) const
+{
+  using R = Row<dim>;
+  const double *row = table.data() + point * width;
+  for (int i = 0; i < dim; ++i)
+    for (int j = 0; j < dim; ++j)
+      answer.P[point][i][j] = row[R::P + i * dim + j];
+  answer.energy[point] = row[R::energy];
+  if (tangents)
+    for (int a = 0; a < dim; ++a)
+      for (int b = 0; b < dim; ++b)
+        for (int c = 0; c < dim; ++c)
+          for (int d = 0; d < dim; ++d)
+            answer.tangent[point][a][b][c][d] = row[R::tangent + (a * dim + b) * dim * dim + c * dim + d];
+}
+
+template class AnswerTable<2>;
+template class AnswerTable<3>;
+} // namespace turgor

@@ -1,0 +1,39 @@
+// What the RVEs of one batch answered, one row of doubles a point, so that one message gathers it over
+// the ranks: stresses (Pa), energy (J/m^3), fluid pressure (Pa), diagnostics, tangents (Pa) where asked for, failed or not.
+#pragma once
+
+#include "coupling/point_shares.h"
+#include "macro/material_law.h"
+#include "rve/rve.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace turgor
+{
+template <int dim>
+class AnswerTable
+{
+public:
+  /// All rows zero: nobody has answered, nobody failed.
+  AnswerTable(std::size_t points, bool tangents);
+
+  /// Rows of this rank's points; different points at once from different threads.
+  void put(std::size_t point, const RveAnswer<dim> &answer);
+  void put_failed(std::size_t point);
+  /// Collective: afterwards every rank holds all rows.
+  void gather(const PointShares &shares);
+
+  bool failed(std::size_t point) const;
+  double pressure(std::size_t point) const;
+  Tensor2<dim> sigma(std::size_t point) const;
+  RveDiagnostics diagnostics(std::size_t point) const; ///< numbers only: no message, converged as it failed or not
+  /// P, energy and the tangent, if there is one, of the point; the answer's lists are long enough.
+  void read(std::size_t point, LawAnswer<dim> &answer) const;
+
+private:
+  bool tangents;
+  std::size_t width;
+  std::vector<double> table;
+};
+} // namespace turgor
