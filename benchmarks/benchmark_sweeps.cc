@@ -39,7 +39,7 @@ struct Cell
     const std::uint32_t n = g.fluid_count(), nw = g.wall_count();
     const double dx = cell.period / sph.particles_per_side;
     view.support = sph.support_ratio * dx;
-    ListOrigin origin;
+    ListOrigin<2> origin;
     origin.take(p.x, g);
     lists.build(origin, nw, view.support + sph.skin_ratio * dx);
     if (!wall)

@@ -84,7 +84,7 @@ ReferenceCell unannealed_cell(const ParenchymaPatch &patch, const SphParameters 
 
 namespace
 {
-std::unique_ptr<CellFluid> make_fluid(const ParenchymaPatch &patch, const SphParameters &sph,
+std::unique_ptr<CellFluid<2>> make_fluid(const ParenchymaPatch &patch, const SphParameters &sph,
                                       const std::vector<double> &mass)
 {
   const ParenchymaParameters &p = patch.parameters;

@@ -51,7 +51,7 @@ struct SphPatch
 {
   ParenchymaPatch patch;
   ParticleSystem<2> system;
-  CellFluid *fluid = nullptr;
+  CellFluid<2> *fluid = nullptr;
 
   std::uint32_t particles_per_cell() const { return system.particles.groups.front().end; }
 };

@@ -44,7 +44,7 @@ TissueBlock make_tissue_block(const ParenchymaParameters &cell, const SphParamet
     {
       // The same ties as in the fully periodic grid, those that leave this block turned into what they pull now.
       const ParenchymaPatch all = make_parenchyma(cell, columns, rows, true, true);
-      std::vector<DeadForce::Entry> forces;
+      std::vector<DeadForce<2>::Entry> forces;
       for (const LamellaTie &tie : all.ties)
         {
           if (tie.shift[0] == 0 && (slab || tie.shift[1] == 0))
@@ -55,9 +55,9 @@ TissueBlock make_tissue_block(const ParenchymaParameters &cell, const SphParamet
           forces.push_back({a, patch.tie_stiffness * gap});
           forces.push_back({b, -patch.tie_stiffness * gap});
         }
-      system.add(std::make_unique<DeadForce>(std::move(forces)));
+      system.add(std::make_unique<DeadForce<2>>(std::move(forces)));
     }
-  block.body_force = &system.add(std::make_unique<BodyForce>(Vector<2>::Zero()));
+  block.body_force = &system.add(std::make_unique<BodyForce<2>>(Vector<2>::Zero()));
 
   // Clamp: the left side's ring nodes (side 3 and corner 0) of the first column.
   const std::uint32_t side = cell.nodes_per_side;

@@ -27,7 +27,7 @@ Surfaces surfaces_from(const std::string &name);
 struct TissueBlock
 {
   std::unique_ptr<SphPatch> cells;
-  BodyForce *body_force = nullptr;
+  BodyForce<2> *body_force = nullptr;
   std::vector<std::uint32_t> probe; ///< wall nodes at the middle of the right side
   double width = 0.;                ///< m
   double density = 0.;              ///< kg/m^3 of the reference, fluid + walls

@@ -29,6 +29,7 @@ void KickDriftKick<dim>::step(const double dt, const double damping)
       }
     system.drift_of_group(group, dt);
   });
+  system.advance(dt);
   system.box.H += dt * system.box.H_dot;
   const double keep = std::exp(-damping * dt);
   system.for_groups([&](std::size_t group) {
@@ -50,4 +51,5 @@ void KickDriftKick<dim>::step(const double dt, const double damping)
 }
 
 template class KickDriftKick<2>;
+template class KickDriftKick<3>;
 } // namespace turgor

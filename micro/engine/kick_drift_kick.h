@@ -28,4 +28,5 @@ private:
 };
 
 extern template class KickDriftKick<2>;
+extern template class KickDriftKick<3>;
 } // namespace turgor

@@ -27,6 +27,13 @@ void ParticleSystem<dim>::for_groups(const std::function<void(std::size_t)> &bod
 }
 
 template <int dim>
+void ParticleSystem<dim>::advance(const double dt)
+{
+  for (const auto &term : terms)
+    term->advance(dt);
+}
+
+template <int dim>
 void ParticleSystem<dim>::drift_of_group(const std::size_t group, const double dt)
 {
   for (const auto &term : terms)

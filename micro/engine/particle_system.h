@@ -34,6 +34,9 @@ public:
   /// Calls body(group) for all groups, over threads.
   void for_groups(const std::function<void(std::size_t)> &body) const;
 
+  /// Tells all terms that their own bodies move by dt (s).
+  void advance(double dt);
+
   /// Tells all terms that the group's positions have moved by dt times its velocities.
   void drift_of_group(std::size_t group, double dt);
 

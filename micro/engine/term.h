@@ -51,6 +51,9 @@ public:
   /// rate (a density by continuity) are brought along, before the forces.
   virtual void drift(Particles<dim> &, std::size_t /*group*/, double /*dt*/) {}
 
+  /// Bodies of the term's own (a plate) move by dt (s) in the forces of the last step; once a step, before any group.
+  virtual void advance(double /*dt*/) {}
+
   /// f += forces on the particles of the group.
   virtual void add_forces(Particles<dim> &particles, const Box<dim> &box, std::size_t group) = 0;
 
@@ -58,8 +61,8 @@ public:
   /// Valid after add_forces at the same positions.
   virtual double energy(const Particles<dim> &particles, const Box<dim> &box, std::size_t group) const = 0;
 
-  /// N m; what periodic images add to the virial -sum_k f_k (x) x_k of the group's own forces
-  ///. Zero for laws within a group.
+  /// N m; what periodic images add to the virial -sum_k f_k (x) x_k of the group's own
+  /// forces. Zero for laws within a group.
   virtual Tensor2<dim> image_virial(const Particles<dim> &, const Box<dim> &, std::size_t) const
   {
     return Tensor2<dim>::Zero();

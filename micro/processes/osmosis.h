@@ -21,7 +21,8 @@ public:
   {}
 
   /// Transport over dt (s) into every cell.
-  void apply(ParticleSystem<2> &system, CellFluid &fluid, const double dt) const
+  template <int dim>
+  void apply(ParticleSystem<dim> &system, CellFluid<dim> &fluid, const double dt) const
   {
     for (std::size_t group = 0; group < system.particles.groups.size(); ++group)
       {

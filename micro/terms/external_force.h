@@ -9,27 +9,28 @@
 
 namespace turgor
 {
-class BodyForce final : public Term<2>
+template <int dim>
+class BodyForce final : public Term<dim>
 {
 public:
-  explicit BodyForce(const Vector<2> &acceleration_)
+  explicit BodyForce(const Vector<dim> &acceleration_)
     : acceleration(acceleration_)
   {}
   std::string name() const override { return "body_force"; }
-  void declare(Particles<2> &) override {}
-  void set(const Vector<2> &value) { acceleration = value; }
+  void declare(Particles<dim> &) override {}
+  void set(const Vector<dim> &value) { acceleration = value; }
 
-  void add_forces(Particles<2> &particles, const Box<2> &, const std::size_t group) override
+  void add_forces(Particles<dim> &particles, const Box<dim> &, const std::size_t group) override
   {
     const Group &g = particles.groups[group];
     for (std::uint32_t i = g.begin; i < g.end; ++i)
       if (particles.inverse_mass[i] > 0.)
-        for (int d = 0; d < 2; ++d)
+        for (int d = 0; d < dim; ++d)
           particles.f[d][i] += acceleration[d] / particles.inverse_mass[i];
   }
 
   /// J, zero at the coordinates' origin.
-  double energy(const Particles<2> &particles, const Box<2> &, const std::size_t group) const override
+  double energy(const Particles<dim> &particles, const Box<dim> &, const std::size_t group) const override
   {
     const Group &g = particles.groups[group];
     double total = 0.;
@@ -40,16 +41,17 @@ public:
   }
 
 private:
-  Vector<2> acceleration;
+  Vector<dim> acceleration;
 };
 
-class DeadForce final : public Term<2>
+template <int dim>
+class DeadForce final : public Term<dim>
 {
 public:
   struct Entry
   {
     std::uint32_t particle;
-    Vector<2> force; ///< N
+    Vector<dim> force; ///< N
   };
 
   explicit DeadForce(std::vector<Entry> entries_)
@@ -57,7 +59,7 @@ public:
   {}
   std::string name() const override { return "dead_force"; }
 
-  void declare(Particles<2> &particles) override
+  void declare(Particles<dim> &particles) override
   {
     of_group.assign(particles.groups.size(), {});
     for (const Entry &entry : entries)
@@ -67,14 +69,14 @@ public:
     entries.clear();
   }
 
-  void add_forces(Particles<2> &particles, const Box<2> &, const std::size_t group) override
+  void add_forces(Particles<dim> &particles, const Box<dim> &, const std::size_t group) override
   {
     for (const Entry &entry : of_group[group])
-      for (int d = 0; d < 2; ++d)
+      for (int d = 0; d < dim; ++d)
         particles.f[d][entry.particle] += entry.force[d];
   }
 
-  double energy(const Particles<2> &particles, const Box<2> &, const std::size_t group) const override
+  double energy(const Particles<dim> &particles, const Box<dim> &, const std::size_t group) const override
   {
     double total = 0.;
     for (const Entry &entry : of_group[group])

@@ -13,13 +13,14 @@ namespace
 constexpr std::uint32_t parts = 8;
 } // namespace
 
-bool ListOrigin::stale(const Particles<2> &particles, const Group &g, const double skin) const
+template <int dim>
+bool ListOrigin<dim>::stale(const Particles<dim> &particles, const Group &g, const double skin) const
 {
   const std::uint32_t n = g.end - g.begin;
   if (positions[0].size() != n)
     return true;
-  double mean[2];
-  for (int d = 0; d < 2; ++d)
+  double mean[dim];
+  for (int d = 0; d < dim; ++d)
     {
       const double *x = particles.x[d].data() + g.begin, *old = positions[d].data();
       double sums[parts] = {};
@@ -32,38 +33,41 @@ bool ListOrigin::stale(const Particles<2> &particles, const Group &g, const doub
         total += s;
       mean[d] = nw > 0 ? total / nw : 0.;
     }
-  const double *x = particles.x[0].data() + g.begin, *y = particles.x[1].data() + g.begin;
-  const double *ox = positions[0].data(), *oy = positions[1].data();
   double most[parts] = {};
+  const auto compare = [&](const std::uint32_t i, const std::uint32_t l) {
+    double d2 = 0.;
+    for (int d = 0; d < dim; ++d)
+      {
+        const double moved = particles.x[d][g.begin + i] - positions[d][i] - mean[d];
+        d2 += moved * moved;
+      }
+    most[l] = d2 > most[l] ? d2 : most[l];
+  };
   std::uint32_t i = 0;
   for (; i + parts <= n; i += parts)
     for (std::uint32_t l = 0; l < parts; ++l)
-      {
-        const double dx = x[i + l] - ox[i + l] - mean[0], dy = y[i + l] - oy[i + l] - mean[1];
-        const double d2 = dx * dx + dy * dy;
-        most[l] = d2 > most[l] ? d2 : most[l];
-      }
+      compare(i + l, l);
   for (; i < n; ++i)
-    {
-      const double dx = x[i] - ox[i] - mean[0], dy = y[i] - oy[i] - mean[1];
-      most[0] = std::max(most[0], dx * dx + dy * dy);
-    }
+    compare(i, 0);
   return !(*std::max_element(most, most + parts) < 0.25 * skin * skin);
 }
 
-void ListOrigin::take(const Particles<2>::Components &x, const Group &g)
+template <int dim>
+void ListOrigin<dim>::take(const typename Particles<dim>::Components &x, const Group &g)
 {
-  for (int d = 0; d < 2; ++d)
+  for (int d = 0; d < dim; ++d)
     positions[d].assign(x[d].begin() + g.begin, x[d].begin() + g.end);
 }
 
-void ListOrigin::forget()
+template <int dim>
+void ListOrigin<dim>::forget()
 {
   for (auto &p : positions)
     p.clear();
 }
 
-bool ListOrigin::finite() const
+template <int dim>
+bool ListOrigin<dim>::finite() const
 {
   double check = 0.;
   for (const auto &p : positions)
@@ -72,15 +76,20 @@ bool ListOrigin::finite() const
   return std::isfinite(check);
 }
 
-void ListOrigin::save(std::ostream &out) const
+template <int dim>
+void ListOrigin<dim>::save(std::ostream &out) const
 {
   for (const auto &p : positions)
     write_binary(out, p);
 }
 
-void ListOrigin::load(std::istream &in)
+template <int dim>
+void ListOrigin<dim>::load(std::istream &in)
 {
   for (auto &p : positions)
     read_binary(in, p);
 }
+
+template class ListOrigin<2>;
+template class ListOrigin<3>;
 } // namespace turgor

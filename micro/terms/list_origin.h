@@ -10,14 +10,15 @@
 
 namespace turgor
 {
+template <int dim>
 class ListOrigin
 {
 public:
   /// Has a particle of the group moved more than half a skin (m) relative to the wall's mean translation, or is
   /// nothing known yet?
-  bool stale(const Particles<2> &particles, const Group &group, double skin) const;
+  bool stale(const Particles<dim> &particles, const Group &group, double skin) const;
   /// The lists are to be built from these positions (m).
-  void take(const Particles<2>::Components &x, const Group &group);
+  void take(const typename Particles<dim>::Components &x, const Group &group);
   void forget();
 
   bool known() const { return !positions[0].empty(); }
@@ -26,11 +27,14 @@ public:
   /// m; the group's particles, wall ring first.
   const double *operator[](const int d) const { return positions[d].data(); }
 
-  std::size_t memory_bytes() const { return 8 * (positions[0].capacity() + positions[1].capacity()); }
+  std::size_t memory_bytes() const { return 8 * dim * positions[0].capacity(); }
   void save(std::ostream &out) const;
   void load(std::istream &in);
 
 private:
-  std::vector<double> positions[2];
+  std::vector<double> positions[dim];
 };
+
+extern template class ListOrigin<2>;
+extern template class ListOrigin<3>;
 } // namespace turgor

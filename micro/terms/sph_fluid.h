@@ -21,7 +21,7 @@ struct SphFluidParameters
   double ordering = 0.;     ///< Pa, p_0; with exact_volume
 };
 
-class SphFluid final : public CellFluid
+class SphFluid final : public CellFluid<2>
 {
 public:
   /// mass: kg of one fluid particle, per group.
@@ -52,7 +52,7 @@ private:
   struct Cell
   {
     SphLists lists;
-    ListOrigin built_at;
+    ListOrigin<2> built_at;
     double ordering_energy = 0.;     ///< J
     std::uint32_t crossed = 0;
     std::size_t builds = 0;

@@ -5,7 +5,7 @@
 
 namespace turgor
 {
-void SphLists::build(const ListOrigin &origin, const std::uint32_t nw, const double reach)
+void SphLists::build(const ListOrigin<2> &origin, const std::uint32_t nw, const double reach)
 {
   const std::uint32_t n = std::uint32_t(origin.size()) - nw;
   const double *wx = origin[0], *wy = origin[1], *x = wx + nw, *y = wy + nw;

@@ -19,7 +19,7 @@ struct SphLists
 
   /// From the positions of a cell whose ring has wall_count nodes; reach in m (support + skin). Positions that
   /// are not finite have no neighbours.
-  void build(const ListOrigin &origin, std::uint32_t wall_count, double reach);
+  void build(const ListOrigin<2> &origin, std::uint32_t wall_count, double reach);
   std::size_t memory_bytes() const
   {
     return neighbours.capacity() * 2 + (first_neighbour.capacity() + first_arc.capacity()) * 4

@@ -19,8 +19,8 @@
 #pragma once
 
 #include "micro/terms/cell_fluid.h"
-#include "micro/terms/list_origin.h"
 #include "micro/terms/lennard_jones_wall.h"
+#include "micro/terms/list_origin.h"
 #include "micro/terms/sph_kernel.h"
 
 namespace turgor
@@ -42,7 +42,7 @@ struct ThesisFluidParameters
   double holding_force = 0.;   ///< N, of the wall on one fluid particle at turgor; for the time step
 };
 
-class ThesisFluid final : public CellFluid
+class ThesisFluid final : public CellFluid<2>
 {
 public:
   /// mass: kg of one fluid particle, per group.
@@ -78,7 +78,7 @@ private:
   struct Cell
   {
     std::vector<std::uint32_t> fluid, wall, first_fluid, first_wall;
-    ListOrigin built_at;
+    ListOrigin<2> built_at;
     std::size_t crossed = 0, builds = 0;
   };
 
