@@ -108,7 +108,7 @@ std::unique_ptr<CellFluid<2>> make_cell_fluid(const ParenchymaParameters &p, con
   fluid.viscosity = p.fluid_viscosity;
   fluid.exact_volume = sph.volume == "exact";
   fluid.ordering = sph.ordering * p.fluid_modulus;
-  return std::make_unique<SphFluid>(fluid, eos, mass);
+  return std::make_unique<SphFluid<2>>(fluid, eos, mass);
 }
 
 std::unique_ptr<SphPatch> make_sph_patch(const ParenchymaPatch &patch, const SphParameters &sph,
