@@ -60,6 +60,10 @@ struct SphPatch
 std::unique_ptr<SphPatch> make_sph_patch(const ParenchymaPatch &patch, const SphParameters &sph,
                                          const ReferenceCell &reference);
 
+/// The fluid that the entries ask for; wall_spacing: m, mass: kg of one fluid particle, per cell.
+std::unique_ptr<CellFluid<2>> make_cell_fluid(const ParenchymaParameters &cell, const SphParameters &sph, double wall_spacing,
+                                              const std::vector<double> &mass);
+
 /// Positions, particle mass and pressure of one cell before annealing: a jittered lattice.
 ReferenceCell unannealed_cell(const ParenchymaPatch &patch, const SphParameters &sph);
 } // namespace turgor
