@@ -112,7 +112,7 @@ void NetWall::add_forces(Particles<3> &particles, const Box<3> &, const std::siz
       const Vector<3> e = b - a;
       const double length = e.norm();
       const Vector<3> pull = parameters.stiffness * shape.width[k] * spring_force(length / shape.rest_length[k]) / length * e;
-      if (bending > 0.)
+      if (hinged(group, k))
         {
           const Vector<3> c = at(edge.c), d = at(edge.d);
           const Hinge hinge(a, b, c, d);
@@ -145,7 +145,7 @@ double NetWall::energy(const Particles<3> &particles, const Box<3> &, const std:
       const double lambda = (b - a).norm() / shape.rest_length[k], l2 = lambda * lambda;
       total += parameters.stiffness * shape.width[k] * shape.rest_length[k] * (l2 - 1.) * (l2 - 1.) * (2. * l2 + 1.)
                / (4. * l2 * l2);
-      if (bending > 0.)
+      if (hinged(group, k))
         {
           const double bent = Hinge(a, b, particles.position(begin + edge.c), particles.position(begin + edge.d)).angle
                               - shape.rest_angle[k];

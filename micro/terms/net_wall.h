@@ -10,7 +10,7 @@
 //   mass       density t0 times a third of the triangles around a node
 //
 // The net is stress-free in the shape it is made from, hinges included. Isotropic net: E = 3 G equibiaxial, 4 G uniaxial.
-// With WallDamage, a broken bond carries nothing, and its hinge is gone.
+// With WallDamage, a broken bond carries nothing, and hinges that lack a bond or a face are gone.
 // Lengths in m, G t0 in N/m, k_b in N m; forces depend on differences of positions only, so momentum and angular momentum hold.
 #pragma once
 
@@ -64,6 +64,11 @@ private:
   bool broken(const std::size_t group, const std::size_t edge) const
   {
     return damage && damage->cells[group].bond_broken[edge];
+  }
+  bool hinged(const std::size_t group, const std::size_t edge) const
+  {
+    return bending > 0. && !(damage && (damage->cells[group].face_gone[mesh->edges[edge].left]
+                                        || damage->cells[group].face_gone[mesh->edges[edge].right]));
   }
 
   std::shared_ptr<const TriangleMesh> mesh;
