@@ -21,7 +21,8 @@ std::string SphereContacts::name(const ContactLaw &law)
 }
 
 template <class Law>
-void SphereContacts::compute_pairs(const Law &one, const Particles<3> &particles, const unsigned int threads)
+void SphereContacts::compute_pairs(const Law &one, const Particles<3> &particles, const unsigned int threads,
+                                   const bool trial)
 {
   const double *x = particles.x[0].data(), *y = particles.x[1].data(), *z = particles.x[2].data();
   const double *radius = particles.field("radius").data(), *modulus = particles.field("modulus").data();
@@ -37,13 +38,16 @@ void SphereContacts::compute_pairs(const Law &one, const Particles<3> &particles
         if (!Law::has_history && !(r2 < reach * reach))
           {
             c = PairContact();
-            touching[p] = 0;
+            if (!trial)
+              touching[p] = 0;
             continue;
           }
         const double d = std::sqrt(r2), delta = reach - d;
         const double R = in_series(radius[i], radius[j]), E = in_series(modulus[i], modulus[j]);
-        touching[p] = one.touching(R, E, delta, touching[p]);
-        if (!touching[p])
+        const bool now = one.touching(R, E, delta, touching[p]);
+        if (!trial)
+          touching[p] = now;
+        if (!now)
           {
             c = PairContact();
             continue;
@@ -64,13 +68,13 @@ void SphereContacts::compute_pairs(const Law &one, const Particles<3> &particles
                              + " coincide, so the direction of their contact is not defined: take smaller steps.");
 }
 
-void SphereContacts::add_forces(Particles<3> &particles, const unsigned int threads)
+void SphereContacts::add_forces(Particles<3> &particles, const unsigned int threads, const bool trial)
 {
   const std::vector<double> &radius = particles.field("radius");
   if (pairs.stale(particles, radius))
     pairs.build(particles, radius, touching);
   contact.resize(pairs.pairs().size());
-  std::visit([&](const auto &one) { compute_pairs(one, particles, threads); }, law);
+  std::visit([&](const auto &one) { compute_pairs(one, particles, threads, trial); }, law);
   const auto &first = pairs.first(), &own = pairs.own();
   const std::vector<Pair> &list = pairs.pairs();
   for_chunks(threads, Chunks(radius.size()), [&](std::size_t begin, std::size_t end) {

@@ -38,8 +38,8 @@ public:
   static std::string name(const ContactLaw &law);
 
   /// Pairs (lists brought up to date), then f += forces of all contacts. Throws std::runtime_error naming two cells whose
-  /// centres coincide.
-  void add_forces(Particles<3> &particles, unsigned int threads);
+  /// centres coincide. trial: positions that may be taken back; which pairs touch is not remembered.
+  void add_forces(Particles<3> &particles, unsigned int threads, bool trial = false);
 
   double energy() const; ///< J
   /// Pa, mean pressure of one cell, V: m^3.
@@ -54,7 +54,7 @@ public:
 
 private:
   template <class Law>
-  void compute_pairs(const Law &law, const Particles<3> &particles, unsigned int threads);
+  void compute_pairs(const Law &law, const Particles<3> &particles, unsigned int threads, bool trial);
 
   ContactLaw law;
   PairList<3> pairs;
