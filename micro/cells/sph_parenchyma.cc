@@ -111,7 +111,7 @@ std::unique_ptr<CellFluid<2>> make_fluid(const ParenchymaPatch &patch, const Sph
   fluid.viscosity = p.fluid_viscosity;
   fluid.exact_volume = sph.volume == "exact";
   fluid.ordering = sph.ordering * p.fluid_modulus;
-  return std::make_unique<SphFluid>(fluid, eos, mass);
+  return std::make_unique<SphFluid<2>>(fluid, eos, mass);
 }
 } // namespace
 
