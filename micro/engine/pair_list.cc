@@ -55,8 +55,14 @@ void PairList<dim>::build(const Particles<dim> &particles, const std::vector<dou
   std::vector<std::uint32_t> count(n + 1, 0);
 
   const double widest = n > 0 ? *std::max_element(radius.begin(), radius.end()) : 0.;
-  Bins<dim> bins;
-  bins.build(x, n, 2. * widest + skin);
+  double low[dim], high[dim];
+  for (int d = 0; d < dim; ++d)
+    {
+      const auto [least, most] = std::minmax_element(x[d], x[d] + n);
+      low[d] = n > 0 ? *least : 0.;
+      high[d] = n > 0 ? *most : 0.;
+    }
+  const Bins<dim> bins(x.data(), n, 0.5 * (2. * widest + skin), low, high, 256.);
   std::vector<std::uint32_t> near;
   for (std::uint32_t i = 0; i < n; ++i)
     {
@@ -64,7 +70,7 @@ void PairList<dim>::build(const Particles<dim> &particles, const std::vector<dou
       for (int d = 0; d < dim; ++d)
         at[d] = x[d][i];
       near.clear();
-      bins.for_near(at, [&](const std::uint32_t j) {
+      bins.near(at.data(), [&](const std::uint32_t j) {
         if (j <= i)
           return;
         double r2 = 0.;
