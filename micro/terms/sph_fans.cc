@@ -1,5 +1,5 @@
 // The triangles within reach of each fluid particle, with the quadrature that each needs.
-#include "micro/terms/bins.h"
+#include "micro/engine/bins.h"
 #include "micro/terms/sph_lists.h"
 
 #include <Eigen/Geometry>
