@@ -201,15 +201,15 @@ std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, co
     }
 
   tissue->wall = &system.add(std::make_unique<RingWall>(law, shapes, single.bending_stiffness, tissue->spacing, single.node_mass));
-  tissue->fluid = &system.add(make_cell_fluid(p, sph, tissue->spacing, mass));
-  if (!ties.empty())
-    tissue->ties = &system.add(std::make_unique<LamellaTies>(std::move(ties), p.lamella_ratio * tissue->spring_stiffness, single.node_mass,
-                                                             brick.lamella_strength * tissue->spacing * p.depth));
   if (brick.critical_stretch > 0.)
     {
       tissue->damage = std::make_shared<WallDamage>(cells, ring_nodes, ring_nodes);
       tissue->wall->set_damage(tissue->damage);
     }
+  tissue->fluid = &system.add(make_cell_fluid(p, sph, tissue->spacing, mass, tissue->damage));
+  if (!ties.empty())
+    tissue->ties = &system.add(std::make_unique<LamellaTies>(std::move(ties), p.lamella_ratio * tissue->spring_stiffness, single.node_mass,
+                                                             brick.lamella_strength * tissue->spacing * p.depth));
   if (brick.yielding == "plastic")
     {
       tissue->flow = std::make_shared<WallFlow>(cells, ring_nodes);

@@ -83,7 +83,8 @@ ReferenceCell unannealed_cell(const ParenchymaPatch &patch, const SphParameters 
 }
 
 std::unique_ptr<CellFluid<2>> make_cell_fluid(const ParenchymaParameters &p, const SphParameters &sph,
-                                              const double wall_spacing, const std::vector<double> &mass)
+                                              const double wall_spacing, const std::vector<double> &mass,
+                                              std::shared_ptr<const WallDamage> damage)
 {
   const EquationOfState eos(p.fluid_density, p.fluid_modulus, p.cavitation_pressure);
   const double dx = p.period / sph.particles_per_side;
@@ -108,7 +109,7 @@ std::unique_ptr<CellFluid<2>> make_cell_fluid(const ParenchymaParameters &p, con
   fluid.viscosity = p.fluid_viscosity;
   fluid.exact_volume = sph.volume == "exact";
   fluid.ordering = sph.ordering * p.fluid_modulus;
-  return std::make_unique<SphFluid<2>>(fluid, eos, mass);
+  return std::make_unique<SphFluid<2>>(fluid, eos, mass, std::move(damage));
 }
 
 std::unique_ptr<SphPatch> make_sph_patch(const ParenchymaPatch &patch, const SphParameters &sph,
