@@ -199,8 +199,8 @@ std::vector<BalloonModel::Point> BalloonModel::compress(const double largest, co
   const double scale_p = std::max(std::abs(p0), 1e-3 * wall_stiffness / rest_radius);
   // Under the plates the wall is flat and may be compressed: a penalty softer than tension over length squared would let it
   // buckle into the plate element by element. This one bears strains of -0.5.
-  const double length = rest_radius * 0.5 * pi / elements;
-  const Quadrant quadrant{*this, elements, 4. * 6. * 0.5 * wall_stiffness / (length * length)};
+  const double element = rest_radius * 0.5 * pi / elements;
+  const Quadrant quadrant{*this, elements, 4. * 6. * 0.5 * wall_stiffness / (element * element)};
   Eigen::VectorXd u(2 * elements + 2);
   for (unsigned int i = 0; i <= elements; ++i)
     {
