@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
+
+#include <Eigen/Sparse>
+#include <Eigen/SparseLU>
 
 namespace turgor
 {
@@ -13,63 +17,122 @@ namespace
 {
 constexpr double pi = std::numbers::pi;
 
-struct State
+/// The unknowns: rho and z of node i at 2 i and 2 i + 1, node 0 the pole.
+struct Quadrant
 {
-  double stretch_1 = 1., rho = 0., phi = 0., height = 0., volume = 0.; // height and volume from the pole
-};
+  const BalloonModel &model;
+  unsigned int n;
+  double plate_stiffness; ///< Pa/m
 
-State operator+(const State &a, const State &b)
-{
-  return {a.stretch_1 + b.stretch_1, a.rho + b.rho, a.phi + b.phi, a.height + b.height, a.volume + b.volume};
-}
-State operator*(const double s, const State &a)
-{
-  return {s * a.stretch_1, s * a.rho, s * a.phi, s * a.height, s * a.volume};
-}
+  double angle(const double i) const { return 0.5 * pi * i / n; }
+  bool fixed(const unsigned int k) const { return k == 0 || k == 2 * n + 1; } // the pole's rho, the equator's z
 
-struct Shot
-{
-  State equator;
-  double contact_radius;
-};
-
-/// One integration from the pole to the equator.
-Shot shoot(const BalloonModel &model, const double contact, const double pole_stretch, const double p)
-{
-  const double r0 = model.rest_radius;
-  const auto slope = [&](const double psi, const State &s, const bool free) {
-    const double sine = std::sin(psi), stretch_2 = s.rho / (r0 * sine);
-    const BalloonModel::Tension T = model.tension(s.stretch_1, stretch_2);
-    State d;
-    d.rho = r0 * s.stretch_1 * std::cos(s.phi);
-    const double by_2 = (d.rho - r0 * stretch_2 * std::cos(psi)) / (r0 * sine);
-    d.stretch_1 = ((T.t2 - T.t1) * d.rho / s.rho - T.t1_by_2 * by_2) / T.t1_by_1;
-    d.phi = free ? r0 * s.stretch_1 * (p - T.t2 * std::sin(s.phi) / s.rho) / T.t1 : 0.;
-    d.height = r0 * s.stretch_1 * std::sin(s.phi);
-    d.volume = pi * s.rho * s.rho * d.height;
-    return d;
+  struct Sums
+  {
+    Eigen::VectorXd slope, volume_slope;
+    std::vector<Eigen::Triplet<double>> stiffness;
+    double volume = 0., wall_energy = 0., plate_force = 0., contact_radius = 0.;
   };
-  const auto integrate = [&](State s, const double from, const double to, const bool free) {
-    const double h = (to - from) / model.steps;
-    for (unsigned int k = 0; k < model.steps; ++k)
+
+  /// Of a quadrant turned around the axis (half a cell), plates at z = H.
+  Sums assemble(const Eigen::VectorXd &u, const double H) const
+  {
+    Sums s;
+    s.slope = s.volume_slope = Eigen::VectorXd::Zero(2 * n + 2);
+    const double r0 = model.rest_radius, ds0 = r0 * 0.5 * pi / n;
+    for (unsigned int i = 0; i < n; ++i)
+      s.volume += pi / 3. * (u[2 * i] * u[2 * i] + u[2 * i] * u[2 * i + 2] + u[2 * i + 2] * u[2 * i + 2])
+                  * (u[2 * i + 1] - u[2 * i + 3]);
+    const double p = model.pressure_of_volume(2. * s.volume);
+    for (unsigned int i = 0; i < n; ++i)
       {
-        const double psi = from + k * h;
-        const State k1 = slope(psi, s, free), k2 = slope(psi + 0.5 * h, s + 0.5 * h * k1, free),
-                    k3 = slope(psi + 0.5 * h, s + 0.5 * h * k2, free), k4 = slope(psi + h, s + h * k3, free);
-        s = s + h / 6. * (k1 + 2. * k2 + 2. * k3 + k4);
+        const double r = r0 * std::sin(angle(i + 0.5)), area = 2. * pi * r * ds0;
+        const double a = u[2 * i], za = u[2 * i + 1], b = u[2 * i + 2], zb = u[2 * i + 3];
+        const double dr = b - a, dz = zb - za, l = std::hypot(dr, dz);
+        const double one = l / ds0, two = 0.5 * (a + b) / r;
+        const BalloonModel::Tension T = model.tension(one, two), S = model.tension(two, one);
+        s.wall_energy += area * T.w;
+        const double w1 = area * two * T.t1, w2 = area * one * T.t2;
+        const double w11 = area * two * T.t1_by_1, w12 = area * (T.t1 + two * T.t1_by_2), w22 = area * one * S.t1_by_1;
+        Eigen::Vector4d g1, g2, gv;
+        g1 << -dr, -dz, dr, dz;
+        g1 /= l * ds0;
+        g2 << 0.5 / r, 0., 0.5 / r, 0.;
+        Eigen::Matrix4d h1 = Eigen::Matrix4d::Zero();
+        h1(0, 0) = h1(1, 1) = h1(2, 2) = h1(3, 3) = 1. / (l * ds0);
+        h1(0, 2) = h1(2, 0) = h1(1, 3) = h1(3, 1) = -1. / (l * ds0);
+        h1 -= g1 * g1.transpose() / one;
+        const double q = pi / 3. * (a * a + a * b + b * b), qa = pi / 3. * (2. * a + b), qb = pi / 3. * (a + 2. * b);
+        gv << -dz * qa, q, -dz * qb, -q;
+        Eigen::Matrix4d hv = Eigen::Matrix4d::Zero();
+        hv(0, 0) = hv(2, 2) = -dz * pi / 1.5;
+        hv(0, 2) = hv(2, 0) = -dz * pi / 3.;
+        hv(0, 1) = hv(1, 0) = qa;
+        hv(0, 3) = hv(3, 0) = -qa;
+        hv(2, 1) = hv(1, 2) = qb;
+        hv(2, 3) = hv(3, 2) = -qb;
+        const Eigen::Vector4d g = w1 * g1 + w2 * g2 - p * gv;
+        const Eigen::Matrix4d h = w11 * g1 * g1.transpose() + w12 * (g1 * g2.transpose() + g2 * g1.transpose())
+                                  + w22 * g2 * g2.transpose() + w1 * h1 - p * hv;
+        for (int k = 0; k < 4; ++k)
+          {
+            s.slope[2 * i + k] += g[k];
+            s.volume_slope[2 * i + k] += gv[k];
+            for (int m = 0; m < 4; ++m)
+              s.stiffness.emplace_back(2 * i + k, 2 * i + m, h(k, m));
+          }
+      }
+    for (unsigned int i = 0; i <= n; ++i)
+      {
+        const double depth = u[2 * i + 1] - H;
+        if (depth <= 0.)
+          continue;
+        const double area = i == 0 ? pi * ds0 * ds0 / 4. : 2. * pi * r0 * std::sin(angle(i)) * ds0;
+        s.slope[2 * i + 1] += plate_stiffness * area * depth;
+        s.plate_force += plate_stiffness * area * depth;
+        s.stiffness.emplace_back(2 * i + 1, 2 * i + 1, plate_stiffness * area);
+        s.contact_radius = u[2 * i];
       }
     return s;
-  };
-  // The equations are 0/0 at the pole itself; a thousandth of the contact away, stretches differ from the pole's by 1e-6
-  // of what they change over the contact.
-  const double start = 1e-3 * contact;
-  State s;
-  s.stretch_1 = pole_stretch;
-  s.rho = r0 * pole_stretch * std::sin(start);
-  s = integrate(s, start, contact, false);
-  const double contact_radius = s.rho;
-  return {integrate(s, contact, 0.5 * pi, true), contact_radius};
-}
+  }
+
+  /// Newton's method; false if it does not converge.
+  bool solve(Eigen::VectorXd &u, const double H, const double force_scale) const
+  {
+    for (int iteration = 0; iteration < 60; ++iteration)
+      {
+        Sums s = assemble(u, H);
+        double worst = 0.;
+        std::vector<Eigen::Triplet<double>> entries;
+        for (const auto &t : s.stiffness)
+          if (!fixed(t.row()) && !fixed(t.col()))
+            entries.push_back(t);
+        for (const unsigned int k : {0u, 2 * n + 1})
+          {
+            entries.emplace_back(k, k, 1.);
+            s.slope[k] = s.volume_slope[k] = 0.;
+          }
+        worst = s.slope.lpNorm<Eigen::Infinity>();
+        if (!std::isfinite(worst))
+          return false;
+        if (worst < 1e-10 * force_scale)
+          return true;
+        Eigen::SparseMatrix<double> K(2 * n + 2, 2 * n + 2);
+        K.setFromTriplets(entries.begin(), entries.end());
+        Eigen::SparseLU<Eigen::SparseMatrix<double>> solver(K);
+        if (solver.info() != Eigen::Success)
+          return false;
+        // the liquid's own stiffness, -p' 2 dV dV^T, by Sherman and Morrison
+        const double V = 2. * s.volume, h = 1e-6 * V;
+        const double c = -2. * (model.pressure_of_volume(V + h) - model.pressure_of_volume(V - h)) / (2. * h);
+        const Eigen::VectorXd y = solver.solve(s.slope), z = solver.solve(s.volume_slope);
+        const Eigen::VectorXd step = y - c * s.volume_slope.dot(y) / (1. + c * s.volume_slope.dot(z)) * z;
+        const double longest = step.lpNorm<Eigen::Infinity>(), allowed = 0.02 * model.rest_radius;
+        u -= std::min(1., allowed / longest) * step;
+      }
+    return false;
+  }
+};
 } // namespace
 
 BalloonModel::Tension BalloonModel::tension(const double a, const double b) const
@@ -82,6 +145,7 @@ BalloonModel::Tension BalloonModel::tension(const double a, const double b) cons
       T.t2 = wall_stiffness * (b / a - j3);
       T.t1_by_1 = wall_stiffness * (1. / b + 3. * j3 / a);
       T.t1_by_2 = wall_stiffness * (-a / (b * b) + 3. * j3 / b);
+      T.w = 0.5 * wall_stiffness * (a * a + b * b + 1. / (a * a * b * b) - 3.);
       return T;
     }
   // l = f/l with f = l - l^-5 is 1 - l^-6; the mean over directions by the midpoint rule, which is exact to round-off for
@@ -92,10 +156,11 @@ BalloonModel::Tension BalloonModel::tension(const double a, const double b) cons
       c2[k] = std::pow(std::cos((double(k) + 0.5) * 0.5 * pi / double(c2.size())), 2);
     return c2;
   }();
-  double hc = 0., hs = 0., slope_cc = 0., slope_cs = 0.;
+  double hc = 0., hs = 0., slope_cc = 0., slope_cs = 0., w = 0.;
   for (const double c2 : squares)
     {
       const double s2 = 1. - c2, q = 1. / (a * a * c2 + b * b * s2), q3 = q * q * q;
+      w += 0.5 / q + 0.25 * q * q - 0.75;
       hc += (1. - q3) * c2;
       hs += (1. - q3) * s2;
       slope_cc += 6. * q3 * q * c2 * c2;
@@ -106,6 +171,7 @@ BalloonModel::Tension BalloonModel::tension(const double a, const double b) cons
   T.t2 = scale * b / a * hs;
   T.t1_by_1 = scale / b * (hc + a * a * slope_cc);
   T.t1_by_2 = -T.t1 / b + scale * a * slope_cs;
+  T.w = scale * w;
   return T;
 }
 
@@ -127,60 +193,68 @@ double BalloonModel::turgid_radius() const
   return 0.5 * (low + high);
 }
 
-std::vector<BalloonModel::Point> BalloonModel::compress(const double largest) const
+std::vector<BalloonModel::Point> BalloonModel::compress(const double largest, const double step) const
 {
-  const double R = turgid_radius();
-  double stretch = R / rest_radius, p = pressure_of_volume(4. / 3. * pi * R * R * R);
-  const double scale_p = std::max(std::abs(p), 1e-6 * wall_stiffness / rest_radius);
-  std::vector<Point> points;
-  points.push_back({0., 0., 0., p, 4. / 3. * pi * R * R * R, 0., stretch, stretch, stretch, 0.});
-  for (double contact = 0.02; points.back().deformation < largest; contact += 0.02)
+  const double R = turgid_radius(), p0 = pressure_of_volume(4. / 3. * pi * R * R * R);
+  const double scale_p = std::max(std::abs(p0), 1e-3 * wall_stiffness / rest_radius);
+  // Under the plates the wall is flat and may be compressed: a penalty softer than tension over length squared would let it
+  // buckle into the plate element by element. This one bears strains of -0.5.
+  const double element = rest_radius * 0.5 * pi / elements;
+  const Quadrant quadrant{*this, elements, 4. * 6. * 0.5 * wall_stiffness / (element * element)};
+  Eigen::VectorXd u(2 * elements + 2);
+  for (unsigned int i = 0; i <= elements; ++i)
     {
-      if (contact > 1.4)
-        throw std::runtime_error("the balloon model reached a contact of 80 degrees before the deformation asked for");
-      const auto residual = [&](const double s, const double pressure) {
-        const Shot shot = shoot(*this, contact, s, pressure);
-        return std::array<double, 2>{shot.equator.phi - 0.5 * pi,
-                                     (pressure - pressure_of_volume(2. * shot.equator.volume)) / scale_p};
-      };
-      bool done = false;
-      for (int it = 0; it < 50 && !done; ++it)
+      u[2 * i] = R * std::sin(quadrant.angle(i));
+      u[2 * i + 1] = R * std::cos(quadrant.angle(i));
+    }
+  const double force_scale = scale_p * R * R;
+  const auto state = [&](const double first_height, const double H) {
+    const Quadrant::Sums s = quadrant.assemble(u, H);
+    const double ds0 = rest_radius * 0.5 * pi / elements;
+    const auto length = [&](const unsigned int i) { return std::hypot(u[2 * i + 2] - u[2 * i], u[2 * i + 3] - u[2 * i + 1]); };
+    Point at;
+    at.deformation = first_height > 0. ? 1. - u[1] / first_height : 0.;
+    at.force = s.plate_force;
+    at.volume = 2. * s.volume;
+    at.pressure = pressure_of_volume(at.volume);
+    at.contact_radius = s.contact_radius;
+    at.energy = 2. * s.wall_energy;
+    at.pole_stretch = length(0) / ds0;
+    at.equator_hoop_stretch = u[2 * elements] / rest_radius;
+    at.equator_meridian_stretch = length(elements - 1) / ds0;
+    const double rho = u[2 * elements], T = tension(at.equator_meridian_stretch, at.equator_hoop_stretch).t1;
+    at.force_balance = (2. * pi * rho * T - at.pressure * pi * rho * rho + at.force) / (scale_p * pi * rho * rho);
+    return at;
+  };
+  if (!quadrant.solve(u, 2. * R, force_scale))
+    throw std::runtime_error("the balloon model found no equilibrium without plates");
+  const double height = u[1];
+  std::vector<Point> points = {state(height, 2. * R)};
+  for (double done = 0., part = step; points.back().deformation < largest;)
+    {
+      const Eigen::VectorXd before = u;
+      const double H = height * (1. - done - part);
+      bool good = quadrant.solve(u, H, force_scale);
+      if (good)
         {
-          const auto r = residual(stretch, p);
-          const double hs = 1e-7, hp = 1e-6 * scale_p;
-          const auto rs = residual(stretch + hs, p), rp = residual(stretch, p + hp);
-          const double a = (rs[0] - r[0]) / hs, b = (rp[0] - r[0]) / hp, c = (rs[1] - r[1]) / hs, d = (rp[1] - r[1]) / hp;
-          const double det = a * d - b * c;
-          double ds = -(d * r[0] - b * r[1]) / det, dp = -(a * r[1] - c * r[0]) / det;
-          // No step that changes the strain at the pole or p by more than a part of themselves.
-          const double shorten = std::max({1., std::abs(ds) / (0.2 * std::abs(stretch - 1.) + 1e-6),
-                                           std::abs(dp) / (0.5 * std::max(std::abs(p), scale_p))});
-          ds /= shorten;
-          dp /= shorten;
-          stretch += ds;
-          p += dp;
-          if (std::getenv("BALLOON")) std::fprintf(stderr, "%g it %d s %.8g p %.8g r %g %g\n", contact, it, stretch, p, r[0], r[1]);
-          if (!std::isfinite(stretch) || !std::isfinite(p))
-            break;
-          done = std::abs(r[0]) < 1e-8 && std::abs(r[1]) < 1e-7;
+          // The pole is compressed more and more; a pole that is suddenly longer has buckled into folds (another equilibrium).
+          const Point next = state(height, H);
+          good = next.pole_stretch <= points.back().pole_stretch;
+          if (good)
+            points.push_back(next);
         }
-      if (!done)
-        throw std::runtime_error("the balloon model found no equilibrium at a contact angle of " + std::to_string(contact));
-      const Shot shot = shoot(*this, contact, stretch, p);
-      const State &e = shot.equator;
-      Point at;
-      at.contact_angle = contact;
-      at.deformation = 1. - e.height / R;
-      at.contact_radius = shot.contact_radius;
-      at.force = p * pi * shot.contact_radius * shot.contact_radius;
-      at.pressure = p;
-      at.volume = 2. * e.volume;
-      at.pole_stretch = stretch;
-      at.equator_hoop_stretch = e.rho / rest_radius;
-      at.equator_meridian_stretch = e.stretch_1;
-      const double T = tension(e.stretch_1, e.rho / rest_radius).t1;
-      at.force_balance = (2. * pi * e.rho * T - p * pi * e.rho * e.rho + at.force) / (p * pi * e.rho * e.rho);
-      points.push_back(at);
+      if (good)
+        {
+          done += part;
+          part = std::min(step, 1.5 * part);
+        }
+      else
+        {
+          u = before;
+          part *= 0.5;
+          if (part < 1e-5)
+            break;
+        }
     }
   return points;
 }
@@ -194,6 +268,6 @@ double BalloonModel::force_at(const std::vector<Point> &points, const double def
           (deformation - points[k - 1].deformation) / (points[k].deformation - points[k - 1].deformation);
         return points[k - 1].force + std::max(0., part) * (points[k].force - points[k - 1].force);
       }
-  return points.back().force;
+  return std::numeric_limits<double>::quiet_NaN();
 }
 } // namespace turgor

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "micro/cells/triangle_mesh.h"
+#include "micro/engine/binary.h"
 #include "micro/engine/term.h"
 #include "micro/terms/equation_of_state.h"
 
@@ -85,6 +86,9 @@ public:
       }
     return bound;
   }
+
+  void save(std::ostream &out, const Particles<dim> &) const override { write_binary(out, mass); }
+  void load(std::istream &in, Particles<dim> &) override { read_binary(in, mass); }
 
 private:
   /// force += pressure dV/dx

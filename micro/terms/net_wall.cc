@@ -68,13 +68,11 @@ NetShape::NetShape(const TriangleMesh &mesh, const std::vector<Vector<3>> &posit
     }
 }
 
-NetWall::NetWall(std::shared_ptr<const TriangleMesh> mesh_, NetShape shape_, const NetWallParameters &parameters_,
-                 std::shared_ptr<const WallDamage> damage_)
+NetWall::NetWall(std::shared_ptr<const TriangleMesh> mesh_, NetShape shape_, const NetWallParameters &parameters_)
   : mesh(std::move(mesh_))
   , shape(std::move(shape_))
   , parameters(parameters_)
-  , bending(2. / std::sqrt(3.) * parameters.stiffness * parameters.thickness * parameters.thickness / 3.)
-  , damage(std::move(damage_))
+  , bending(parameters.bending ? 2. / std::sqrt(3.) * parameters.stiffness * parameters.thickness * parameters.thickness / 3. : 0.)
 {}
 
 double NetWall::stretch(const Particles<3> &p, const std::size_t group, const std::size_t edge) const
@@ -85,7 +83,22 @@ double NetWall::stretch(const Particles<3> &p, const std::size_t group, const st
 
 double NetWall::tension(const Particles<3> &p, const std::size_t group, const std::size_t edge) const
 {
-  return broken(group, edge) ? 0. : parameters.stiffness * shape.width[edge] * spring_force(stretch(p, group, edge));
+  return broken(group, edge) ? 0. : parameters.stiffness * shape.width[edge] * spring_force(stretch(p, group, edge) * shape.rest_length[edge] / rest(group, edge));
+}
+
+double NetWall::bearable_stretch(const double stretch) const
+{
+  // l - l^-5 = target: its slope is at least 1 and it is concave above 1, so Newton from the right converges
+  const double target = yield.share(stretch) * spring_force(stretch);
+  double l = stretch;
+  for (int k = 0; k < 60; ++k)
+    {
+      const double change = (spring_force(l) - target) / (1. + 5. * std::pow(l, -6.));
+      l -= change;
+      if (std::abs(change) <= 1e-15 * l)
+        break;
+    }
+  return l;
 }
 
 void NetWall::add_forces(Particles<3> &particles, const Box<3> &, const std::size_t group)
@@ -111,7 +124,7 @@ void NetWall::add_forces(Particles<3> &particles, const Box<3> &, const std::siz
       const Vector<3> a = at(edge.a), b = at(edge.b);
       const Vector<3> e = b - a;
       const double length = e.norm();
-      const Vector<3> pull = parameters.stiffness * shape.width[k] * spring_force(length / shape.rest_length[k]) / length * e;
+      const Vector<3> pull = parameters.stiffness * shape.width[k] * spring_force(length / rest(group, k)) / length * e;
       if (hinged(group, k))
         {
           const Vector<3> c = at(edge.c), d = at(edge.d);
@@ -142,8 +155,8 @@ double NetWall::energy(const Particles<3> &particles, const Box<3> &, const std:
         continue;
       const TriangleMesh::Edge &edge = mesh->edges[k];
       const Vector<3> a = particles.position(begin + edge.a), b = particles.position(begin + edge.b);
-      const double lambda = (b - a).norm() / shape.rest_length[k], l2 = lambda * lambda;
-      total += parameters.stiffness * shape.width[k] * shape.rest_length[k] * (l2 - 1.) * (l2 - 1.) * (2. * l2 + 1.)
+      const double lambda = (b - a).norm() / rest(group, k), l2 = lambda * lambda;
+      total += parameters.stiffness * shape.width[k] * rest(group, k) * (l2 - 1.) * (l2 - 1.) * (2. * l2 + 1.)
                / (4. * l2 * l2);
       if (hinged(group, k))
         {
@@ -175,7 +188,7 @@ Rates NetWall::rates(const Particles<3> &particles) const
       edges_of[edge.a].push_back(k);
       edges_of[edge.b].push_back(k);
       const Vector<3> e = particles.position(g.begin + edge.b) - particles.position(g.begin + edge.a);
-      const double length = e.norm(), lambda = length / shape.rest_length[k];
+      const double length = e.norm(), lambda = length / rest(0, k);
       const double slope = 1. + 5. * std::pow(std::min(lambda, 1.), -6.);
       direction.push_back(e / length);
       root.push_back(std::sqrt(parameters.stiffness * shape.width[k] / shape.rest_length[k] * slope));

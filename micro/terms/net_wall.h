@@ -10,13 +10,13 @@
 //   mass       density t0 times a third of the triangles around a node
 //
 // The net is stress-free in the shape it is made from, hinges included. Isotropic net: E = 3 G equibiaxial, 4 G uniaxial.
-// With WallDamage, a broken bond carries nothing, and hinges that lack a bond or a face are gone.
+// With WallFlow, a bond that has flown is one of lambda_p times the rest length. With WallDamage, a broken bond carries nothing, and hinges that lack a bond or a face are gone.
 // Lengths in m, G t0 in N/m, k_b in N m; forces depend on differences of positions only, so momentum and angular momentum hold.
 #pragma once
 
 #include "micro/cells/triangle_mesh.h"
-#include "micro/engine/term.h"
-#include "micro/terms/wall_damage.h"
+#include "micro/terms/bonded_wall.h"
+#include "micro/terms/wall_yield.h"
 
 #include <memory>
 #include <vector>
@@ -36,15 +36,15 @@ struct NetShape
 struct NetWallParameters
 {
   double stiffness = 0.; ///< N/m, G t0
-  double thickness = 0.; ///< m, t0; 0: no bending
-  double density = 0.;   ///< kg/m^3, with thickness
+  double thickness = 0.; ///< m, t0
+  double density = 0.;   ///< kg/m^3
+  bool bending = true;   ///< hinges
 };
 
-class NetWall final : public Term<3>
+class NetWall final : public BondedWall<3>
 {
 public:
-  NetWall(std::shared_ptr<const TriangleMesh> mesh, NetShape shape, const NetWallParameters &parameters,
-          std::shared_ptr<const WallDamage> damage = nullptr);
+  NetWall(std::shared_ptr<const TriangleMesh> mesh, NetShape shape, const NetWallParameters &parameters);
 
   std::string name() const override { return bending > 0. ? "net_wall+bending" : "net_wall"; }
   void declare(Particles<3> &) override {}
@@ -55,8 +55,16 @@ public:
   const TriangleMesh &topology() const { return *mesh; }
   double node_mass(const std::size_t node) const { return parameters.density * parameters.thickness * shape.area_share[node]; }
   double rest_length(const std::size_t edge) const { return shape.rest_length[edge]; }
-  /// Length over rest length of an edge.
-  double stretch(const Particles<3> &particles, std::size_t group, std::size_t edge) const;
+
+  std::size_t bond_count(const Particles<3> &, std::size_t) const override { return mesh->edges.size(); }
+  double stretch(const Particles<3> &particles, std::size_t group, std::size_t edge) const override;
+  std::array<std::uint32_t, 2> faces_at(const std::size_t edge) const override
+  {
+    return {mesh->edges[edge].left, mesh->edges[edge].right};
+  }
+  /// With the yield curve of set_yield: F_el(result) = g(stretch) F_el(stretch).
+  double bearable_stretch(double stretch) const override;
+  void set_yield(const WallYield &value) { yield = value; }
   /// N, positive in tension; 0 for a broken bond.
   double tension(const Particles<3> &particles, std::size_t group, std::size_t edge) const;
 
@@ -64,6 +72,11 @@ private:
   bool broken(const std::size_t group, const std::size_t edge) const
   {
     return damage && damage->cells[group].bond_broken[edge];
+  }
+  /// m, what has flown included.
+  double rest(const std::size_t group, const std::size_t edge) const
+  {
+    return shape.rest_length[edge] * (flow ? flow->permanent[group][edge] : 1.);
   }
   bool hinged(const std::size_t group, const std::size_t edge) const
   {
@@ -75,6 +88,6 @@ private:
   NetShape shape;
   NetWallParameters parameters;
   double bending; ///< N m, k_b
-  std::shared_ptr<const WallDamage> damage;
+  WallYield yield; ///< of plastic flow (process WallYielding); the force itself is the elastic one
 };
 } // namespace turgor

@@ -49,53 +49,38 @@ BOOST_AUTO_TEST_CASE(tensions_are_slopes_of_one_energy_and_agree_equibiaxially)
     }
 }
 
-BOOST_AUTO_TEST_CASE(force_is_work_over_distance_and_balances_the_equator)
+BOOST_AUTO_TEST_CASE(force_is_the_slope_of_the_energy_and_balances_the_equator)
 {
-  // The energy that plates put in is the wall's and the fluid's; its derivative is the force: checked by the virtual-work
-  // identity F dX = dE, with E integrated by an independent sum over the points found.
-  for (const auto membrane : {BalloonModel::Membrane::net, BalloonModel::Membrane::neo_hookean})
+  BalloonModel model = balloon(BalloonModel::Membrane::net, 200e3, 42e6);
+  model.elements = 200;
+  const double R = model.turgid_radius();
+  BOOST_TEST(model.pressure_of_volume(4. / 3. * std::numbers::pi * R * R * R) == 200e3, boost::test_tools::tolerance(1e-8));
+  const auto points = model.compress(0.06, 0.002);
+  const double height = 2. * R;
+  for (std::size_t k = 1; k < points.size(); ++k)
     {
-      const BalloonModel model = balloon(membrane, 200e3, 42e6);
-      const double R = model.turgid_radius();
-      BOOST_TEST(model.pressure_of_volume(4. / 3. * std::numbers::pi * R * R * R) == 200e3,
-                 boost::test_tools::tolerance(1e-8));
-      const auto points = model.compress(0.3);
-      double last = 0.;
-      for (const auto &point : points)
-        {
-          BOOST_TEST(std::abs(point.force_balance) < 1e-5); // Runge-Kutta, 400 steps
-          BOOST_TEST(point.force >= last);
-          last = point.force;
-        }
-      BOOST_TEST(points.back().pressure > 1.2 * 200e3);
-      BOOST_TEST(std::abs(points.back().volume / points.front().volume - 1.) < 0.05);
+      // what the equator carries, the plate carries: second order in the elements, (pi/400)^2 of 2 T rho = p rho^2
+      BOOST_TEST(std::abs(points[k].force_balance) < 1e-3);
+      // F dX = dE of the wall - p dV, by the trapezoidal rule
+      const double dX = height * (points[k].deformation - points[k - 1].deformation);
+      const double dE = points[k].energy - points[k - 1].energy
+                        - 0.5 * (points[k].pressure + points[k - 1].pressure) * (points[k].volume - points[k - 1].volume);
+      BOOST_TEST(0.5 * (points[k].force + points[k - 1].force) * dX == dE,
+                 boost::test_tools::tolerance(k < 3 ? 0.05 : 0.01));
     }
 }
 
-BOOST_AUTO_TEST_CASE(a_stiff_wall_less_balloon_is_a_drop)
+BOOST_AUTO_TEST_CASE(force_is_pressure_times_contact)
 {
-  // Tension that hardly changes (stretched far, where T -> G t0) is a drop of surface tension G t0: for small squeezing
-  // the force is p times the contact, and X - ... goes to zero with it.
-  const BalloonModel model = balloon(BalloonModel::Membrane::neo_hookean, 200e3, 42e6);
-  const auto points = model.compress(0.02);
-  BOOST_TEST(points[1].deformation > 0.);
-  BOOST_TEST(points[1].force == points[1].pressure * std::numbers::pi * std::pow(points[1].contact_radius, 2),
-             boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(points[1].deformation < 2e-3);
-}
-
-BOOST_AUTO_TEST_CASE(steps_converge_with_fourth_order)
-{
-  double force[3];
-  for (int k = 0; k < 3; ++k)
-    {
-      BalloonModel model = balloon(BalloonModel::Membrane::net, 200e3, 42e6);
-      model.steps = 25 << k;
-      force[k] = BalloonModel::force_at(model.compress(0.15), 0.15);
-    }
-  const double order = std::log2(std::abs((force[0] - force[1]) / (force[1] - force[2])));
-  BOOST_TEST_MESSAGE("forces " << force[0] << " " << force[1] << " " << force[2] << ", order " << order);
-  BOOST_TEST(std::abs(force[2] / force[1] - 1.) < 1e-4);
+  BalloonModel model = balloon(BalloonModel::Membrane::neo_hookean, 200e3, 42e6);
+  model.elements = 200;
+  const auto points = model.compress(0.05);
+  const double a = points.back().contact_radius, width = 0.5 * std::numbers::pi * model.rest_radius / model.elements;
+  // the contact ends somewhere in the element behind its last node
+  BOOST_TEST(points.back().force >= 0.9 * points.back().pressure * std::numbers::pi * a * a);
+  BOOST_TEST(points.back().force <= points.back().pressure * std::numbers::pi * (a + 2. * width) * (a + 2. * width));
+  BOOST_TEST(std::isnan(BalloonModel::force_at(points, 0.5)));
+  BOOST_TEST(BalloonModel::force_at(points, points[2].deformation) == points[2].force, boost::test_tools::tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
