@@ -23,6 +23,7 @@ public:
     , pace(pace_)
     , x0(system.particles.x)
     , v0(system.particles.v)
+    , kept(system.particles.f)
     , n(system.particles.size())
   {
     evaluate(f0);
@@ -46,6 +47,9 @@ public:
   {
     system.particles.x = x0;
     system.particles.v = v0;
+    // Whatever a term keeps of its last evaluation (a plate its force, the fluid its densities) is of this state again.
+    system.compute_forces();
+    system.particles.f = kept;
   }
 
   double lambda(const double dt)
@@ -70,17 +74,16 @@ public:
         side[k] = beta;
         before.swap(q);
         q.swap(w);
-        if (k >= 7 && k % 4 == 3)
+        const bool closed = !(beta > 1e-12 * std::abs(alpha)); // q spans all that K and D make of it
+        if ((k >= 7 && k % 4 == 3) || closed)
           {
             Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
             solver.computeFromTridiagonal(diagonal.head(k + 1), side.head(k), Eigen::EigenvaluesOnly);
             const double now = solver.eigenvalues()[k];
-            if (!std::isfinite(now) || std::abs(now - value) < 5e-3 * std::abs(now))
+            if (closed || !std::isfinite(now) || std::abs(now - value) < 5e-3 * std::abs(now))
               return now;
             value = now;
           }
-        if (!(beta > 0.))
-          return value;
       }
     return value;
   }
@@ -126,13 +129,19 @@ private:
 
   ParticleSystem<dim> &system;
   Pace pace;
-  const typename Particles<dim>::Components x0, v0;
+  const typename Particles<dim>::Components x0, v0, kept;
   typename Particles<dim>::Components f0, f;
   std::size_t n;
   double largest_move = 0.; ///< m
   std::vector<double> basis;
 };
 } // namespace
+
+template <int dim>
+double step_eigenvalue(ParticleSystem<dim> &system, const double dt, const Pace pace)
+{
+  return StepOperator<dim>(system, pace).lambda(dt);
+}
 
 template <int dim>
 MeasuredStep measure_stable_step(ParticleSystem<dim> &system, const double start, const Pace pace)
@@ -143,6 +152,8 @@ MeasuredStep measure_stable_step(ParticleSystem<dim> &system, const double start
   for (int k = 0; k < 6; ++k)
     {
       const double lambda = steps.lambda(dt);
+      if (!std::isfinite(lambda))
+        break; // the caller's own checks say what has happened
       if (!(lambda > 0.))
         {
           dt = std::numeric_limits<double>::infinity();
@@ -159,6 +170,8 @@ MeasuredStep measure_stable_step(ParticleSystem<dim> &system, const double start
   return found;
 }
 
+template double step_eigenvalue<2>(ParticleSystem<2> &, double, Pace);
+template double step_eigenvalue<3>(ParticleSystem<3> &, double, Pace);
 template MeasuredStep measure_stable_step<2>(ParticleSystem<2> &, double, Pace);
 template MeasuredStep measure_stable_step<3>(ParticleSystem<3> &, double, Pace);
 } // namespace turgor

@@ -7,7 +7,8 @@
 // nothing of the laws, so it holds for any terms in any deformed state, where bounds by hand (Term::rates) are for
 // the state they were derived in. What is not in touch now (a plate that is still away) is not seen.
 //
-// Particles are left as they were, bit for bit; forces of the present state have to be computed anew afterwards.
+// Positions, velocities and forces are left as they were, bit for bit (a neighbour list that was about to be built anew may be built one
+// step earlier). The same on any number of threads.
 #pragma once
 
 #include "micro/engine/particle_system.h"
@@ -24,6 +25,12 @@ struct MeasuredStep
 template <int dim>
 MeasuredStep measure_stable_step(ParticleSystem<dim> &system, double start, Pace pace = Pace::all);
 
+/// lambda(dt); dt is stable while it is below 4. Not finite where the forces are not.
+template <int dim>
+double step_eigenvalue(ParticleSystem<dim> &system, double dt, Pace pace = Pace::all);
+
+extern template double step_eigenvalue<2>(ParticleSystem<2> &, double, Pace);
+extern template double step_eigenvalue<3>(ParticleSystem<3> &, double, Pace);
 extern template MeasuredStep measure_stable_step<2>(ParticleSystem<2> &, double, Pace);
 extern template MeasuredStep measure_stable_step<3>(ParticleSystem<3> &, double, Pace);
 } // namespace turgor

@@ -4,6 +4,7 @@
 #include "micro/engine/binary.h"
 #include "micro/engine/counter_random.h"
 #include "micro/engine/kick_drift_kick.h"
+#include "micro/engine/step_control.h"
 #include "micro/scenarios/shared_entries.h"
 #include "micro/scenarios/stepping.h"
 
@@ -60,7 +61,15 @@ struct CellEndurance::Progress
   double most_kinetic = 0.;             ///< J
   double most_crossed = 0.;
   double list_builds = 0.; ///< before a resume
-  double time() const { return double(step) * dt; }
+  std::uint64_t shortened_at = 0; ///< step since which dt holds
+  double time_before = 0.;        ///< s, of the steps before that
+  double time() const { return time_before + double(step - shortened_at) * dt; }
+  void shorten(const double shorter)
+  {
+    time_before = time();
+    shortened_at = step;
+    dt = shorter;
+  }
 };
 
 struct CellEndurance::Sample
@@ -145,7 +154,8 @@ void CellEndurance::run(RunContext &context)
   context.active(system.term_names(), particles.field_names());
 
   Progress at;
-  at.dt = step_fraction * system.stable_time_step();
+  StepControl<2> stepping(system, step_fraction);
+  at.dt = stepping.dt();
   const std::uint64_t last = std::uint64_t(steps);
   const Tensor2<2> rate = matrix_from(F_dot);
   for (int k = 0; k <= 100; ++k)
@@ -157,6 +167,7 @@ void CellEndurance::run(RunContext &context)
   const bool resumed = context.load_checkpoint([&](std::istream &in) {
     read_binary(in, at);
     system.load(in);
+    stepping.load(in);
     at.list_builds -= double(wet->fluid->list_builds());
   });
   if (!resumed)
@@ -250,6 +261,7 @@ void CellEndurance::run(RunContext &context)
       saved.list_builds += double(wet->fluid->list_builds());
       write_binary(out, saved);
       system.save(out);
+      stepping.save(out);
     });
   };
   const StepCheckpoints keep(context, last, checkpoints, save,
@@ -269,6 +281,8 @@ void CellEndurance::run(RunContext &context)
       power_before = power_now;
       if (at.step % sample_every == 0)
         record();
+      if (stepping.after_step(at.step))
+        at.shorten(stepping.dt());
       if (at.step % 64 == 0)
         context.progress(double(at.step) / double(last), "micro steps");
       keep.after_step(at.step);

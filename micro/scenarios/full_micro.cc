@@ -2,6 +2,7 @@
 
 #include "micro/cells/sph_cell_entries.h"
 #include "micro/engine/binary.h"
+#include "micro/engine/step_control.h"
 #include "micro/io/cpu_clock.h"
 #include "micro/io/field_file.h"
 #include "micro/processes/osmosis.h"
@@ -23,11 +24,28 @@ struct FullMicro::Progress
   double dt = 0.;
   double start_energy = 0.;
   std::vector<double> x0[2]; ///< m, positions at t = 0
-  double time() const { return double(step) * dt; }
+  std::uint64_t shortened_at = 0; ///< step since which dt holds
+  double time_before = 0.;        ///< s, of the steps before that
+  double time() const { return time_before + double(step - shortened_at) * dt; }
+
+  /// Steps of at most dt for what is left until the end (s).
+  void divide(const double end, const double longest)
+  {
+    time_before = time();
+    shortened_at = step;
+    const double left = end - time_before;
+    const auto more = std::uint64_t(std::ceil(left / longest));
+    steps = step + more;
+    dt = left / double(more);
+  }
 
   void save(std::ostream &out) const
   {
     write_binary(out, step);
+    write_binary(out, steps);
+    write_binary(out, dt);
+    write_binary(out, shortened_at);
+    write_binary(out, time_before);
     write_binary(out, start_energy);
     for (const auto &x : x0)
       write_binary(out, x);
@@ -35,6 +53,10 @@ struct FullMicro::Progress
   void load(std::istream &in)
   {
     read_binary(in, step);
+    read_binary(in, steps);
+    read_binary(in, dt);
+    read_binary(in, shortened_at);
+    read_binary(in, time_before);
     read_binary(in, start_energy);
     for (auto &x : x0)
       read_binary(in, x);
@@ -179,16 +201,18 @@ void FullMicro::run(RunContext &context)
   context.active(system.term_names(), particles.field_names());
 
   Progress at;
-  at.dt = step_fraction * system.stable_time_step();
-  at.steps = std::uint64_t(std::ceil(end_time / at.dt));
-  at.dt = end_time / double(at.steps);
-  const std::uint64_t last = window > 0. ? std::max<std::uint64_t>(1, std::uint64_t(window * double(at.steps))) : at.steps;
+  StepControl<2> stepping(system, step_fraction);
+  at.divide(end_time, stepping.dt());
+  const auto last_step = [&] {
+    return window > 0. ? std::max<std::uint64_t>(1, std::uint64_t(window * double(at.steps))) : at.steps;
+  };
   const double acceleration = -load / (block.density * block.width);
 
   KickDriftKick<2> integrator(system);
   const bool resumed = context.load_checkpoint([&](std::istream &in) {
     at.load(in);
     system.load(in);
+    stepping.load(in);
     block.body_force->set({0., acceleration});
   });
   if (!resumed)
@@ -209,12 +233,14 @@ void FullMicro::run(RunContext &context)
   if (frames > 0 && context.is_writer())
     fields = std::make_unique<FieldFile>(context.directory(), "cells", resumed);
 
+  std::uint64_t last = last_step();
   const std::uint64_t sample_every = steps_between(at.steps, samples), frame_every = steps_between(at.steps, frames);
   const auto save = [&] {
     require_finite(context, block, at);
     context.save_checkpoint([&](std::ostream &out) {
       at.save(out);
       system.save(out);
+      stepping.save(out);
     });
   };
   const StepCheckpoints keep(context, last, checkpoints, save,
@@ -248,6 +274,11 @@ void FullMicro::run(RunContext &context)
         record();
       if (fields && at.step % frame_every == 0)
         fields->write(frame_of(particles, at.x0, at.time()));
+      if (at.step < last && stepping.after_step(at.step))
+        {
+          at.divide(end_time, stepping.dt());
+          last = last_step();
+        }
       if (at.step % 16 == 0)
         context.progress(double(at.step) / double(last), "full run");
       keep.after_step(at.step);

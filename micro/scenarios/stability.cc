@@ -3,6 +3,7 @@
 #include "micro/cells/sph_cell_entries.h"
 #include "micro/engine/counter_random.h"
 #include "micro/engine/measured_step.h"
+#include "micro/engine/step_control.h"
 #include "micro/engine/stepper.h"
 #include "micro/io/cpu_clock.h"
 #include "micro/scenarios/shared_entries.h"
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <sstream>
 
 namespace turgor
@@ -123,7 +125,7 @@ void Stability::disturb(SphPatch &wet) const
     }
 }
 
-Stability::Trial Stability::attempt(RunContext &context, SphPatch &wet, const std::string &start, const double dt,
+Stability::Trial Stability::attempt(RunContext &context, SphPatch &wet, const std::string &start, const double fixed,
                                     const double duration) const
 {
   std::istringstream in(start);
@@ -134,12 +136,20 @@ Stability::Trial Stability::attempt(RunContext &context, SphPatch &wet, const st
   const double first = system.potential_energy() + system.kinetic_energy();
   double least = first;
   Trial trial;
-  const std::uint64_t last = std::uint64_t(std::ceil(duration / dt));
+  std::optional<StepControl<2>> own;
+  if (fixed == 0.)
+    own.emplace(system, step_fraction);
+  double dt = own ? own->dt() : fixed;
+  trial.first_step = dt;
   const double cpu = process_cpu_seconds();
-  for (std::uint64_t step = 1; step <= last; ++step)
+  double time = 0.;
+  for (std::uint64_t step = 1; time < duration; ++step)
     {
       integrator.step(dt);
-      if (step % 10 != 0 && step != last)
+      time += dt;
+      if (own && own->after_step(step))
+        dt = own->dt();
+      if (step % 10 != 0 && time < duration)
         continue;
       const double now = system.potential_energy() + system.kinetic_energy();
       trial.energy_error = std::isfinite(now) ? std::max(trial.energy_error, (now - least) / first) : HUGE_VAL;
@@ -149,7 +159,8 @@ Stability::Trial Stability::attempt(RunContext &context, SphPatch &wet, const st
       if (context.stop_requested())
         throw RunStopped("stopped between trials; a run of this scene starts again");
     }
-  trial.cpu_per_second = (process_cpu_seconds() - cpu) / (double(last) * dt);
+  trial.cpu_per_second = (process_cpu_seconds() - cpu) / time;
+  trial.last_step = dt;
   trial.stable = finite(system);
   return trial;
 }
@@ -171,7 +182,7 @@ void Stability::run(RunContext &context)
   system.save(out);
   const std::string start = out.str();
 
-  const double chosen = step_fraction * at_reference, duration = hold_steps * chosen;
+  const double duration = hold_steps * step_fraction * std::min(at_reference, measured.dt);
   const auto table = context.series("trials", {{"step", "s"}, {"stable", ""}, {"energy_error", "1"}});
   double good = 0., bad = 0.;
   Trial best;
@@ -188,7 +199,8 @@ void Stability::run(RunContext &context)
     if (!trial.stable)
       bad = bad > 0. ? std::min(bad, dt) : dt;
   };
-  const Trial own = attempt(context, *wet, start, chosen, duration);
+  const Trial own = attempt(context, *wet, start, 0., duration);
+  const double chosen = own.last_step > 0. ? own.last_step : own.first_step;
   const double guess = substeps > 1 ? substeps * measured.dt : measured.dt;
   attempt_at(guess);
   for (double factor = 1.25; bad == 0. && factor < 100.; factor *= 1.25)
@@ -202,6 +214,7 @@ void Stability::run(RunContext &context)
 
   context.result("largest_stable_step", good, "s");
   context.result("chosen_step", chosen, "s");
+  context.result("chosen_step_at_start", own.first_step, "s");
   context.result("stable_over_chosen", good / chosen, "1");
   context.result("measured_step", measured.dt, "s");
   context.result("stable_over_measured", good / measured.dt, "1");

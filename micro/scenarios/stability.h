@@ -29,11 +29,12 @@ private:
     bool stable = false;
     double energy_error = 0.;      ///< over the energy at the start
     double cpu_per_second = 0.;    ///< CPU seconds per simulated second
+    double first_step = 0., last_step = 0.; ///< s
   };
 
   void deform(RunContext &context, SphPatch &cell) const;
   void disturb(SphPatch &cell) const;
-  Trial attempt(RunContext &context, SphPatch &cell, const std::string &start, double dt, double duration) const;
+  Trial attempt(RunContext &context, SphPatch &cell, const std::string &start, double fixed, double duration) const; ///< fixed: the step (s), 0: as the program chooses
 
   ParenchymaParameters cell;
   SphParameters sph;
