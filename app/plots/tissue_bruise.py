@@ -125,7 +125,7 @@ def picture(directory):
     rves.sort(key=lambda r: r["at"][0])
     half = (len(rves) + 1) // 2
     columns = [(0.015, sorted(rves[:half], key=lambda r: -r["at"][1])), (0.855, sorted(rves[half:], key=lambda r: -r["at"][1]))]
-    height, top, foot = 0.19, 0.94, 0.36
+    height, top, foot = 0.165, 0.93, 0.33
     dots = colours_of(points, stretch_norm)
     for side, column in columns:
         for k, rve in enumerate(column):

@@ -73,7 +73,9 @@ BOOST_AUTO_TEST_CASE(a_hit_bruises_and_the_energy_is_accounted_for)
   BOOST_TEST(results.at("energy_dissipated_by_failure") > 0.);
   // flow is part of what is missing in kinetic + stored energy; the rest is viscous, leaked and set free by failure
   BOOST_TEST(results.at("energy_dissipated") > results.at("energy_dissipated_by_flow"));
-  BOOST_TEST(results.at("energy_dissipated") < results.at("tool_work"));
+  // It can exceed the work of the tool by what turgor has stored in the walls at rest, which failing cells give up; by hand: at most
+  // tension times inflation, turgor (lambda_0 - 1) area = 200 kPa 0.04 16e-8 m^2 a direction.
+  BOOST_TEST(results.at("energy_dissipated") < results.at("tool_work") + 2. * 200e3 * 0.04 * 16e-8);
   double failed = 0.;
   for (const auto &row : disk.series["impact"])
   {

@@ -160,9 +160,14 @@ BOOST_AUTO_TEST_CASE(stable_step_knows_the_contact)
       Tissue<2> tissue(p, law);
       tissue.start();
       steps[stiff] = tissue.stable_step();
-      tissue.advance_to(1e-4);
-      const TissueEnergies e = tissue.energies();
-      BOOST_TEST(std::abs(e.balance()) < 0.1 * tissue.state().tool_work, "balance " << e.balance() << " of " << tissue.state().tool_work);
+      tissue.advance_to(1e-3);
+      // An unstable mode would have grown without bound over some hundred steps. (The energy at 0.95 of the limit means little:
+      // velocity and position of the fastest mode are then half a swing apart.)
+      double fastest = 0.;
+      for (const double v : tissue.state().v)
+        fastest = std::max(fastest, std::abs(v));
+      BOOST_TEST(tissue.steps() > 100u);
+      BOOST_TEST(fastest < 10. * p.tool.speed, "velocity " << fastest << " m/s after " << tissue.steps() << " steps");
     }
   BOOST_TEST(steps[1] < 0.3 * steps[0]);
 }
@@ -174,8 +179,9 @@ BOOST_AUTO_TEST_CASE(saved_and_loaded_impact_gives_the_same_bits)
       TissueParameters<2> p = pressed("cylinder");
       p.integrator = integrator;
       p.estimate_every = 3;
-      NeoHookeanLaw<2> law(mu, lambda, 1., rho);
-      Tissue<2> whole(p, law), first(p, law), second(p, law);
+      // a law each: its bounds are those of the states committed to it
+      NeoHookeanLaw<2> whole_law(mu, lambda, 1., rho), first_law(mu, lambda, 1., rho), second_law(mu, lambda, 1., rho);
+      Tissue<2> whole(p, whole_law), first(p, first_law), second(p, second_law);
       whole.start();
       whole.advance_to(1e-5);
       first.start();
