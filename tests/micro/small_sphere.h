@@ -17,7 +17,7 @@ namespace turgor::test
 struct SmallSphere
 {
   double radius = 50e-6;     ///< m
-  unsigned int halvings = 2; ///< of the icosahedron's edges: 12, 42, 162, 642 nodes
+  unsigned int frequency = 4; ///< parts of an edge of the icosahedron: 10 frequency^2 + 2 nodes
   double fill = 7.;          ///< particle spacings in a radius
   double jitter = 0.1;       ///< of a spacing
   double wall_jitter = 0.1;  ///< of a spacing
@@ -107,23 +107,30 @@ private:
     TriangleMesh mesh;
     mesh.faces = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
                   {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8}, {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}};
-    for (unsigned int k = 0; k < halvings; ++k)
+    // Every face into frequency^2; what two faces share is found by its place.
+    const std::vector<Vector<3>> corners = std::move(nodes);
+    const auto faces = std::move(mesh.faces);
+    std::map<std::array<long, 3>, std::uint16_t> known;
+    nodes.clear();
+    mesh.faces.clear();
+    const int nu = int(frequency);
+    for (const auto &face : faces)
       {
-        std::map<std::pair<int, int>, std::uint16_t> between;
-        const auto middle = [&](const int a, const int b) {
-          const auto found = between.insert({{std::min(a, b), std::max(a, b)}, std::uint16_t(nodes.size())});
+        const auto node = [&](const int i, const int j) {
+          const Vector<3> x = (corners[face[0]] * (nu - i - j) + corners[face[1]] * i + corners[face[2]] * j) / nu;
+          const auto found = known.insert({{std::lround(x[0] * 1e6), std::lround(x[1] * 1e6), std::lround(x[2] * 1e6)},
+                                           std::uint16_t(nodes.size())});
           if (found.second)
-            nodes.push_back(0.5 * (nodes[a] + nodes[b]));
+            nodes.push_back(x);
           return found.first->second;
         };
-        std::vector<std::array<std::uint16_t, 3>> finer;
-        for (const auto &[a, b, c] : mesh.faces)
-          {
-            const std::uint16_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-            for (const auto &face : {std::array{a, ab, ca}, std::array{ab, b, bc}, std::array{ca, bc, c}, std::array{ab, bc, ca}})
-              finer.push_back(face);
-          }
-        mesh.faces = finer;
+        for (int i = 0; i < nu; ++i)
+          for (int j = 0; i + j < nu; ++j)
+            {
+              mesh.faces.push_back({node(i, j), node(i + 1, j), node(i, j + 1)});
+              if (i + j + 1 < nu)
+                mesh.faces.push_back({node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)});
+            }
       }
     for (Vector<3> &x : nodes)
       x.normalize();

@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(drag_dissipates)
 
 BOOST_AUTO_TEST_CASE(wall_share_matches_quadrature)
 {
-  halvings = 3; // faces of one spacing, as in use
+  frequency = 8; // faces of one spacing, as in use
   auto cell = make();
   cell->system.compute_forces();
   const Particles<3> &p = cell->system.particles;

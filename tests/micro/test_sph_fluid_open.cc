@@ -67,7 +67,17 @@ struct Round
   }
 };
 
-/// Puts every tenth particle near the hole (around `axis` > from) outside.
+/// Particles that feel the barrier: within 0.3 spacings of a face, counted by distance from the middle.
+template <int dim>
+int near_wall(const Particles<dim> &p, const double radius, const double spacing)
+{
+  int near = 0;
+  for (std::uint32_t i = p.groups[0].fluid; i < p.groups[0].end; ++i)
+    near += std::abs(p.position(i).norm() - radius) < 0.25 * spacing;
+  return near;
+}
+
+/// Moves every third particle that is beyond `from` along the axis (m) (around `axis` > from) outside.
 template <int dim>
 void push_some_out(Particles<dim> &p, const int axis, const double from, const double by)
 {
@@ -86,6 +96,11 @@ BOOST_AUTO_TEST_CASE(force_is_minus_energy_gradient_2d)
   cell.system.compute_forces();
   cell.open(58, 5); // around +x
   push_some_out(cell.system.particles, 0, 0.7 * cell.radius, 0.35 * cell.radius);
+  cell.system.particles.x[0][cell.nodes] = -cell.radius + 0.1 * cell.spacing; // inside and outside, close to what is left
+  cell.system.particles.x[1][cell.nodes] = 0.;
+  cell.system.particles.x[0][cell.nodes + 1] = -cell.radius - 0.2 * cell.spacing;
+  cell.system.particles.x[1][cell.nodes + 1] = 0.4 * cell.spacing;
+  BOOST_TEST(near_wall(cell.system.particles, cell.radius, cell.spacing) >= 2);
   const double error = test::slope_error(cell.system, 1e-5 * cell.spacing, 1);
   BOOST_TEST_MESSAGE("2D: " << error);
   BOOST_TEST(error < 1e-6);
@@ -100,6 +115,13 @@ BOOST_AUTO_TEST_CASE(force_is_minus_energy_gradient_3d)
   cell->system.compute_forces();
   test::SmallSphere::open(*cell, 0.6);
   push_some_out(cell->system.particles, 2, 0.6 * sphere.radius, 0.45 * sphere.radius);
+  Particles<3> &p = cell->system.particles;
+  const std::uint32_t first = p.groups[0].fluid;
+  const Vector<3> face = (p.position(cell->mesh->faces[0][0]) + p.position(cell->mesh->faces[0][1]) + p.position(cell->mesh->faces[0][2])) / 3.;
+  for (int k = 0; k < 2; ++k) // inside and outside, close to what is left; every fourth particle is tested
+    for (int d = 0; d < 3; ++d)
+      p.x[d][first - first % 4 + 4 + 4 * k] = (k == 0 ? 0.998 : 1.003) * face[d] + 0.1 * k * cell->spacing;
+  BOOST_TEST(near_wall(p, face.norm(), cell->spacing) >= 2);
   const double error = test::slope_error(cell->system, 1e-5 * cell->spacing, 4);
   BOOST_TEST_MESSAGE("3D: " << error);
   BOOST_TEST(error < 1e-6);
@@ -111,7 +133,7 @@ BOOST_AUTO_TEST_CASE(a_hole_is_left_out_of_gamma_and_the_outside_is_its_mirror)
   // equal distances on either side of a wall that is flat over the support the same gamma.
   test::SmallSphere sphere;
   sphere.damaged = true;
-  sphere.halvings = 3;
+  sphere.frequency = 8;
   sphere.wall_jitter = 0.;
   auto cell = sphere.make();
   test::SmallSphere::open(*cell, 0.5);
