@@ -22,10 +22,10 @@ using namespace turgor;
 struct Cell
 {
   std::unique_ptr<SphPatch> patch;
-  SphLists lists;
-  std::vector<double> ring[8], rho, gamma, pressure, f[2];
+  SphLists<2> lists;
+  std::vector<double> ring[8], rho, gamma, pressure, push, f[2];
   std::unique_ptr<double, void (*)(void *)> scratch{nullptr, &std::free};
-  sph::CellView view;
+  sph::CellView<2> view;
   double neighbours = 0.; ///< within the support, all particles
 
   Cell(const bool viscous, const bool wall)
@@ -41,12 +41,11 @@ struct Cell
     view.support = sph.support_ratio * dx;
     ListOrigin<2> origin;
     origin.take(p.x, g);
-    lists.build(origin, nw, view.support + sph.skin_ratio * dx);
+    lists.fluid.build(origin, nw, view.support + sph.skin_ratio * dx);
+    lists.wall.build(origin, nw, view.support + sph.skin_ratio * dx, nullptr);
     if (!wall)
       {
-        std::fill(lists.first_arc.begin(), lists.first_arc.end(), 0u);
-        lists.arcs.clear();
-        lists.chunks = 0;
+        lists.wall.clear(n);
       }
     patch->system.compute_forces();
     neighbours = n * patch->fluid->mean_neighbours(p);
@@ -61,7 +60,7 @@ struct Cell
     view.eos = [](const void *, const std::uint32_t count, const double *, double *pressure_out) {
       std::fill(pressure_out, pressure_out + count, 200e3);
     };
-    for (auto *field : {&rho, &gamma, &pressure, &f[0], &f[1]})
+    for (auto *field : {&rho, &gamma, &pressure, &push, &f[0], &f[1]})
       field->assign(n, 0.);
     const std::size_t used = 2 * nw + sph::list_padding + 1;
     for (auto &values : ring)
@@ -81,23 +80,24 @@ struct Cell
     view.rho = rho.data();
     view.gamma = gamma.data();
     view.pressure = pressure.data();
-    view.neighbours = lists.neighbours.data();
-    view.first_neighbour = lists.first_neighbour.data();
-    view.arcs = lists.arcs.data();
-    view.first_arc = lists.first_arc.data();
-    view.scratch_half = 4 * sph::list_padding * lists.chunks;
-    view.arc_stride = std::uint32_t((lists.arcs.size() + 7) / 8 * 8);
+    view.push = push.data();
+    view.neighbours = lists.fluid.neighbours.data();
+    view.first_neighbour = lists.fluid.first_neighbour.data();
+    view.arcs = lists.wall.arcs.data();
+    view.first_arc = lists.wall.first_arc.data();
+    view.scratch_half = 4 * sph::list_padding * lists.wall.chunks;
+    view.arc_stride = std::uint32_t((lists.wall.arcs.size() + 7) / 8 * 8);
     const std::size_t rows = std::size_t(n + 1) * sph::row_doubles, half = view.scratch_half,
                       doubles = rows + 2 * half + 5 * view.arc_stride;
     scratch.reset(static_cast<double *>(std::aligned_alloc(64, (doubles * sizeof(double) + 63) / 64 * 64)));
     view.rows = scratch.get();
     view.scratch = view.rows + rows;
     view.arc_ends = view.scratch + 2 * half;
-    sph::sweeps().density(view);
+    sph::sweeps<2>().density(view);
   }
 };
 
-void sweep(benchmark::State &state, void (*const which)(sph::CellView &), const bool wall)
+void sweep(benchmark::State &state, void (*const which)(sph::CellView<2> &), const bool wall)
 {
   Cell cell(state.range(0) != 0, wall);
   for (auto _ : state)
@@ -109,12 +109,12 @@ void sweep(benchmark::State &state, void (*const which)(sph::CellView &), const 
   state.counters["per_neighbour"] =
     benchmark::Counter(cell.neighbours, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   state.counters["neighbours"] = cell.neighbours / cell.view.n;
-  state.counters["listed"] = double(cell.lists.neighbours.size()) / cell.view.n; // with skin and padding
-  state.SetLabel(sph::sweeps().name);
+  state.counters["listed"] = double(cell.lists.fluid.neighbours.size()) / cell.view.n; // with skin and padding
+  state.SetLabel(sph::sweeps<2>().name);
 }
-void force(benchmark::State &state) { sweep(state, sph::sweeps().force, true); }
-void density(benchmark::State &state) { sweep(state, sph::sweeps().density, true); }
-void density_pairs_only(benchmark::State &state) { sweep(state, sph::sweeps().density, false); }
+void force(benchmark::State &state) { sweep(state, sph::sweeps<2>().force, true); }
+void density(benchmark::State &state) { sweep(state, sph::sweeps<2>().density, true); }
+void density_pairs_only(benchmark::State &state) { sweep(state, sph::sweeps<2>().density, false); }
 BENCHMARK(force)->ArgName("viscous")->Arg(0)->Arg(1);
 BENCHMARK(density)->ArgName("viscous")->Arg(0)->Arg(1);
 BENCHMARK(density_pairs_only)->ArgName("viscous")->Arg(0)->Arg(1);

@@ -82,12 +82,10 @@ ReferenceCell unannealed_cell(const ParenchymaPatch &patch, const SphParameters 
   return cell;
 }
 
-namespace
+std::unique_ptr<CellFluid<2>> make_cell_fluid(const ParenchymaParameters &p, const SphParameters &sph,
+                                              const double wall_spacing, const std::vector<double> &mass,
+                                              std::shared_ptr<const WallDamage> damage)
 {
-std::unique_ptr<CellFluid<2>> make_fluid(const ParenchymaPatch &patch, const SphParameters &sph,
-                                      const std::vector<double> &mass)
-{
-  const ParenchymaParameters &p = patch.parameters;
   const EquationOfState eos(p.fluid_density, p.fluid_modulus, p.cavitation_pressure);
   const double dx = p.period / sph.particles_per_side;
   if (sph.formulation == "thesis")
@@ -100,9 +98,9 @@ std::unique_ptr<CellFluid<2>> make_fluid(const ParenchymaPatch &patch, const Sph
       fluid.law = sph.viscosity_law == "morris" ? ViscosityLaw::morris : ViscosityLaw::monaghan;
       fluid.initial_density = eos.density_at(p.turgor);
       fluid.holding_force = p.turgor * dx * p.depth;
-      const LennardJonesWall wall = LennardJonesWall::holding(p.turgor, dx, patch.spacing, p.depth,
+      const LennardJonesWall wall = LennardJonesWall::holding(p.turgor, dx, wall_spacing, p.depth,
                                                               sph.wall_range_ratio * dx, sph.wall_strength);
-      return std::make_unique<ThesisFluid>(fluid, eos, wall, mass);
+      return std::make_unique<ThesisFluid<2>>(fluid, eos, wall, mass);
     }
   SphFluidParameters fluid;
   fluid.support = sph.support_ratio * dx;
@@ -111,9 +109,8 @@ std::unique_ptr<CellFluid<2>> make_fluid(const ParenchymaPatch &patch, const Sph
   fluid.viscosity = p.fluid_viscosity;
   fluid.exact_volume = sph.volume == "exact";
   fluid.ordering = sph.ordering * p.fluid_modulus;
-  return std::make_unique<SphFluid>(fluid, eos, mass);
+  return std::make_unique<SphFluid<2>>(fluid, eos, mass, std::move(damage));
 }
-} // namespace
 
 std::unique_ptr<SphPatch> make_sph_patch(const ParenchymaPatch &patch, const SphParameters &sph,
                                          const ReferenceCell &reference)
@@ -145,7 +142,7 @@ std::unique_ptr<SphPatch> make_sph_patch(const ParenchymaPatch &patch, const Sph
   system.add(std::make_unique<RingWall>(law, patch.rest_length, p.wall_bending ? patch.bending_stiffness : 0.,
                                         patch.spacing, p.nodes_per_side, patch.node_mass));
 
-  result->fluid = &system.add(make_fluid(patch, sph, std::vector<double>(cells, reference.particle_mass)));
+  result->fluid = &system.add(make_cell_fluid(p, sph, patch.spacing, std::vector<double>(cells, reference.particle_mass)));
   if (!reference.density.empty())
     for (const Group &g : particles.groups)
       std::copy(reference.density.begin(), reference.density.begin() + std::ptrdiff_t(per_cell),

@@ -7,8 +7,10 @@
 #include "micro/cells/parenchyma.h"
 #include "micro/engine/particle_system.h"
 #include "micro/terms/cell_fluid.h"
+#include "micro/terms/wall_damage.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -59,6 +61,11 @@ struct SphPatch
 /// The particle system of the patch, all cells copies of the reference cell.
 std::unique_ptr<SphPatch> make_sph_patch(const ParenchymaPatch &patch, const SphParameters &sph,
                                          const ReferenceCell &reference);
+
+/// The fluid that the entries ask for; wall_spacing: m, mass: kg of one fluid particle, per cell;
+/// damage: of walls that may fail (variational formulation only).
+std::unique_ptr<CellFluid<2>> make_cell_fluid(const ParenchymaParameters &cell, const SphParameters &sph, double wall_spacing,
+                                              const std::vector<double> &mass, std::shared_ptr<const WallDamage> damage = {});
 
 /// Positions, particle mass and pressure of one cell before annealing: a jittered lattice.
 ReferenceCell unannealed_cell(const ParenchymaPatch &patch, const SphParameters &sph);

@@ -31,6 +31,7 @@ void KickDriftKick<dim>::step(const double dt, const double damping)
   });
   system.advance(dt);
   system.box.H += dt * system.box.H_dot;
+  system.prepare();
   const double keep = std::exp(-damping * dt);
   system.for_groups([&](std::size_t group) {
     const Group &g = p.groups[group];

@@ -34,6 +34,13 @@ void ParticleSystem<dim>::advance(const double dt)
 }
 
 template <int dim>
+void ParticleSystem<dim>::prepare()
+{
+  for (const auto &term : terms)
+    term->prepare(particles, box);
+}
+
+template <int dim>
 void ParticleSystem<dim>::drift_of_group(const std::size_t group, const double dt)
 {
   for (const auto &term : terms)
@@ -64,6 +71,7 @@ void ParticleSystem<dim>::forces_of_group(const std::size_t group, const Pace pa
 template <int dim>
 void ParticleSystem<dim>::compute_forces()
 {
+  prepare();
   for_groups([this](std::size_t group) { forces_of_group(group); });
 }
 

@@ -45,6 +45,9 @@ public:
   /// Tells all terms that their own bodies move by dt (s).
   void advance(double dt);
 
+  /// Tells all terms that the positions of all groups are final, before their forces.
+  void prepare();
+
   /// Tells all terms that the group's positions have moved by dt times its velocities.
   void drift_of_group(std::size_t group, double dt);
 

@@ -43,6 +43,7 @@ void Respa<dim>::add_up(const std::size_t group)
 template <int dim>
 void Respa<dim>::compute_forces()
 {
+  system.prepare();
   system.for_groups([this](const std::size_t group) {
     keep(group, Pace::slow, slow);
     keep(group, Pace::fast, fast);
@@ -77,6 +78,7 @@ void Respa<dim>::step(const double dt, const double damping)
       });
       system.advance(h);
       system.box.H += h * system.box.H_dot;
+      system.prepare();
       const bool last = k + 1 == substeps;
       const double rest = std::exp(-damping * dt);
       system.for_groups([&](const std::size_t group) {

@@ -54,6 +54,10 @@ public:
   /// Bodies of the term's own (a plate) move by dt (s) in the forces of the last step; once a step, before any group.
   virtual void advance(double /*dt*/) {}
 
+  /// All positions are those of the coming force evaluation; once before any group, from one thread: what looks at
+  /// several groups (lists of contacts) is brought up to date.
+  virtual void prepare(const Particles<dim> &, const Box<dim> &) {}
+
   /// f += forces on the particles of the group.
   virtual void add_forces(Particles<dim> &particles, const Box<dim> &box, std::size_t group) = 0;
 

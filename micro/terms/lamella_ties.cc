@@ -1,13 +1,19 @@
 #include "micro/terms/lamella_ties.h"
 
+#include "micro/engine/binary.h"
+
+#include <algorithm>
 #include <cmath>
 
 namespace turgor
 {
-LamellaTies::LamellaTies(std::vector<LamellaTie> ties_, const double stiffness, const double node_mass_)
+LamellaTies::LamellaTies(std::vector<LamellaTie> ties_, const double stiffness, const double node_mass_,
+                         const double breaking_force_)
   : ties(std::move(ties_))
   , spring{stiffness}
   , node_mass(node_mass_)
+  , breaking_force(breaking_force_)
+  , broken(breaking_force_ > 0. ? ties.size() : 0, 0)
 {}
 
 void LamellaTies::declare(Particles<2> &particles)
@@ -17,10 +23,11 @@ void LamellaTies::declare(Particles<2> &particles)
     for (std::uint32_t i = particles.groups[group].begin; i < particles.groups[group].end; ++i)
       group_of[i] = std::uint32_t(group);
   sides.assign(particles.groups.size(), {});
-  for (const LamellaTie &tie : ties)
+  for (std::uint32_t t = 0; t < ties.size(); ++t)
     {
-      sides[group_of[tie.a]].push_back({tie.a, tie.b, tie.shift});
-      sides[group_of[tie.b]].push_back({tie.b, tie.a, {-tie.shift[0], -tie.shift[1]}});
+      const LamellaTie &tie = ties[t];
+      sides[group_of[tie.a]].push_back({tie.a, tie.b, tie.shift, t});
+      sides[group_of[tie.b]].push_back({tie.b, tie.a, {-tie.shift[0], -tie.shift[1]}, t});
     }
 }
 
@@ -31,6 +38,8 @@ void LamellaTies::add_forces(Particles<2> &particles, const Box<2> &box, const s
   const double k = spring.stiffness;
   for (const Side &side : sides[group])
     {
+      if (is_broken(side.tie))
+        continue;
       double dx = x[side.other] - x[side.own], dy = y[side.other] - y[side.own];
       dx += side.shift[0] * box.H(0, 0) + side.shift[1] * box.H(0, 1);
       dy += side.shift[0] * box.H(1, 0) + side.shift[1] * box.H(1, 1);
@@ -43,7 +52,8 @@ double LamellaTies::energy(const Particles<2> &particles, const Box<2> &box, con
 {
   double total = 0.;
   for (const Side &side : sides[group])
-    total += 0.5 * spring.energy(LamellaSpring::gap(particles.position(side.own), particles.position(side.other),
+    if (!is_broken(side.tie))
+      total += 0.5 * spring.energy(LamellaSpring::gap(particles.position(side.own), particles.position(side.other),
                                                     side.shift, box.H));
   return total;
 }
@@ -53,6 +63,8 @@ Tensor2<2> LamellaTies::image_virial(const Particles<2> &particles, const Box<2>
   Tensor2<2> total = Tensor2<2>::Zero();
   for (const Side &side : sides[group])
     {
+      if (is_broken(side.tie))
+        continue;
       const Vector<2> shift = box.image(side.shift);
       const Vector<2> d = particles.position(side.other) - particles.position(side.own) + shift;
       total += 0.5 * spring.force_on_a(d) * shift.transpose();
@@ -66,5 +78,37 @@ Rates LamellaTies::rates(const Particles<2> &) const
   Rates bound;
   bound.wall.frequency_squared = 4. * spring.stiffness / node_mass;
   return bound;
+}
+
+void LamellaTies::save(std::ostream &out, const Particles<2> &) const
+{
+  if (breaking_force > 0.)
+    write_binary(out, broken);
+}
+
+void LamellaTies::load(std::istream &in, Particles<2> &)
+{
+  if (breaking_force > 0.)
+    read_binary(in, broken);
+}
+
+std::vector<std::size_t> LamellaTies::break_overloaded(const Particles<2> &particles, const Box<2> &box)
+{
+  std::vector<std::size_t> now;
+  for (std::size_t t = 0; t < broken.size(); ++t)
+    if (!broken[t]
+        && spring.stiffness
+               * LamellaSpring::gap(particles.position(ties[t].a), particles.position(ties[t].b), ties[t].shift, box.H).norm()
+             > breaking_force)
+      {
+        broken[t] = 1;
+        now.push_back(t);
+      }
+  return now;
+}
+
+std::size_t LamellaTies::broken_count() const
+{
+  return std::size_t(std::count(broken.begin(), broken.end(), 1));
 }
 } // namespace turgor

@@ -12,11 +12,19 @@
 // Gauss-Legendre, which is exact to round-off there (the nearest complex singularity, at
 // lambda^6 = -4 (1 - beta)/beta^2 or 0, is at least 30 interval lengths away: error 100^-8).
 //
+// With yielding (wall_yield.h) the force is g(lambda) F(lambda), reversible. Its energy above lambda = 1 is integrated over u,
+// lambda = 1 + sinh(u)/A, which moves the singularities of atan to u = +- i pi/2 whatever A: panels of 1/8, error 50^-8.
+//
 // In: lambda = length / rest length (no unit, > 0). Out: F, dF in N (positive in tension), w in J/m.
 #pragma once
 
+#include "micro/terms/wall_yield.h"
+
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace turgor
 {
@@ -24,8 +32,9 @@ class NeoHookeanWall
 {
 public:
   /// wall_stiffness = G t0 (N/m), depth = z0 (m), beta = axial over hoop stress in [0, 1].
-  NeoHookeanWall(const double wall_stiffness, const double depth, const double beta_)
-    : scale(wall_stiffness * depth)
+  NeoHookeanWall(const double wall_stiffness, const double depth, const double beta_, const WallYield &yield_ = {})
+    : yield(yield_)
+    , scale(wall_stiffness * depth)
     , beta(beta_)
     , beta_squared(beta_ * beta_)
     , four_rest(4. * (1. - beta_))
@@ -38,22 +47,40 @@ public:
       }
   }
 
-  double force(const double lambda) const { return scale * unit_force(lambda); }
+  double force(const double lambda) const
+  {
+    const double f = scale * unit_force(lambda);
+    return yield.active() ? f * yield.share(lambda) : f;
+  }
 
   /// dF/dlambda, N.
   double derivative(const double lambda) const
   {
     double slope;
-    unit_force(lambda, slope);
-    return scale * slope;
+    force(lambda, slope);
+    return slope;
   }
 
   /// Both at once, for Hessians.
   double force(const double lambda, double &derivative_) const
   {
-    const double f = unit_force(lambda, derivative_);
+    const double f = scale * unit_force(lambda, derivative_);
     derivative_ *= scale;
-    return scale * f;
+    if (!yield.active())
+      return f;
+    const double g = yield.share(lambda);
+    derivative_ = g * derivative_ + yield.derivative(lambda) * f;
+    return g * f;
+  }
+
+  const WallYield &yielding() const { return yield; }
+
+  /// The same wall without yielding.
+  NeoHookeanWall elastic() const
+  {
+    NeoHookeanWall wall = *this;
+    wall.yield = {};
+    return wall;
   }
 
   /// Energy per reference length, J/m; infinite for lambda <= 0.
@@ -61,6 +88,8 @@ public:
   {
     if (!(lambda > 0.))
       return HUGE_VAL;
+    if (yield.active() && lambda > 1.)
+      return yielding_energy(lambda);
     int k = static_cast<int>(std::lround(panels_per_unit * std::log(lambda)));
     if (k > n_side)
       k = n_side;
@@ -75,9 +104,12 @@ public:
     return scale * (w + panel(from, lambda));
   }
 
-  /// The stretch at which the wall carries `tension` (N).
+  /// The stretch at which the wall carries `tension` (N); with yielding the first one above 1. Throws
+  /// std::invalid_argument where a yielding wall gives way before it carries that much.
   double stretch_at(const double tension) const
   {
+    if (yield.active() && tension > 0.)
+      return yielding_stretch_at(tension);
     double lambda = 1.;
     for (int i = 0; i < 100; ++i)
       {
@@ -113,6 +145,42 @@ private:
     return lambda * (1. - q);
   }
 
+  double yielding_energy(const double lambda) const
+  {
+    const double end = std::asinh(yield.sharpness * (lambda - 1.));
+    const int panels = std::max(1, static_cast<int>(std::ceil(8. * end)));
+    double sum = 0.;
+    for (int i = 0; i < panels; ++i)
+      sum += gauss(end * i / panels, end * (i + 1) / panels, [this](const double u) {
+        return force(1. + std::sinh(u) / yield.sharpness) * std::cosh(u) / yield.sharpness;
+      });
+    return sum;
+  }
+
+  // The force may fall again after a maximum: climb from lambda = 1 until it is passed, then halve the interval.
+  double yielding_stretch_at(const double tension) const
+  {
+    double below = 1., above = 1.;
+    const double step = std::min(0.05, 0.1 / yield.sharpness);
+    double farthest = 0.; // of what the wall carries on the way up
+    while (force(above) < tension)
+      {
+        farthest = std::max(farthest, force(above));
+        below = above;
+        above += std::max(step, 0.05 * (above - 1.));
+        if (above > 100.)
+          throw std::invalid_argument("a wall that yields with A = " + std::to_string(yield.sharpness) + ", B = "
+                                      + std::to_string(yield.drop) + " carries at most " + std::to_string(farthest * 1e3)
+                                      + " mN, less than the " + std::to_string(tension * 1e3) + " mN asked of it");
+      }
+    for (int i = 0; i < 200 && above > std::nextafter(below, above); ++i)
+      {
+        const double middle = 0.5 * (below + above);
+        (force(middle) < tension ? below : above) = middle;
+      }
+    return above;
+  }
+
   static double knot(const double k) { return std::exp(k / panels_per_unit); }
 
   // Between knots a and b in four panels, so that the table itself adds no error.
@@ -126,15 +194,22 @@ private:
 
   double panel(const double a, const double b) const
   {
+    return gauss(a, b, [this](const double lambda) { return unit_force(lambda); });
+  }
+
+  template <class Function>
+  static double gauss(const double a, const double b, const Function &function)
+  {
     constexpr double x[2] = {0.33998104358485626480, 0.86113631159405257522};
     constexpr double w[2] = {0.65214515486254614263, 0.34785484513745385737};
     const double c = 0.5 * (a + b), h = 0.5 * (b - a);
     double sum = 0.;
     for (int i = 0; i < 2; ++i)
-      sum += w[i] * (unit_force(c - h * x[i]) + unit_force(c + h * x[i]));
+      sum += w[i] * (function(c - h * x[i]) + function(c + h * x[i]));
     return h * sum;
   }
 
+  WallYield yield;
   double scale, beta, beta_squared, four_rest;
   std::array<double, 2 * n_side + 1> knot_energy;
 };

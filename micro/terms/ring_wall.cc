@@ -1,13 +1,15 @@
 #include "micro/terms/ring_wall.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace turgor
 {
-RingWall::RingWall(const NeoHookeanWall &law_, const double rest_length_, const double bending_stiffness,
+RingWall::RingWall(const NeoHookeanWall &law, const double rest_length_, const double bending_stiffness,
                    const double spacing_, const unsigned int nodes_per_side_, const double node_mass_)
-  : law(law_)
+  : yielding_law(law)
+  , elastic_law(law.elastic())
   , rest_length(rest_length_)
   , bending(bending_stiffness / spacing_)
   , spacing(spacing_)
@@ -15,9 +17,58 @@ RingWall::RingWall(const NeoHookeanWall &law_, const double rest_length_, const 
   , node_mass(node_mass_)
 {}
 
-double RingWall::rest_angle(const std::uint32_t node) const
+RingWall::RingWall(const NeoHookeanWall &law, std::vector<RingShape> shapes_, const double bending_stiffness,
+                   const double spacing_, const double node_mass_)
+  : RingWall(law, spacing_, bending_stiffness, spacing_, 0, node_mass_)
 {
+  shapes = std::move(shapes_);
+  for (const RingShape &shape : shapes) // the shortest bond is the stiffest
+    for (const double length : shape.rest_length)
+      rest_length = std::min(rest_length, length);
+}
+
+double RingWall::rest_angle(const std::size_t group, const std::uint32_t node) const
+{
+  if (!shapes.empty())
+    return shapes[group].rest_angle[node];
   return nodes_per_side > 0 && node % nodes_per_side == 0 ? std::numbers::pi / 2. : 0.;
+}
+
+double RingWall::rest(const std::size_t group, const std::size_t bond) const
+{
+  const double length = shapes.empty() ? rest_length : shapes[group].rest_length[bond];
+  return flow ? length * flow->permanent[group][bond] : length;
+}
+
+bool RingWall::broken(const std::size_t group, const std::size_t bond) const
+{
+  return damage && damage->cells[group].bond_broken[bond];
+}
+
+std::size_t RingWall::bond_count(const Particles<2> &particles, const std::size_t group) const
+{
+  return particles.groups[group].wall_count();
+}
+
+double RingWall::stretch(const Particles<2> &particles, const std::size_t group, const std::size_t bond) const
+{
+  const Group &g = particles.groups[group];
+  const std::uint32_t a = g.begin + std::uint32_t(bond), b = a + 1 < g.fluid ? a + 1 : g.begin;
+  return std::hypot(particles.x[0][b] - particles.x[0][a], particles.x[1][b] - particles.x[1][a])
+         / (shapes.empty() ? rest_length : shapes[group].rest_length[bond]);
+}
+
+double RingWall::bearable_stretch(const double stretch) const
+{
+  return elastic_law.stretch_at(yielding_law.force(stretch));
+}
+
+double RingWall::tension(const Particles<2> &particles, const std::size_t group, const std::size_t bond) const
+{
+  if (broken(group, bond))
+    return 0.;
+  const double lambda = stretch(particles, group, bond);
+  return flow ? elastic_law.force(lambda / flow->permanent[group][bond]) : yielding_law.force(lambda);
 }
 
 void RingWall::add_forces(Particles<2> &particles, const Box<2> &, const std::size_t group)
@@ -27,6 +78,8 @@ void RingWall::add_forces(Particles<2> &particles, const Box<2> &, const std::si
   const double *x = particles.x[0].data() + g.begin, *y = particles.x[1].data() + g.begin;
   double *fx = particles.f[0].data() + g.begin, *fy = particles.f[1].data() + g.begin;
   const double inverse_rest = 1. / rest_length;
+  const bool alike = shapes.empty() && !flow;
+  const NeoHookeanWall &law = flow ? elastic_law : yielding_law;
 
   // Edge k joins nodes k and k + 1; its gradient of energy is kept for both ends.
   const auto edge = [&](std::uint32_t k, double &ex, double &ey) {
@@ -37,6 +90,7 @@ void RingWall::add_forces(Particles<2> &particles, const Box<2> &, const std::si
   double px, py;
   edge(n - 1, px, py);
   double previous2 = px * px + py * py;
+  bool before_broken = broken(group, n - 1);
   double gx_before = 0., gy_before = 0.; // dE/d(edge before)
   double last_gx = 0., last_gy = 0.; // what hinge 0 adds to the last edge
   for (std::uint32_t k = 0; k < n; ++k)
@@ -44,13 +98,14 @@ void RingWall::add_forces(Particles<2> &particles, const Box<2> &, const std::si
       double ex, ey;
       edge(k, ex, ey);
       const double l2 = ex * ex + ey * ey, l = std::sqrt(l2);
-      const double t = law.force(l * inverse_rest) / l;
+      const bool now_broken = damage && broken(group, k);
+      const double t = now_broken ? 0. : law.force(alike ? l * inverse_rest : l / rest(group, k)) / l;
       double gx = t * ex, gy = t * ey; // dE/d(edge)
-      if (bending > 0.)
+      if (bending > 0. && !before_broken && !now_broken)
         {
           // hinge at node k between the edge before (p) and this one (e)
           const double theta = std::atan2(px * ey - py * ex, px * ex + py * ey);
-          const double moment = bending * (theta - rest_angle(k));
+          const double moment = bending * (theta - rest_angle(group, k));
           const double on_p = moment / previous2, on_e = moment / l2;
           const double hx = on_p * py, hy = -on_p * px; // -moment * perp(p)/|p|^2
           if (k == 0)
@@ -79,6 +134,7 @@ void RingWall::add_forces(Particles<2> &particles, const Box<2> &, const std::si
       px = ex;
       py = ey;
       previous2 = l2;
+      before_broken = now_broken;
     }
   gx_before += last_gx;
   gy_before += last_gy;
@@ -93,14 +149,18 @@ double RingWall::energy(const Particles<2> &particles, const Box<2> &, const std
   const Group &g = particles.groups[group];
   const std::uint32_t n = g.wall_count();
   const WallBending hinge{bending};
+  const NeoHookeanWall &law = flow ? elastic_law : yielding_law;
   double total = 0.;
   for (std::uint32_t k = 0; k < n; ++k)
     {
       const Vector<2> a = particles.position(g.begin + (k + n - 1) % n), b = particles.position(g.begin + k),
                       c = particles.position(g.begin + (k + 1) % n);
-      total += rest_length * law.energy((c - b).norm() / rest_length);
-      if (bending > 0.)
-        total += hinge.energy(b - a, c - b, rest_angle(k));
+      if (broken(group, k))
+        continue;
+      const double length = rest(group, k);
+      total += length * law.energy((c - b).norm() / length);
+      if (bending > 0. && !broken(group, (k + n - 1) % n))
+        total += hinge.energy(b - a, c - b, rest_angle(group, k));
     }
   return total;
 }
@@ -109,7 +169,7 @@ Rates RingWall::rates(const Particles<2> &) const
 {
   // Highest mode of a chain of masses: 2 sqrt(k/m) axially; 4 sqrt(B/(l^3 m)) in bending.
   Rates bound;
-  bound.wall.frequency_squared = 4. * law.derivative(1.) / rest_length / node_mass
+  bound.wall.frequency_squared = 4. * elastic_law.derivative(1.) / rest_length / node_mass
                                  + 16. * bending / (spacing * spacing * node_mass);
   return bound;
 }

@@ -1,11 +1,12 @@
 #include "micro/terms/sph_fluid.h"
 
 #include "micro/engine/binary.h"
+#include "micro/terms/sph_wall_view.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <memory>
+#include <stdexcept>
 
 namespace turgor
 {
@@ -16,6 +17,14 @@ void eos_pressure(const void *data, const std::uint32_t n, const double *rho, do
   const EquationOfState eos = *static_cast<const EquationOfState *>(data);
   for (std::uint32_t i = 0; i < n; ++i)
     p[i] = eos.pressure(rho[i]);
+}
+
+/// Of an open cell: no tension.
+void eos_pressure_free(const void *data, const std::uint32_t n, const double *rho, double *p)
+{
+  const EquationOfState eos = *static_cast<const EquationOfState *>(data);
+  for (std::uint32_t i = 0; i < n; ++i)
+    p[i] = rho[i] > eos.reference_density() ? eos.pressure(rho[i]) : 0.;
 }
 
 /// Scratch of one thread, grown to the largest cell it met.
@@ -43,33 +52,59 @@ private:
   std::size_t size = 0;
 };
 
-/// Area inside a closed ring run counterclockwise whose first node is repeated at its end, m^2.
-double ring_area(const double *x, const double *y, const std::uint32_t n)
-{
-  double twice = 0.;
-  for (std::uint32_t k = 0; k < n; ++k)
-    twice += (x[k] - x[0]) * (y[k + 1] - y[0]) - (x[k + 1] - x[0]) * (y[k] - y[0]);
-  return 0.5 * twice;
-}
-
 std::size_t round_up(std::size_t n) { return (n + 7) / 8 * 8; }
 } // namespace
 
-SphFluid::SphFluid(const SphFluidParameters &parameters_, const EquationOfState &eos_, std::vector<double> mass_)
+template <int dim>
+SphFluid<dim>::SphFluid(const SphFluidParameters &parameters_, const EquationOfState &eos_, std::vector<double> mass_,
+                        std::shared_ptr<const WallDamage> damage_)
+  requires(dim == 2)
   : parameters(parameters_)
   , eos(eos_)
   , mass(std::move(mass_))
+  , damage(std::move(damage_))
 {}
 
-void SphFluid::declare(Particles<2> &particles)
+template <int dim>
+SphFluid<dim>::SphFluid(const SphFluidParameters &parameters_, const EquationOfState &eos_, std::vector<double> mass_,
+                        std::shared_ptr<const TriangleMesh> mesh_, std::shared_ptr<const WallDamage> damage_)
+  requires(dim == 3)
+  : parameters(parameters_)
+  , eos(eos_)
+  , mass(std::move(mass_))
+  , mesh(std::move(mesh_))
+  , damage(std::move(damage_))
 {
+  parameters.depth = 1.;
+}
+
+template <int dim>
+void SphFluid<dim>::declare(Particles<dim> &particles)
+{
+  for (std::size_t group = 0; group < particles.groups.size(); ++group)
+    {
+      const Group &g = particles.groups[group];
+      if (std::max(g.fluid_count(), g.wall_count()) > 65534)
+        throw std::invalid_argument("SPH fluid: cell " + std::to_string(group) + " has " + std::to_string(g.fluid_count())
+                                    + " fluid particles and " + std::to_string(g.wall_count())
+                                    + " wall nodes; the neighbour lists number at most 65534 of each");
+      if (dim == 3 && g.wall_count() != mesh->nodes)
+        throw std::invalid_argument("SPH fluid: cell " + std::to_string(group) + " has " + std::to_string(g.wall_count())
+                                    + " wall nodes, its mesh of triangles " + std::to_string(mesh->nodes));
+      const std::size_t faces = dim == 2 ? g.wall_count() : mesh->faces.size();
+      if (damage && damage->cells.at(group).face_gone.size() != faces)
+        throw std::invalid_argument("SPH fluid: the wall of cell " + std::to_string(group) + " has " + std::to_string(faces)
+                                    + " faces, its record of damage "
+                                    + std::to_string(damage->cells[group].face_gone.size()));
+    }
   particles.declare("density");
   particles.declare("pressure");
   particles.declare("wall_share");
   cells.assign(particles.groups.size(), Cell());
 }
 
-void SphFluid::set_particle_mass(Particles<2> &particles, const std::size_t group, const double value)
+template <int dim>
+void SphFluid<dim>::set_particle_mass(Particles<dim> &particles, const std::size_t group, const double value)
 {
   mass[group] = value;
   const Group &g = particles.groups[group];
@@ -77,160 +112,142 @@ void SphFluid::set_particle_mass(Particles<2> &particles, const std::size_t grou
     particles.inverse_mass[i] = 1. / value;
 }
 
-void SphFluid::build(const Group &g, Cell &cell) const
+template <int dim>
+void SphFluid<dim>::build(const Group &g, const std::size_t number)
 {
-  cell.lists.build(cell.built_at, g.wall_count(), parameters.support + parameters.skin);
+  Cell &cell = cells[number];
+  const double reach = parameters.support + parameters.skin;
+  const std::uint32_t nw = g.wall_count(), n = g.fluid_count();
+  const std::vector<unsigned char> *gone = open(number) ? &damage->cells[number].face_gone : nullptr;
+  cell.built = true;
   ++cell.builds;
+  if (!cell.built_at.finite())
+    { // no neighbours: the scene sees the positions themselves and says that it diverged
+      cell.lists.fluid.clear(n);
+      cell.lists.wall.clear(n);
+      return;
+    }
+  cell.lists.fluid.build(cell.built_at, nw, reach);
+  if constexpr (dim == 2)
+    cell.lists.wall.build(cell.built_at, nw, reach, gone);
+  else
+    cell.lists.wall.build(cell.built_at, nw, *mesh, reach, parameters.skin, gone);
 }
 
-void SphFluid::add_forces(Particles<2> &particles, const Box<2> &, const std::size_t group)
+template <int dim>
+void SphFluid<dim>::add_forces(Particles<dim> &particles, const Box<dim> &, const std::size_t group)
 {
   const Group &g = particles.groups[group];
-  const std::uint32_t nw = g.wall_count(), n = g.fluid_count();
+  const std::uint32_t n = g.fluid_count();
   if (n == 0)
     return;
   Cell &cell = cells[group];
   if (cell.built_at.stale(particles, g, parameters.skin))
     {
       cell.built_at.take(particles.x, g);
-      build(g, cell);
+      cell.built = false;
     }
+  if (!cell.built)
+    build(g, group);
 
+  const bool viscous = parameters.viscosity > 0.;
+  const std::size_t rows = std::size_t(n + 1) * sph::row_doubles;
+  WallView<dim> wall(cell.lists.wall, g, {parameters.depth, viscous, mesh.get()});
   thread_local Scratch scratch;
-  const std::size_t ring = round_up(2 * nw + sph::list_padding + 1), rows = std::size_t(n + 1) * sph::row_doubles;
-  const std::size_t half = std::size_t(4) * sph::list_padding * cell.lists.chunks;
-  const std::size_t arc_stride = round_up(cell.lists.arcs.size());
-  double *memory = scratch.get(rows + 2 * half + 8 * ring + 5 * arc_stride);
-  double *wall = memory + rows + 2 * half;
+  double *memory = scratch.get(rows + round_up(n) + wall.doubles());
 
-  sph::CellView view;
+  sph::CellView<dim> view;
   view.n = n;
-  view.n_wall = nw;
   view.rows = memory;
-  view.scratch = memory + rows;
-  view.scratch_half = std::uint32_t(half);
-  view.arc_ends = wall + 8 * ring;
-  view.arc_stride = std::uint32_t(arc_stride);
+  view.push = memory + rows;
+  wall.attach(view, particles, memory + rows + round_up(n));
   view.support = parameters.support;
   view.mass = mass[group];
   view.depth = parameters.depth;
   view.viscosity = parameters.viscosity;
   view.eos = &eos_pressure;
   view.eos_data = &eos;
-  view.neighbours = cell.lists.neighbours.data();
-  view.first_neighbour = cell.lists.first_neighbour.data();
-  view.arcs = cell.lists.arcs.data();
-  view.first_arc = cell.lists.first_arc.data();
+  view.neighbours = cell.lists.fluid.neighbours.data();
+  view.first_neighbour = cell.lists.fluid.first_neighbour.data();
   view.rho = particles.field("density").data() + g.fluid;
   view.pressure = particles.field("pressure").data() + g.fluid;
   view.gamma = particles.field("wall_share").data() + g.fluid;
-
-  const bool viscous = parameters.viscosity > 0.;
-  for (int d = 0; d < 2; ++d)
+  for (int d = 0; d < dim; ++d)
     {
       view.x[d] = particles.x[d].data() + g.fluid;
+      view.v[d] = particles.v[d].data() + g.fluid;
       view.f[d] = particles.f[d].data() + g.fluid;
-      double *ring_x = wall + (4 * d) * ring, *ring_v = ring_x + ring, *ring_f = ring_v + ring, *ring_next = ring_f + ring;
-      const double *x = particles.x[d].data() + g.begin;
-      const std::size_t used = 2 * nw + sph::list_padding + 1;
-      for (std::size_t k = 0, node = 0; k < used; ++k, node = node + 1 < nw ? node + 1 : 0)
-        ring_x[k] = x[node];
-      std::fill(ring_f, ring_f + 2 * ring, 0.);
-      if (viscous)
-        {
-          const double *v = particles.v[d].data();
-          view.v[d] = v + g.fluid;
-          for (std::size_t k = 0, node = 0; k < used; ++k, node = node + 1 < nw ? node + 1 : 0)
-            ring_v[k] = v[g.begin + node];
-        }
-      view.wall_x[d] = ring_x;
-      view.wall_v[d] = ring_v;
-      view.wall_f[d] = ring_f;
-      view.wall_f_next[d] = ring_next;
     }
-
-  if (parameters.exact_volume)
+  view.open = open(group);
+  if (view.open)
     {
-      view.volume = std::max(0., parameters.depth * ring_area(view.wall_x[0], view.wall_x[1], nw));
+      view.eos = &eos_pressure_free;
+      view.scale = cell.scale;
+    }
+  else if (parameters.exact_volume)
+    {
+      view.volume = std::max(0., wall.volume());
       view.ordering = view.volume > 0. ? parameters.ordering : 0.; // a wall turned inside out encloses nothing
     }
-  const sph::Sweeps &sweeps = sph::sweeps();
+
+  const sph::Sweeps<dim> &sweeps = sph::sweeps<dim>();
   sweeps.density(view);
   sweeps.force(view);
   cell.crossed = view.crossed;
+  cell.scale = view.scale;
   cell.ordering_energy = view.ordering * view.volume * (1. - view.scale);
-
-  const double push = 0.5 * (view.mean_pressure - view.ordering) * parameters.depth; // times 2 dA/dx of a node
-  for (int d = 0; d < 2; ++d)
-    {
-      double *f = particles.f[d].data() + g.begin;
-      const double *across = view.wall_x[1 - d], sign = d == 0 ? push : -push;
-      for (std::uint32_t k = 0; k < nw; ++k)
-        f[k] += sign * (across[k + 1] - across[k > 0 ? k - 1 : nw - 1]);
-      const double *own = view.wall_f[d], *next = view.wall_f_next[d];
-      const std::size_t used = 2 * nw + sph::list_padding;
-      for (std::size_t k = 0, node = 0; k < used; ++k)
-        {
-          f[node] += own[k];
-          node = node + 1 < nw ? node + 1 : 0;
-          f[node] += next[k];
-        }
-    }
+  wall.collect(view, view.mean_pressure - view.ordering, particles);
 }
 
-double SphFluid::energy(const Particles<2> &particles, const Box<2> &, const std::size_t group) const
+template <int dim>
+double SphFluid<dim>::energy(const Particles<dim> &particles, const Box<dim> &, const std::size_t group) const
 {
   const Group &g = particles.groups[group];
   const std::vector<double> &rho = particles.field("density");
+  const bool free = open(group);
   double total = cells[group].ordering_energy;
   for (std::uint32_t i = g.fluid; i < g.end; ++i)
-    total += mass[group] * eos.energy(rho[i]);
+    if (!free || !(rho[i] <= eos.reference_density()))
+      total += mass[group] * eos.energy(rho[i]);
   return total;
 }
 
-Rates SphFluid::rates(const Particles<2> &particles) const
+template <int dim>
+Rates SphFluid<dim>::rates(const Particles<dim> &particles) const
 {
   Rates bound;
   const double R = parameters.support, rho = eos.reference_density(), c = eos.sound_speed(1.05 * rho);
   // Stiffest acoustic mode of the pair sums: wave number about 6.5 / R.
   bound.fluid.frequency_squared = 6.5 * 6.5 * c * c / (R * R);
-  // Wendland C2, continuous limit: sum V |W'|/r = 14/R^2; the central pair drag takes half of
-  // it in one direction, chi mu/2 = 8 mu, and the highest mode moves neighbours oppositely.
-  bound.fluid.drag = 2. * 8. * 7. * parameters.viscosity / (rho * R * R);
+  // Wendland C2, continuous limit, in 2D and 3D: sum V |W'|/r = 14/R^2; the central pair drag takes 1/d of
+  // it in one direction, chi mu/2 = 2 (d + 2) mu, and the highest mode moves neighbours oppositely.
+  bound.fluid.drag = 2. * (dim == 2 ? 8. * 7. : 10. * 14. / 3.) * parameters.viscosity / (rho * R * R);
   if (particles.groups.empty())
     return bound;
   const Group &g = particles.groups.front(); // all cells start as copies
-  const std::uint32_t n = g.wall_count();
-  if (n == 0)
+  if (g.wall_count() == 0)
     return bound;
-  std::vector<double> x, y;
-  double lightest = 0., length = 0., squares = 0.; // inverse mass of the lightest node; sums over the faces
-  for (std::uint32_t k = 0; k <= n; ++k)
-    {
-      const std::uint32_t node = g.begin + k % n;
-      x.push_back(particles.x[0][node]);
-      y.push_back(particles.x[1][node]);
-      lightest = std::max(lightest, particles.inverse_mass[node]);
-      const double face = k > 0 ? std::hypot(x[k] - x[k - 1], y[k] - y[k - 1]) : 0.;
-      length += face;
-      squares += face * face;
-    }
-  // All nodes together against the fluid's bulk modulus: B depth sum_k |dA/dx_k|^2 / (A m_node).
+  const double lightest =
+    *std::max_element(particles.inverse_mass.begin() + g.begin, particles.inverse_mass.begin() + g.fluid);
+  const WallBulk wall = WallView<dim>::bulk(particles, g, {parameters.depth, false, mesh.get()});
+  // All nodes together against the fluid's bulk modulus: B sum_k |dV/dx_k|^2 / (V m_node).
   if (parameters.exact_volume)
-    bound.wall.frequency_squared = rho * c * c * parameters.depth * squares / ring_area(x.data(), y.data(), n) * lightest;
-  // No slip drags the wall's light nodes: mu z0 l over the least gap that counts, half a
+    bound.wall.frequency_squared = rho * c * c * wall.slopes_squared / wall.volume * lightest;
+  // No slip drags the wall's light nodes: mu times a node's area over the least gap that counts, half a
   // spacing (doc/validation.md has the measured limit beside this bound).
-  bound.wall.drag = parameters.viscosity * parameters.depth * (length / n) * lightest / (0.5 * R / 2.6);
+  bound.wall.drag = parameters.viscosity * wall.node_area * lightest / (0.5 * R / 2.6);
   return bound;
 }
 
-void SphFluid::forget_lists()
+template <int dim>
+void SphFluid<dim>::forget_lists()
 {
   for (Cell &cell : cells)
     cell.built_at.forget();
 }
 
-std::size_t SphFluid::crossed() const
+template <int dim>
+std::size_t SphFluid<dim>::crossed() const
 {
   std::size_t total = 0;
   for (const Cell &cell : cells)
@@ -238,7 +255,8 @@ std::size_t SphFluid::crossed() const
   return total;
 }
 
-std::size_t SphFluid::list_builds() const
+template <int dim>
+std::size_t SphFluid<dim>::list_builds() const
 {
   std::size_t total = 0;
   for (const Cell &cell : cells)
@@ -246,24 +264,26 @@ std::size_t SphFluid::list_builds() const
   return total;
 }
 
-double SphFluid::mean_neighbours(const Particles<2> &particles) const
+template <int dim>
+double SphFluid<dim>::mean_neighbours(const Particles<dim> &particles) const
 {
   std::size_t pairs = 0, n = 0;
   for (std::size_t group = 0; group < cells.size(); ++group)
     {
       const Group &g = particles.groups[group];
-      const Cell &cell = cells[group];
+      const FluidNeighbours &lists = cells[group].lists.fluid;
       n += g.fluid_count();
-      for (std::uint32_t i = 0; i + 1 < cell.lists.first_neighbour.size(); ++i)
-        for (std::uint32_t k = cell.lists.first_neighbour[i]; k < cell.lists.first_neighbour[i + 1]; ++k)
-          if (cell.lists.neighbours[k] < g.fluid_count())
-            pairs += (particles.position(g.fluid + cell.lists.neighbours[k]) - particles.position(g.fluid + i)).norm()
+      for (std::uint32_t i = 0; i + 1 < lists.first_neighbour.size(); ++i)
+        for (std::uint32_t k = lists.first_neighbour[i]; k < lists.first_neighbour[i + 1]; ++k)
+          if (lists.neighbours[k] < g.fluid_count())
+            pairs += (particles.position(g.fluid + lists.neighbours[k]) - particles.position(g.fluid + i)).norm()
                      < parameters.support;
     }
   return n > 0 ? double(pairs) / double(n) : 0.;
 }
 
-std::size_t SphFluid::memory_bytes() const
+template <int dim>
+std::size_t SphFluid<dim>::memory_bytes() const
 {
   std::size_t bytes = 0;
   for (const Cell &cell : cells)
@@ -271,23 +291,33 @@ std::size_t SphFluid::memory_bytes() const
   return bytes;
 }
 
-void SphFluid::save(std::ostream &out, const Particles<2> &) const
+template <int dim>
+void SphFluid<dim>::save(std::ostream &out, const Particles<dim> &) const
 {
   write_binary(out, mass);
   for (const Cell &cell : cells)
-    cell.built_at.save(out);
+    {
+      cell.built_at.save(out);
+      if (damage)
+        write_binary(out, cell.scale);
+    }
 }
 
-void SphFluid::load(std::istream &in, Particles<2> &particles)
+template <int dim>
+void SphFluid<dim>::load(std::istream &in, Particles<dim> &particles)
 {
   read_binary(in, mass);
   for (std::size_t group = 0; group < cells.size(); ++group)
     {
       Cell &cell = cells[group];
       cell.built_at.load(in);
+      if (damage)
+        read_binary(in, cell.scale);
       set_particle_mass(particles, group, mass[group]);
-      if (cell.built_at.known() && particles.groups[group].fluid_count() > 0)
-        build(particles.groups[group], cell);
+      cell.built = false; // built from there at the next forces, when the damage is known as well
     }
 }
+
+template class SphFluid<2>;
+template class SphFluid<3>;
 } // namespace turgor

@@ -1,12 +1,21 @@
-// The SPH fluid of closed cells: variational, wall-corrected (equations in sph_sweeps.h).
+// The SPH fluid of cells, 2D and 3D: variational, wall-corrected (equations in sph_sweeps.h).
+//
+// The wall is the ring of a group's wall nodes (2D) or a mesh of triangles that all cells share (3D). Without damage all
+// cells are closed. A cell whose wall has failed (WallDamage) is open: gone faces hold nothing back, the pressure is
+// max(0, p), s keeps its last closed value, no ordering, no exact volume (what this means: sph_sweeps.h). The process that
+// breaks a wall tells the fluid by forget_lists(group). Fluid that flies off costs no memory, however far; where it may
+// be is the scene's matter.
 //
 // Fields: density (kg/m^3), pressure (Pa), wall_share (gamma).
 #pragma once
 
+#include "micro/cells/triangle_mesh.h"
 #include "micro/terms/cell_fluid.h"
 #include "micro/terms/list_origin.h"
 #include "micro/terms/sph_lists.h"
+#include "micro/terms/wall_damage.h"
 
+#include <memory>
 #include <vector>
 
 namespace turgor
@@ -15,54 +24,74 @@ struct SphFluidParameters
 {
   double support = 0.;    ///< m, radius of the kernel (2 h)
   double skin = 0.;       ///< m
-  double depth = 1.;      ///< m, slab depth
+  double depth = 1.;      ///< m, slab depth; not used in 3D
   double viscosity = 0.;  ///< Pa s
   bool exact_volume = true; ///< volumes of the particles fill the cell exactly; else as summed
   double ordering = 0.;     ///< Pa, p_0; with exact_volume
 };
 
-class SphFluid final : public CellFluid<2>
+template <int dim>
+class SphFluid final : public CellFluid<dim>
 {
 public:
-  /// mass: kg of one fluid particle, per group.
-  SphFluid(const SphFluidParameters &parameters, const EquationOfState &eos, std::vector<double> mass);
+  /// mass: kg of one fluid particle, per group. damage: empty where walls do not fail.
+  SphFluid(const SphFluidParameters &parameters, const EquationOfState &eos, std::vector<double> mass,
+           std::shared_ptr<const WallDamage> damage = {})
+    requires(dim == 2);
+  /// mesh: the faces of every cell's wall; corner k is wall node k of the group, corners counter-clockwise seen from outside.
+  SphFluid(const SphFluidParameters &parameters, const EquationOfState &eos, std::vector<double> mass,
+           std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<const WallDamage> damage = {})
+    requires(dim == 3);
 
   std::string name() const override { return parameters.viscosity > 0. ? "sph_fluid_viscous" : "sph_fluid"; }
-  void declare(Particles<2> &particles) override;
-  void add_forces(Particles<2> &particles, const Box<2> &box, std::size_t group) override;
-  double energy(const Particles<2> &particles, const Box<2> &box, std::size_t group) const override;
-  Rates rates(const Particles<2> &particles) const override;
-  void save(std::ostream &out, const Particles<2> &particles) const override;
-  void load(std::istream &in, Particles<2> &particles) override;
+  /// Throws std::invalid_argument for cells that the lists cannot number, or that do not fit the mesh.
+  void declare(Particles<dim> &particles) override;
+  void add_forces(Particles<dim> &particles, const Box<dim> &box, std::size_t group) override;
+  double energy(const Particles<dim> &particles, const Box<dim> &box, std::size_t group) const override;
+  Rates rates(const Particles<dim> &particles) const override;
+  void save(std::ostream &out, const Particles<dim> &particles) const override;
+  void load(std::istream &in, Particles<dim> &particles) override;
 
   const std::vector<double> &particle_mass() const override { return mass; }
-  void set_particle_mass(Particles<2> &particles, std::size_t group, double value) override;
+  void set_particle_mass(Particles<dim> &particles, std::size_t group, double value) override;
   void set_viscosity(double value) { parameters.viscosity = value; }
   double viscosity() const { return parameters.viscosity; }
   const EquationOfState &equation_of_state() const override { return eos; }
   double support() const override { return parameters.support; }
   void forget_lists() override;
-  /// Of the last force evaluation.
+  void forget_lists(std::size_t group) { cells[group].built_at.forget(); }
+  /// Of the last force evaluation: in closed cells.
   std::size_t crossed() const override;
   std::size_t list_builds() const override;
-  double mean_neighbours(const Particles<2> &particles) const override;
+  double mean_neighbours(const Particles<dim> &particles) const override;
   std::size_t memory_bytes() const override;
+
+  bool open(const std::size_t group) const { return damage && damage->cells[group].failed(); }
+  /// s of the last force evaluation.
+  double scale(const std::size_t group) const { return cells[group].scale; }
 
 private:
   struct Cell
   {
-    SphLists lists;
-    ListOrigin<2> built_at;
+    SphLists<dim> lists;
+    ListOrigin<dim> built_at;
+    bool built = false;              ///< lists are those of built_at
     double ordering_energy = 0.;     ///< J
+    double scale = 1.;
     std::uint32_t crossed = 0;
     std::size_t builds = 0;
   };
 
-  void build(const Group &group, Cell &cell) const; ///< from built_at
+  void build(const Group &group, std::size_t number); ///< from built_at
 
   SphFluidParameters parameters;
   EquationOfState eos;
   std::vector<double> mass;
+  std::shared_ptr<const TriangleMesh> mesh;
+  std::shared_ptr<const WallDamage> damage;
   std::vector<Cell> cells;
 };
+
+extern template class SphFluid<2>;
+extern template class SphFluid<3>;
 } // namespace turgor

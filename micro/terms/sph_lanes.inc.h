@@ -38,17 +38,51 @@ inline V reciprocal(V a)
   y = _mm512_mul_pd(y, _mm512_fnmadd_pd(a, y, splat(2.)));
   return _mm512_mul_pd(y, _mm512_fnmadd_pd(a, y, splat(2.)));
 }
-inline void load_xy(const double *rows, const std::uint16_t *j, V &x, V &y)
+/// Four columns of eight rows given as two halves of four rows each: lo[k], hi[k] are row k and row k + 4.
+inline void transpose(const __m256d lo[4], const __m256d hi[4], V c[4])
 {
-  const auto at = [&](int k) { return _mm_load_pd(rows + std::uint32_t(j[k]) * row_doubles); };
-  const __m256d p0 = _mm256_insertf128_pd(_mm256_castpd128_pd256(at(0)), at(1), 1);
-  const __m256d p1 = _mm256_insertf128_pd(_mm256_castpd128_pd256(at(2)), at(3), 1);
-  const __m256d p2 = _mm256_insertf128_pd(_mm256_castpd128_pd256(at(4)), at(5), 1);
-  const __m256d p3 = _mm256_insertf128_pd(_mm256_castpd128_pd256(at(6)), at(7), 1);
-  const V a = _mm512_insertf64x4(_mm512_castpd256_pd512(p0), p1, 1);
-  const V b = _mm512_insertf64x4(_mm512_castpd256_pd512(p2), p3, 1);
-  x = _mm512_permutex2var_pd(a, _mm512_setr_epi64(0, 2, 4, 6, 8, 10, 12, 14), b);
-  y = _mm512_permutex2var_pd(a, _mm512_setr_epi64(1, 3, 5, 7, 9, 11, 13, 15), b);
+  V r[4], t[4];
+  for (int k = 0; k < 4; ++k)
+    r[k] = _mm512_insertf64x4(_mm512_castpd256_pd512(lo[k]), hi[k], 1);
+  for (int k = 0; k < 4; k += 2)
+    {
+      t[k] = _mm512_unpacklo_pd(r[k], r[k + 1]);
+      t[k + 1] = _mm512_unpackhi_pd(r[k], r[k + 1]);
+    }
+  const __m512i low = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13), high = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+  c[0] = _mm512_permutex2var_pd(t[0], low, t[2]);
+  c[1] = _mm512_permutex2var_pd(t[1], low, t[3]);
+  c[2] = _mm512_permutex2var_pd(t[0], high, t[2]);
+  c[3] = _mm512_permutex2var_pd(t[1], high, t[3]);
+}
+/// Columns 0 to 3 of the rows j[0..7], `stride` doubles apart.
+template <unsigned int stride>
+inline void load_half_rows(const double *rows, const std::uint16_t *j, V c[4])
+{
+  __m256d lo[4], hi[4];
+  for (int k = 0; k < 4; ++k)
+    {
+      lo[k] = _mm256_load_pd(rows + std::uint32_t(j[k]) * stride);
+      hi[k] = _mm256_load_pd(rows + std::uint32_t(j[k + 4]) * stride);
+    }
+  transpose(lo, hi, c);
+}
+/// The other way: lane k of x, y, z is added to the first three numbers of row j[k], 4 doubles apart; lanes in order.
+inline void add_to_rows(double *rows, const std::uint16_t *j, V x, V y, V z)
+{
+  const V c[4] = {x, y, z, splat(0.)};
+  const V t0 = _mm512_unpacklo_pd(c[0], c[1]), t1 = _mm512_unpackhi_pd(c[0], c[1]), t2 = _mm512_unpacklo_pd(c[2], c[3]),
+          t3 = _mm512_unpackhi_pd(c[2], c[3]);
+  const __m512i low = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13), high = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+  // r[k] holds lanes k and k + 4
+  const V r[4] = {_mm512_permutex2var_pd(t0, low, t2), _mm512_permutex2var_pd(t1, low, t3),
+                  _mm512_permutex2var_pd(t0, high, t2), _mm512_permutex2var_pd(t1, high, t3)};
+  for (int k = 0; k < 8; ++k)
+    {
+      double *row = rows + std::uint32_t(j[k]) * 4;
+      const __m256d add = k < 4 ? _mm512_castpd512_pd256(r[k]) : _mm512_extractf64x4_pd(r[k - 4], 1);
+      _mm256_store_pd(row, _mm256_add_pd(_mm256_load_pd(row), add));
+    }
 }
 /// The rows j[0..7], transposed: c[k] holds column k of the eight rows.
 inline void load_rows(const double *rows, const std::uint16_t *j, V c[row_doubles])
@@ -89,30 +123,40 @@ inline V rsqrt(V a)
   return y;
 }
 inline V reciprocal(V a) { return splat(1.) / a; }
-inline void load_xy(const double *rows, const std::uint16_t *j, V &x, V &y)
+inline void transpose(const V r[4], V c[4])
 {
-  for (int k = 0; k < W; ++k)
+  typedef long long M __attribute__((vector_size(32)));
+  const V lo0 = __builtin_shuffle(r[0], r[1], M{0, 4, 2, 6}), hi0 = __builtin_shuffle(r[0], r[1], M{1, 5, 3, 7});
+  const V lo1 = __builtin_shuffle(r[2], r[3], M{0, 4, 2, 6}), hi1 = __builtin_shuffle(r[2], r[3], M{1, 5, 3, 7});
+  c[0] = __builtin_shuffle(lo0, lo1, M{0, 1, 4, 5});
+  c[1] = __builtin_shuffle(hi0, hi1, M{0, 1, 4, 5});
+  c[2] = __builtin_shuffle(lo0, lo1, M{2, 3, 6, 7});
+  c[3] = __builtin_shuffle(hi0, hi1, M{2, 3, 6, 7});
+}
+/// Columns 0 to 3 of the rows j[0..3], `stride` doubles apart.
+template <unsigned int stride>
+inline void load_half_rows(const double *rows, const std::uint16_t *j, V c[4])
+{
+  const auto row = [&](int k) { return load(rows + std::uint32_t(j[k]) * stride); };
+  const V r[4] = {row(0), row(1), row(2), row(3)};
+  transpose(r, c);
+}
+/// The other way: lane k of x, y, z is added to the first three numbers of row j[k], 4 doubles apart; lanes in order.
+inline void add_to_rows(double *rows, const std::uint16_t *j, V x, V y, V z)
+{
+  const V c[4] = {x, y, z, splat(0.)};
+  V r[4];
+  transpose(c, r);
+  for (int k = 0; k < 4; ++k)
     {
-      const double *row = rows + std::uint32_t(j[k]) * row_doubles;
-      x[k] = row[0];
-      y[k] = row[1];
+      double *row = rows + std::uint32_t(j[k]) * 4;
+      store(row, load(row) + r[k]);
     }
 }
 inline void load_rows(const double *rows, const std::uint16_t *j, V c[row_doubles])
 {
-  for (int half = 0; half < 2; ++half)
-    {
-      V r[4];
-      for (int k = 0; k < 4; ++k)
-        r[k] = load(rows + std::uint32_t(j[k]) * row_doubles + 4 * half);
-      typedef long long M __attribute__((vector_size(32)));
-      const V lo0 = __builtin_shuffle(r[0], r[1], M{0, 4, 2, 6}), hi0 = __builtin_shuffle(r[0], r[1], M{1, 5, 3, 7});
-      const V lo1 = __builtin_shuffle(r[2], r[3], M{0, 4, 2, 6}), hi1 = __builtin_shuffle(r[2], r[3], M{1, 5, 3, 7});
-      c[4 * half] = __builtin_shuffle(lo0, lo1, M{0, 1, 4, 5});
-      c[4 * half + 1] = __builtin_shuffle(hi0, hi1, M{0, 1, 4, 5});
-      c[4 * half + 2] = __builtin_shuffle(lo0, lo1, M{2, 3, 6, 7});
-      c[4 * half + 3] = __builtin_shuffle(hi0, hi1, M{2, 3, 6, 7});
-    }
+  load_half_rows<row_doubles>(rows, j, c);
+  load_half_rows<row_doubles>(rows + 4, j, c + 4);
 }
 #endif
 

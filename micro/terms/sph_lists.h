@@ -1,7 +1,11 @@
 // Who is near whom in one cell of the SPH fluid: for every fluid particle the fluid particles of the same cell
-// and the stretches of wall (arcs) within reach, in the form the sweeps read.
+// and the faces of the wall within reach, in the form the sweeps read (arcs of a ring in 2D, fans of triangles in 3D).
+//
+// A triangle's quadrature is chosen here, by its distance over its size, and kept until the next build: sums switch
+// quadrature only then. Faces that are gone (an opened wall) are left out.
 #pragma once
 
+#include "micro/cells/triangle_mesh.h"
 #include "micro/terms/list_origin.h"
 #include "micro/terms/sph_sweeps.h"
 
@@ -10,20 +14,55 @@
 
 namespace turgor
 {
-struct SphLists
+/// The wall's part in 2D.
+struct WallArcs
 {
-  std::vector<std::uint16_t> neighbours; ///< fluid indices, padded with the number of fluid particles
-  std::vector<std::uint32_t> first_neighbour, first_arc; ///< offsets, one more than fluid particles
+  std::vector<std::uint32_t> first_arc; ///< offsets, one more than fluid particles
   std::vector<sph::Arc> arcs;
   std::uint32_t chunks = 0; ///< of list_padding faces, over all particles
 
-  /// From the positions of a cell whose ring has wall_count nodes; reach in m (support + skin). Positions that
-  /// are not finite have no neighbours.
-  void build(const ListOrigin<2> &origin, std::uint32_t wall_count, double reach);
+  /// Particles i = wall_count ... of origin; gone: one a face, or nothing. reach in m.
+  void build(const ListOrigin<2> &origin, std::uint32_t wall_count, double reach, const std::vector<unsigned char> *gone);
+  void clear(std::uint32_t particles);
+  std::size_t memory_bytes() const { return first_arc.capacity() * 4 + arcs.capacity() * sizeof(sph::Arc); }
+};
+
+/// The wall's part in 3D.
+struct WallFans
+{
+  std::vector<sph::Fan> fans; ///< one a fluid particle
+  std::vector<std::uint16_t> nodes, corners;
+  std::uint32_t largest = 0; ///< nodes of a fan
+
+  /// slack: how far a particle can come nearer to a face before the next build, m.
+  void build(const ListOrigin<3> &origin, std::uint32_t wall_count, const TriangleMesh &mesh, double reach, double slack,
+             const std::vector<unsigned char> *gone);
+  void clear(std::uint32_t particles);
   std::size_t memory_bytes() const
   {
-    return neighbours.capacity() * 2 + (first_neighbour.capacity() + first_arc.capacity()) * 4
-           + arcs.capacity() * sizeof(sph::Arc);
+    return fans.capacity() * sizeof(sph::Fan) + (nodes.capacity() + corners.capacity()) * 2;
   }
+};
+
+/// Fluid particles of one cell: neighbours of each.
+struct FluidNeighbours
+{
+  std::vector<std::uint16_t> neighbours;      ///< fluid indices, padded with the number of fluid particles
+  std::vector<std::uint32_t> first_neighbour; ///< offsets, one more than fluid particles
+
+  /// Particles i = wall_count ... of origin; reach in m.
+  template <int dim>
+  void build(const ListOrigin<dim> &origin, std::uint32_t wall_count, double reach);
+  void clear(std::uint32_t particles);
+  std::size_t memory_bytes() const { return neighbours.capacity() * 2 + first_neighbour.capacity() * 4; }
+};
+
+template <int dim>
+struct SphLists
+{
+  FluidNeighbours fluid;
+  std::conditional_t<dim == 2, WallArcs, WallFans> wall;
+
+  std::size_t memory_bytes() const { return fluid.memory_bytes() + wall.memory_bytes(); }
 };
 } // namespace turgor

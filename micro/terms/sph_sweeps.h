@@ -1,4 +1,4 @@
-// The two hot sweeps of the fluid in one closed cell, over plain arrays, compiled once
+// The two hot sweeps of the fluid in one cell, 2D and 3D, over plain arrays, compiled once
 // per instruction set and chosen at run time (sph_sweeps_avx2.cc, sph_sweeps_avx512.cc).
 //
 // Formulation: variational, wall-corrected summation density with the cell's exact volume. For fluid particle i
@@ -9,23 +9,74 @@
 //   f_k     = -dE/dx_k = (p_mean - p_0) dV/dx_k - sum_i (m s / rho_i^2) (p_i - p_mean + s p_0) dr_i/dx_k
 //             p_mean = sum_i (m / rho_i) p_i / V            for fluid and wall alike
 // s makes the particles' volumes fill the cell exactly: how the particles happen to be packed (0.05 % of density
-// are 10 % of turgor) no longer decides the pressure, which acts on the wall's own polygon, while the sums
+// are 10 % of turgor) no longer decides the pressure, which acts on the wall's own polygon or polyhedron, while the sums
 // carry what differs from it. Nothing would then keep the particles evenly spread (any packing
 // with equal r_i is at rest), so disorder, 1 - s, costs a little energy: p_0, the ordering pressure.
-// Without a volume (an open wall) s = 1, p_mean = p_0 = 0.
-// gamma from the wall alone: gamma_i = 1 + sum_faces [ integral G(r) r.n dS - angle / (2 pi) ],
-// div(r G) = W, by 3-point Gauss on the face; the discrete expression itself is differentiated,
+// Without a volume (an open wall) s is a given number, p_mean = p_0 = 0.
+// gamma from the wall alone, with G: div(r G) = W, D = G - 1/(Omega r^d), Omega = 2 pi or 4 pi:
+//   gamma_i = 1 + sum_faces [ integral G r.n dS - angle / Omega ] = 1 + sum_faces integral D r.n dS,
+// by Gauss on the face: on the first form near the particle, the angle exact; on the second, which has no angle and fades
+// to 0 at the support, on 3D's faces far away. The discrete expression itself is differentiated,
 // so F = -dE/dx and momentum hold to round-off (compare Ferrand et al. 2013,
 // 10.1002/fld.3666, for the continuous correction).
+//
+// Open cell (some faces gone, `open`): the sum runs over the faces that are left. It still is 1 out of reach of any face, and
+// runs continuously through the hole: below 1 inside, above 1 outside (to 3/2 at the outer side of a flat wall; across
+// the wall itself it jumps by 1). gamma = 1 - |sum - 1| mirrors it, so that a particle outside feels the wall
+// from there as one inside does: 1/2 on either side, 1 far off. It has a crease in the plane of the hole, where the force, not
+// the energy, jumps. The pressure of an open cell is max(0, p), energy 0 below rho_0: a free surface lacks
+// neighbours, and tension would pull it together. s stays what it was when the wall broke, or the pressure would jump by
+// 7 K (1 - s) in that moment.
+//
 // Kernel: Wendland C2 (no pairing instability), W = C (1 - u)^4 (4 u + 1), u = r / support.
-// Viscosity (thesis Eq. 2.25, corrected, chi = 16): central pair drag, renormalised by
-// (1/gamma_i + 1/gamma_j)/2 at the wall, and no slip against the wall's faces.
+// Viscosity (thesis Eq. 2.25, corrected, chi = 4 (d + 2)): central pair drag, renormalised at the wall by the
+// mean of 1/gamma_i and 1/gamma_j (2D: arithmetic; 3D: geometric, so that volume and 1/gamma are one number
+// and a row is still one cache line), and no slip against the wall's faces.
 #pragma once
 
 #include <cstdint>
 
 namespace turgor::sph
 {
+constexpr unsigned int row_doubles = 8;  ///< a row is one cache line
+constexpr unsigned int list_padding = 8; ///< lists are padded with the dummy row to this many entries
+
+/// Columns of a particle's row. All that pressure forces need is in the first half:
+/// 2D: x y a V | vx vy 1/gamma -;  3D: x y z a | vx vy vz V/sqrt(gamma).   a = V (p_i - p_mean + s p_0) s / (rho gamma)
+template <int dim>
+struct Column
+{
+  static constexpr int a = dim, volume = 3, velocity = 4, inverse_share = 6, viscous_weight = 7;
+};
+
+/// One cell, raw: what 2D and 3D share. n fluid particles, n_wall nodes.
+template <int dim>
+struct CellBase
+{
+  std::uint32_t n = 0, n_wall = 0;
+  const double *x[dim]{}, *v[dim]{}; ///< fluid positions (m) and velocities (m/s); v unused without viscosity
+  double *f[dim]{};                  ///< fluid forces (N), accumulated
+  double *rho = nullptr;             ///< out, kg/m^3
+  double *gamma = nullptr;           ///< out
+  double *pressure = nullptr;        ///< out, Pa
+  double *push = nullptr;            ///< n scratch: V (p_i - p_mean + s p_0) / gamma, signed as d gamma is, J
+  const std::uint16_t *neighbours = nullptr;      ///< local fluid indices, padded with n
+  const std::uint32_t *first_neighbour = nullptr; ///< n + 1 offsets
+  double *rows = nullptr;            ///< (n + 1) * row_doubles, 64-byte aligned scratch
+  double support = 0.;               ///< m
+  double mass = 0.;                  ///< kg, of one fluid particle
+  double depth = 1.;                 ///< m, slab depth: in 2D W is per area, rho per volume; 1 in 3D
+  double viscosity = 0.;             ///< Pa s; 0 compiles the viscous part out
+  void (*eos)(const void *, std::uint32_t n, const double *rho, double *p) = nullptr; ///< p(rho), Pa
+  const void *eos_data = nullptr;
+  double volume = 0.;                ///< m^3, inside the wall; 0, with ordering 0: s is given
+  double ordering = 0.;              ///< Pa, p_0
+  bool open = false;                 ///< faces are missing
+  double scale = 1.;                 ///< out, s; in, where volume is 0
+  double mean_pressure = 0.;         ///< out, Pa, p_mean; the caller applies (p_mean - p_0) dV/dx to the wall
+  std::uint32_t crossed = 0;         ///< out: particles found outside a closed wall
+};
+
 /// Consecutive wall faces [first, first + count) within reach of a particle; face k joins
 /// ring nodes k and k + 1 (modulo the ring).
 struct Arc
@@ -33,57 +84,67 @@ struct Arc
   std::uint16_t first = 0, count = 0;
 };
 
-constexpr unsigned int row_doubles = 8; ///< a row is one cache line: x, y, vx, vy, a, V, 1/gamma, b
-constexpr unsigned int list_padding = 8; ///< lists are padded with the dummy row to this many entries
-
-/// One cell, raw. Lengths: n fluid particles, n_wall nodes.
-struct CellView
+/// The faces within reach of a particle as triples of the nodes they join, these numbered among themselves (its fan).
+/// Faces stand in the order of quadratures; each quadrature begins a chunk of list_padding faces, given as
+/// list_padding first nodes, then the second, then the third ones; short chunks are padded with faces of no area.
+constexpr int quadratures = 4; ///< solid angle and 6 points on G; 6, 3, 1 points on D
+struct Fan
 {
-  std::uint32_t n = 0, n_wall = 0;
-  const double *x[2]{}, *v[2]{};  ///< fluid positions (m) and velocities (m/s); v unused without viscosity
-  double *f[2]{};                 ///< fluid forces (N), accumulated
-  double *rho = nullptr;          ///< out, kg/m^3
-  double *gamma = nullptr;        ///< out
-  double *pressure = nullptr;     ///< out, Pa
+  std::uint32_t first_node = 0, first_corner = 0; ///< offsets into fan_nodes and fan_corners
+  std::uint16_t nodes = 0, near_nodes = 0;        ///< near_nodes: those of quadrature 0; they come first
+  std::uint16_t faces[quadratures]{};
+};
+
+template <int dim>
+struct CellView;
+
+template <>
+struct CellView<2> : CellBase<2>
+{
   /// Wall nodes with the ring repeated: 2 n_wall + list_padding + 1 entries each.
   const double *wall_x[2]{}, *wall_v[2]{};
   double *wall_f[2]{};            ///< accumulated on face k's own node k; the caller folds the repeats back
   double *wall_f_next[2]{};       ///< accumulated on face k's other node k + 1
-  const std::uint16_t *neighbours = nullptr; ///< local fluid indices, padded with n
-  const std::uint32_t *first_neighbour = nullptr; ///< n + 1 offsets
   const Arc *arcs = nullptr;
   const std::uint32_t *first_arc = nullptr; ///< n + 1 offsets
-  double *rows = nullptr;         ///< (n + 1) * row_doubles, 64-byte aligned scratch
   double *scratch = nullptr;      ///< 2 * scratch_half, 64-byte aligned
   std::uint32_t scratch_half = 0; ///< 4 list_padding * (chunks of list_padding faces that all particles see)
   double *arc_ends = nullptr;     ///< 5 * arc_stride scratch
   std::uint32_t arc_stride = 0;   ///< number of arcs, rounded up to list_padding
-  double support = 0.;            ///< m
-  double mass = 0.;               ///< kg, of one fluid particle
-  double depth = 1.;              ///< m, slab depth: W is per area, rho per volume
-  double viscosity = 0.;          ///< Pa s; 0 compiles the viscous part out
-  void (*eos)(const void *, std::uint32_t n, const double *rho, double *p) = nullptr; ///< p(rho), Pa
-  const void *eos_data = nullptr;
-  double volume = 0.;             ///< m^3, inside the wall; 0, with ordering 0: densities are left as summed
-  double ordering = 0.;           ///< Pa, p_0
-  double scale = 1.;              ///< out, s
-  double mean_pressure = 0.;      ///< out, Pa, p_mean; the caller applies (p_mean - p_0) dV/dx to the wall
-  std::uint32_t crossed = 0;      ///< out: particles found outside the wall
 };
 
+template <>
+struct CellView<3> : CellBase<3>
+{
+  // Wall nodes, 4 doubles each (the last 0 or unused), 64-byte aligned.
+  const double *wall_x = nullptr, *wall_v = nullptr; ///< m, m/s; wall_v unused without viscosity
+  double *wall_f = nullptr;                          ///< N, accumulated
+  double *wall_drag = nullptr;                       ///< scratch, unused without viscosity
+  const Fan *fans = nullptr;                         ///< n
+  const std::uint16_t *fan_nodes = nullptr;          ///< wall nodes
+  const std::uint16_t *fan_corners = nullptr;        ///< 3 a face, numbers within the fan
+  double *scratch = nullptr;                         ///< 4 doubles for every fan_nodes entry: support * d gamma / d node
+  double *fan_scratch = nullptr;                     ///< 12 doubles for every node of the largest fan
+  double *own_drag = nullptr;                        ///< 4 n scratch, unused without viscosity
+};
+
+template <int dim>
 struct Sweeps
 {
   /// rho, gamma, p of every particle and the forces of p - p_mean + s p_0 between fluid and wall.
-  void (*density)(CellView &) = nullptr;
+  void (*density)(CellView<dim> &) = nullptr;
   /// The forces between fluid particles; needs density() at the same positions.
-  void (*force)(CellView &) = nullptr;
+  void (*force)(CellView<dim> &) = nullptr;
   const char *name = "";
 };
 
 /// The fastest sweeps this processor can run; `TURGOR_SIMD=avx2` in the environment
 /// forces the portable ones.
-const Sweeps &sweeps();
+template <int dim>
+const Sweeps<dim> &sweeps();
 
-const Sweeps &sweeps_avx2();
-const Sweeps &sweeps_avx512();
+template <int dim>
+const Sweeps<dim> &sweeps_avx2();
+template <int dim>
+const Sweeps<dim> &sweeps_avx512();
 } // namespace turgor::sph

@@ -1,357 +1,42 @@
-// Body of the sweeps of sph_sweeps.h; included by one file per instruction set, which
-// defines TURGOR_SWEEPS (the function that returns them). Everything here is in an
-// anonymous namespace and calls no inline function of a shared header: a copy compiled
+// The sweeps of sph_sweeps.h put together; included by one file per instruction set. Everything here and in the files
+// below is in an anonymous namespace and calls no inline function of a shared header: a copy compiled
 // for a wide machine must never be the one the linker keeps for all.
-#include "micro/terms/sph_sweeps.h"
+#pragma once
 
-#include "micro/terms/sph_lanes.inc.h"
+#include "micro/terms/sph_wall_edges.inc.h"
+#include "micro/terms/sph_wall_triangles.inc.h"
 
 namespace turgor::sph
 {
 namespace
 {
-alignas(64) const double lane_number[8] = {0, 1, 2, 3, 4, 5, 6, 7};
-
-/// What one particle feels of one stretch of wall: gamma and its derivatives with respect to
-/// the face's two nodes, lane = face, kept until p_i is known.
-struct Gradient
+template <int dim, bool viscous>
+void density(CellView<dim> &c)
 {
-  V ax, ay, bx, by;
-};
-
-/// Sum of value(0 .. n - 1), in eight interleaved parts: an order that does not depend on the machine.
-template <typename Value>
-inline double sum_of(const std::uint32_t n, const Value &value)
-{
-  double parts[8] = {};
-  std::uint32_t i = 0;
-  for (; i + 8 <= n; i += 8)
-    for (std::uint32_t l = 0; l < 8; ++l)
-      parts[l] += value(i + l);
-  for (; i < n; ++i)
-    parts[0] += value(i);
-  return ((parts[0] + parts[4]) + (parts[1] + parts[5])) + ((parts[2] + parts[6]) + (parts[3] + parts[7]));
-}
-
-/// Positions and velocities side by side, a row a particle, and the row that pads the lists: out of reach.
-template <bool viscous>
-void fill_rows(CellView &c)
-{
-  for (std::uint32_t i = 0; i < c.n; ++i)
-    {
-      double *row = c.rows + std::size_t(i) * row_doubles;
-      row[0] = c.x[0][i];
-      row[1] = c.x[1][i];
-      if (viscous)
-        {
-          row[2] = c.v[0][i];
-          row[3] = c.v[1][i];
-        }
-    }
-  double *dummy = c.rows + std::size_t(c.n) * row_doubles;
-  dummy[0] = c.x[0][0] + 1e3 * c.support;
-  dummy[1] = c.x[1][0] + 1e3 * c.support;
-  for (unsigned int k = 2; k < row_doubles; ++k)
-    dummy[k] = 0.;
-}
-
-/// Kernel sums (into rho) and what the faces within reach give to gamma and its gradient, angles left out.
-template <bool viscous>
-void sum_kernels(CellView &c)
-{
-  const double R = c.support, iR = 1. / R, C = 7. / (pi * R * R) / c.depth;
-  const V viR = splat(iR), one = splat(1.), four = splat(4.), tiny = splat(1e-24 * R * R);
-  // Gauss points and weights on [0, 1].
-  constexpr int gauss_points = 3;
-  const double gauss_x[gauss_points] = {0.11270166537925831, 0.5, 0.88729833462074169};
-  const double gauss_w[gauss_points] = {5. / 18., 8. / 18., 5. / 18.};
-
-  Gradient *gradients = reinterpret_cast<Gradient *>(c.scratch);
-  V *slip = reinterpret_cast<V *>(c.scratch + c.scratch_half);
-
-  std::uint32_t chunks = 0;
-  for (std::uint32_t i = 0; i < c.n; ++i)
-    {
-      const double *row = c.rows + std::size_t(i) * row_doubles;
-      const V xi = splat(row[0]), yi = splat(row[1]);
-      V acc = splat(0.);
-      for (std::uint32_t k = c.first_neighbour[i]; k < c.first_neighbour[i + 1]; k += W)
-        {
-          V xj, yj;
-          load_xy(c.rows, c.neighbours + k, xj, yj);
-          const V dx = xj - xi, dy = yj - yi, r2 = dx * dx + dy * dy + tiny;
-          const V u = r2 * rsqrt(r2) * viR;
-          const V w = positive(one - u), w2 = w * w;
-          acc += w2 * w2 * (four * u + one);
-        }
-      c.rho[i] = c.mass * C * (1. + sum(acc));
-
-      V share = splat(0.);
-      for (std::uint32_t arc = c.first_arc[i]; arc < c.first_arc[i + 1]; ++arc)
-        {
-          const std::uint32_t first = c.arcs[arc].first, count = c.arcs[arc].count;
-          for (std::uint32_t k = 0; k < count; k += W, ++chunks)
-            {
-              const std::uint32_t at = first + k;
-              const V live = splat(double(count - k)), lane = load(lane_number);
-              const V ax = load(c.wall_x[0] + at) - xi, ay = load(c.wall_x[1] + at) - yi;
-              const V bx = load(c.wall_x[0] + at + 1) - xi, by = load(c.wall_x[1] + at + 1) - yi;
-              const V cross = ax * by - ay * bx;
-              const V ex = bx - ax, ey = by - ay;
-              V s = splat(0.), sax = s, say = s, sbx = s, sby = s, wa = s, wb = s;
-              for (int g = 0; g < gauss_points; ++g)
-                {
-                  const V rx = ax + splat(gauss_x[g]) * ex, ry = ay + splat(gauss_x[g]) * ey;
-                  const V r2 = rx * rx + ry * ry + tiny, ir = rsqrt(r2), u = r2 * ir * viR, u2 = u * u;
-                  const V inside = splat(0.5) + u2 * (splat(-2.5) + u * (four + u * (splat(-2.5) + u * splat(4. / 7.))));
-                  // (1/u) d(inside)/du
-                  const V slope = splat(-5.) + u * (splat(12.) + u * (splat(-10.) + u * splat(20. / 7.)));
-                  // in units of 7/(pi R^2): beyond the support G = 1/(2 pi r^2)
-                  const V outside = splat(1. / 14.) * (ir * ir) * splat(R * R);
-                  const V G = select_less(u, one, inside, outside) * splat(gauss_w[g]);
-                  const V dG = select_less(u, one, slope, splat(-2.) * outside * (ir * ir) * splat(R * R)) * splat(gauss_w[g]);
-                  s += G;
-                  const V dGx = dG * rx, dGy = dG * ry;
-                  sax += splat(1. - gauss_x[g]) * dGx;
-                  say += splat(1. - gauss_x[g]) * dGy;
-                  sbx += splat(gauss_x[g]) * dGx;
-                  sby += splat(gauss_x[g]) * dGy;
-                  if (viscous)
-                    {
-                      const V w = positive(one - u), w2 = w * w, kernel = w2 * w2 * (four * u + one) * splat(gauss_w[g]);
-                      wa += splat(1. - gauss_x[g]) * kernel;
-                      wb += splat(gauss_x[g]) * kernel;
-                    }
-                }
-              const double scale = 7. / (pi * R * R), scale_grad = scale * iR * iR;
-              const V S = s * splat(scale);
-              const V cg = cross * splat(scale_grad);
-              const V zero = splat(0.);
-              // Whole turns: counted where a face passes the direction in which angle() jumps.
-              const V down = select_less(by, zero, select_less(zero, cross, one, zero), zero);
-              const V up = select_less(by, zero, zero, select_less(cross, zero, one, zero));
-              const V turns = select_less(ay, zero, -up, down);
-              share += select_less(lane, live, cross * S - turns, zero);
-              Gradient &out = gradients[chunks];
-              out.ax = select_less(lane, live, by * S + cg * sax, zero);
-              out.ay = select_less(lane, live, cg * say - bx * S, zero);
-              out.bx = select_less(lane, live, cg * sbx - ay * S, zero);
-              out.by = select_less(lane, live, ax * S + cg * sby, zero);
-              if (viscous)
-                {
-                  // |integral of W over the face| / distance to its plane, split between its nodes;
-                  // the tangent direction of the face
-                  const V ilen = rsqrt(ex * ex + ey * ey + tiny), distance = cross * ilen;
-                  const V least = splat(0.2 * R); // half a particle spacing
-                  const V weight = splat(scale) * reciprocal(ilen * select_less(distance, least, least, distance));
-                  slip[4 * chunks] = select_less(lane, live, wa * weight, zero);
-                  slip[4 * chunks + 1] = select_less(lane, live, wb * weight, zero);
-                  slip[4 * chunks + 2] = ex * ilen;
-                  slip[4 * chunks + 3] = ey * ilen;
-                }
-            }
-        }
-      c.gamma[i] = 1. + sum(share);
-    }
-}
-
-/// The angle under which a stretch of wall is seen, from its two ends alone, and its gradient: gamma
-/// is complete, and rho as the sums give it.
-void add_angles(CellView &c)
-{
-  const double R = c.support;
-  const V tiny = splat(1e-24 * R * R);
-  const std::uint32_t arcs = c.first_arc[c.n], stride = c.arc_stride;
-  double *ends = c.arc_ends;
-  for (std::uint32_t i = 0; i < c.n; ++i)
-    for (std::uint32_t arc = c.first_arc[i]; arc < c.first_arc[i + 1]; ++arc)
-      {
-        const std::uint32_t a = c.arcs[arc].first, b = a + c.arcs[arc].count;
-        ends[arc] = c.wall_x[0][a] - c.x[0][i];
-        ends[arc + stride] = c.wall_x[1][a] - c.x[1][i];
-        ends[arc + 2 * stride] = c.wall_x[0][b] - c.x[0][i];
-        ends[arc + 3 * stride] = c.wall_x[1][b] - c.x[1][i];
-      }
-  for (std::uint32_t arc = arcs; arc < stride; ++arc)
-    for (std::uint32_t k = 0; k < 4; ++k)
-      ends[arc + k * stride] = R;
-  for (std::uint32_t arc = 0; arc < arcs; arc += W)
-    {
-      double *x0 = ends + arc, *y0 = x0 + stride, *x1 = y0 + stride, *y1 = x1 + stride;
-      const V ax = load(x0), ay = load(y0), bx = load(x1), by = load(y1), turn = splat(1. / (2. * pi));
-      store(y1 + stride, turn * (angle(by, bx) - angle(ay, ax)));
-      const V a2 = turn * reciprocal(ax * ax + ay * ay + tiny), b2 = turn * reciprocal(bx * bx + by * by + tiny);
-      store(x0, -ay * a2);
-      store(y0, ax * a2);
-      store(x1, by * b2);
-      store(y1, -bx * b2);
-    }
   c.crossed = 0;
-  for (std::uint32_t i = 0; i < c.n; ++i)
-    {
-      double gamma = c.gamma[i];
-      for (std::uint32_t arc = c.first_arc[i]; arc < c.first_arc[i + 1]; ++arc)
-        gamma -= ends[arc + 4 * stride];
-      // Just outside the wall the winding number is 0, not the 1 that was assumed.
-      if (gamma > 1. + 1e-3)
-        {
-          gamma -= 1.;
-          ++c.crossed;
-        }
-      if (gamma < 0.02)
-        gamma = 0.02;
-      c.rho[i] /= gamma;
-      c.gamma[i] = gamma;
-    }
-}
-
-/// rho so that the volumes fill the cell, p, and their share in the rows.
-void apply_law(CellView &c)
-{
-  double scale = 1., mean_pressure = 0.;
-  if (c.volume > 0.)
-    {
-      scale = c.mass * sum_of(c.n, [&](std::uint32_t i) { return 1. / c.rho[i]; }) / c.volume;
-      for (std::uint32_t i = 0; i < c.n; ++i)
-        c.rho[i] *= scale;
-    }
-  c.eos(c.eos_data, c.n, c.rho, c.pressure);
-  if (c.volume > 0.)
-    mean_pressure = c.mass * sum_of(c.n, [&](std::uint32_t i) { return c.pressure[i] / c.rho[i]; }) / c.volume;
-  c.mean_pressure = mean_pressure;
-  c.scale = scale;
-  for (std::uint32_t i = 0; i < c.n; ++i)
-    {
-      double *row = c.rows + std::size_t(i) * row_doubles;
-      const double ig = 1. / c.gamma[i], ir = 1. / c.rho[i], p = c.pressure[i] - mean_pressure + c.ordering * scale,
-                   volume = c.mass * ir;
-      row[4] = volume * p * scale * ir * ig;
-      row[5] = volume;
-      row[6] = ig;
-      row[7] = volume * p * ig;
-    }
-}
-
-/// Forces between fluid and wall.
-template <bool viscous>
-void push_wall(CellView &c)
-{
-  const Gradient *gradients = reinterpret_cast<const Gradient *>(c.scratch);
-  const V *slip = reinterpret_cast<const V *>(c.scratch + c.scratch_half);
-  const double *ends = c.arc_ends;
-  const std::uint32_t stride = c.arc_stride;
-  std::uint32_t chunk = 0;
-  for (std::uint32_t i = 0; i < c.n; ++i)
-    {
-      const double *row = c.rows + std::size_t(i) * row_doubles;
-      if (c.first_arc[i] < c.first_arc[i + 1])
-        {
-          const double push = row[7], drag = 2. * c.viscosity * row[5] * row[6];
-          const V b = splat(push);
-          V fx = splat(0.), fy = splat(0.);
-          double end_x = 0., end_y = 0.;
-          for (std::uint32_t arc = c.first_arc[i]; arc < c.first_arc[i + 1]; ++arc)
-            {
-              const std::uint32_t first = c.arcs[arc].first, last = first + c.arcs[arc].count - 1;
-              const double *end = ends + arc;
-              const double ax = push * end[0], ay = push * end[stride], bx = push * end[2 * stride], by = push * end[3 * stride];
-              c.wall_f[0][first] += ax;
-              c.wall_f[1][first] += ay;
-              c.wall_f_next[0][last] += bx;
-              c.wall_f_next[1][last] += by;
-              end_x += ax + bx;
-              end_y += ay + by;
-              for (std::uint32_t k = 0; k < c.arcs[arc].count; k += W, ++chunk)
-                {
-                  const std::uint32_t at = c.arcs[arc].first + k;
-                  const Gradient &g = gradients[chunk];
-                  V fax = b * g.ax, fay = b * g.ay, fbx = b * g.bx, fby = b * g.by;
-                  if (viscous)
-                    {
-                      const V tx = slip[4 * chunk + 2], ty = slip[4 * chunk + 3], vx = splat(row[2]), vy = splat(row[3]);
-                      const V sa = splat(drag) * slip[4 * chunk]
-                                   * ((vx - load(c.wall_v[0] + at)) * tx + (vy - load(c.wall_v[1] + at)) * ty);
-                      const V sb = splat(drag) * slip[4 * chunk + 1]
-                                   * ((vx - load(c.wall_v[0] + at + 1)) * tx + (vy - load(c.wall_v[1] + at + 1)) * ty);
-                      fax += sa * tx;
-                      fay += sa * ty;
-                      fbx += sb * tx;
-                      fby += sb * ty;
-                    }
-                  store(c.wall_f[0] + at, load(c.wall_f[0] + at) + fax);
-                  store(c.wall_f[1] + at, load(c.wall_f[1] + at) + fay);
-                  store(c.wall_f_next[0] + at, load(c.wall_f_next[0] + at) + fbx);
-                  store(c.wall_f_next[1] + at, load(c.wall_f_next[1] + at) + fby);
-                  fx += fax + fbx;
-                  fy += fay + fby;
-                }
-            }
-          c.f[0][i] -= sum(fx) + end_x;
-          c.f[1][i] -= sum(fy) + end_y;
-        }
-    }
-}
-
-template <bool viscous>
-void density(CellView &c)
-{
-  fill_rows<viscous>(c);
-  sum_kernels<viscous>(c);
-  add_angles(c);
-  apply_law(c);
+  fill_rows<dim, viscous>(c);
+  sum_kernels(c);
+  wall_shares<viscous>(c);
+  apply_law<dim, viscous>(c);
   push_wall<viscous>(c);
 }
 
-template <bool viscous>
-void force(CellView &c)
-{
-  const double R = c.support, iR = 1. / R, C = 7. / (pi * R * R) / c.depth;
-  const V viR = splat(iR), one = splat(1.), tiny = splat(1e-24 * R * R);
-  // -20 C (1 - u)^3 / R^2 = W'/r
-  const V slope = splat(-20. * C * iR * iR);
-  const V mass = splat(c.mass);
-  // chi mu_i mu_j / (mu_i + mu_j) = 16 mu / 2, times 1/2 from the mean of 1/gamma
-  const double drag = 4. * c.viscosity;
-  for (std::uint32_t i = 0; i < c.n; ++i)
-    {
-      const double *row = c.rows + std::size_t(i) * row_doubles;
-      const V xi = splat(row[0]), yi = splat(row[1]), vxi = splat(row[2]), vyi = splat(row[3]), ai = splat(row[4]);
-      const V Vi = splat(drag * row[5]), igi = splat(row[6]);
-      V fx = splat(0.), fy = splat(0.);
-      for (std::uint32_t k = c.first_neighbour[i]; k < c.first_neighbour[i + 1]; k += W)
-        {
-          V j[row_doubles];
-          load_rows(c.rows, c.neighbours + k, j);
-          const V dx = j[0] - xi, dy = j[1] - yi, r2 = dx * dx + dy * dy + tiny;
-          const V ir = rsqrt(r2), u = r2 * ir * viR;
-          const V w = positive(one - u), g = slope * (w * w * w);
-          V coefficient = mass * (ai + j[4]);
-          if (viscous)
-            {
-              const V approach = ((j[2] - vxi) * dx + (j[3] - vyi) * dy) * (ir * ir);
-              coefficient -= Vi * j[5] * (igi + j[6]) * approach;
-            }
-          coefficient *= g;
-          fx += coefficient * dx;
-          fy += coefficient * dy;
-        }
-      c.f[0][i] += sum(fx);
-      c.f[1][i] += sum(fy);
-    }
-}
-void density_any(CellView &c)
+template <int dim>
+void density_any(CellView<dim> &c)
 {
   if (c.viscosity > 0.)
-    density<true>(c);
+    density<dim, true>(c);
   else
-    density<false>(c);
+    density<dim, false>(c);
 }
-void force_any(CellView &c)
+
+template <int dim>
+void force_any(CellView<dim> &c)
 {
   if (c.viscosity > 0.)
-    force<true>(c);
+    force<dim, true>(c);
   else
-    force<false>(c);
+    force<dim, false>(c);
 }
 } // namespace
 } // namespace turgor::sph

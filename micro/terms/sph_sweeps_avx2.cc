@@ -3,9 +3,13 @@
 
 namespace turgor::sph
 {
-const Sweeps &sweeps_avx2()
+template <int dim>
+const Sweeps<dim> &sweeps_avx2()
 {
-  static const Sweeps chosen{&density_any, &force_any, "4 lanes"};
+  static const Sweeps<dim> chosen{&density_any<dim>, &force_any<dim>, "4 lanes"};
   return chosen;
 }
+
+template const Sweeps<2> &sweeps_avx2<2>();
+template const Sweeps<3> &sweeps_avx2<3>();
 } // namespace turgor::sph

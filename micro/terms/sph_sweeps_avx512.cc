@@ -3,9 +3,13 @@
 
 namespace turgor::sph
 {
-const Sweeps &sweeps_avx512()
+template <int dim>
+const Sweeps<dim> &sweeps_avx512()
 {
-  static const Sweeps chosen{&density_any, &force_any, "8 lanes"};
+  static const Sweeps<dim> chosen{&density_any<dim>, &force_any<dim>, "8 lanes"};
   return chosen;
 }
+
+template const Sweeps<2> &sweeps_avx512<2>();
+template const Sweeps<3> &sweeps_avx512<3>();
 } // namespace turgor::sph

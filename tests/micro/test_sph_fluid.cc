@@ -189,7 +189,7 @@ BOOST_AUTO_TEST_CASE(wall_share_matches_quadrature)
 
 BOOST_AUTO_TEST_CASE(four_and_eight_lanes_agree)
 {
-  if (sph::sweeps().name == sph::sweeps_avx2().name)
+  if (sph::sweeps<2>().name == sph::sweeps_avx2<2>().name)
     return;
   // Through the raw interface: the same cell, both sweeps.
   auto patch = disturbed(1, 1, 1.);
@@ -219,7 +219,7 @@ BOOST_AUTO_TEST_CASE(four_and_eight_lanes_agree)
   for (int variant = 0; variant < 2; ++variant)
     {
       const auto rows = aligned((n + 1) * sph::row_doubles);
-      sph::CellView c;
+      sph::CellView<2> c;
       c.n = n;
       c.n_wall = nw;
       c.scratch_half = 4 * sph::list_padding * n * ((nw + sph::list_padding - 1) / sph::list_padding);
@@ -230,7 +230,7 @@ BOOST_AUTO_TEST_CASE(four_and_eight_lanes_agree)
       c.arc_ends = ends.get();
       c.rows = rows.get();
       c.scratch = scratch.get();
-      std::vector<double> f[2], rho(n), gamma(n), pressure(n), wall_x[2], wall_v[2], wall_f[2], wall_next[2];
+      std::vector<double> f[2], rho(n), gamma(n), pressure(n), push(n), wall_x[2], wall_v[2], wall_f[2], wall_next[2];
       for (int d = 0; d < 2; ++d)
         {
           f[d].assign(n, 0.);
@@ -252,6 +252,7 @@ BOOST_AUTO_TEST_CASE(four_and_eight_lanes_agree)
       c.rho = rho.data();
       c.gamma = gamma.data();
       c.pressure = pressure.data();
+      c.push = push.data();
       c.neighbours = list.data();
       c.first_neighbour = first.data();
       c.arcs = arcs.data();
@@ -265,7 +266,7 @@ BOOST_AUTO_TEST_CASE(four_and_eight_lanes_agree)
         for (std::uint32_t k = 0; k < count; ++k)
           p_out[k] = static_cast<const EquationOfState *>(eos)->pressure(density[k]);
       };
-      const sph::Sweeps &sweeps = variant == 0 ? sph::sweeps_avx2() : sph::sweeps_avx512();
+      const sph::Sweeps<2> &sweeps = variant == 0 ? sph::sweeps_avx2<2>() : sph::sweeps_avx512<2>();
       sweeps.density(c);
       sweeps.force(c);
       for (const auto *part : {&f[0], &f[1], &wall_f[0], &wall_f[1], &wall_next[0], &wall_next[1]})

@@ -1,0 +1,67 @@
+// An aggregate of cells laid like bricks, before it is inflated (thesis 3.3.2): rows of rectangles of side Period,
+// every second row moved by half a cell, corners moved at random a little; walls free of stress, fluid free of pressure. Osmosis
+// then makes the honeycomb by itself.
+//
+// Every cell is a hexagon from the start: its four corners, and the corners of the row below and above in the middle of its
+// lower and upper side. Facing walls carry nodes at the same places and are tied one to one; dense: all along; sparse: not
+// within `gap` of a wall's end, so that the corners round and open the space between three cells. Walls that are not tied
+// hold each other by contact.
+//
+// Particles: cell by cell, row by row; within a cell the ring (counter-clockwise from the lower left corner, 4 n nodes: h, h, n, h, h,
+// n bonds on the hexagon's sides with h = n/2), then its fluid.
+#pragma once
+
+#include "micro/cells/sph_parenchyma.h"
+#include "micro/terms/cell_contact.h"
+#include "micro/terms/lamella_ties.h"
+#include "micro/terms/ring_wall.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace turgor
+{
+struct BrickParameters
+{
+  unsigned int columns = 5, rows = 5;
+  double jitter = 0.06;      ///< largest displacement of a corner in x and in y / Period
+  double gap = 0.;           ///< m, length without ties at either end of a shared wall; 0: dense
+  unsigned int seed = 1;     ///< of the jitter
+  double contact_ratio = 0.5; ///< contact stiffness / tangent stiffness of one wall spring at rest
+  std::string yielding = "none"; ///< none | reversible | plastic
+  WallYield yield{15., 0.9};
+  double critical_stretch = 0.; ///< of a wall bond; 0: does not break
+  double lamella_strength = 0.; ///< Pa on the wall's area that one tie stands for; 0: does not break
+
+  /// Throws std::invalid_argument with a sentence for entries that do not go together.
+  void check(const ParenchymaParameters &cell, const SphParameters &sph) const;
+  void add_parameters(dealii::ParameterHandler &prm);
+};
+
+struct BrickTissue
+{
+  ParticleSystem<2> system;
+  RingWall *wall = nullptr;
+  CellFluid<2> *fluid = nullptr;
+  LamellaTies *ties = nullptr; ///< null where no cells touch
+  CellContact *contact = nullptr;
+  std::shared_ptr<WallDamage> damage; ///< null where bonds do not break
+  std::shared_ptr<WallFlow> flow;     ///< null without plastic yielding
+  double spacing = 0.;                ///< m, mean length of a bond at rest
+  double spring_stiffness = 0.;       ///< N/m, of one wall spring at rest
+  double node_mass = 0.;              ///< kg
+  std::vector<std::vector<std::uint32_t>> junctions; ///< per cell: its nodes (in the ring) where three cells meet
+
+  /// Bonds between a node of the ring and the nearest place where three cells meet; the whole ring where there is none.
+  std::uint32_t to_junction(std::size_t cell, std::uint32_t node) const;
+  double cell_area(std::size_t cell) const; ///< m^2
+  /// Share of the area not covered by any cell, in the box of the centres of the outermost cells (points on a grid).
+  double void_fraction() const;
+  /// rad; root mean square of (angle of a cell at a junction - 120 degrees), walls taken a quarter of a cell side long.
+  double angle_deviation() const;
+};
+
+std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &cell, const SphParameters &sph,
+                                               const BrickParameters &brick);
+} // namespace turgor

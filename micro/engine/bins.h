@@ -1,0 +1,74 @@
+// Points sorted into square bins, to find those near a place. Bins are contiguous along the first direction; within a bin
+// points keep their order.
+//
+// In: positions (m), width of a bin (m), the box that the bins cover; what lies outside counts to the bins at its rim, so that
+// a point far away costs no memory; the most bins in one direction.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace turgor
+{
+template <int dim>
+class Bins
+{
+public:
+  Bins(const double *const x[dim], const std::uint32_t n, const double width_, const double *lo_, const double *hi_,
+       const double most = dim == 2 ? 256. : 64.)
+    : width(width_)
+    , order(n)
+  {
+    std::size_t total = 1;
+    for (int d = 0; d < dim; ++d)
+      {
+        lo[d] = lo_[d];
+        count[d] = int(std::clamp((hi_[d] - lo_[d]) / width, 0., most - 1.)) + 1;
+        total *= std::size_t(count[d]);
+      }
+    start.assign(total + 1, 0);
+    std::vector<std::uint32_t> bin_of(n);
+    for (std::uint32_t i = 0; i < n; ++i)
+      {
+        std::size_t bin = 0;
+        for (int d = dim - 1; d >= 0; --d)
+          bin = bin * count[d] + index(x[d][i], d);
+        bin_of[i] = std::uint32_t(bin);
+        ++start[bin + 1];
+      }
+    for (std::size_t b = 1; b < start.size(); ++b)
+      start[b] += start[b - 1];
+    std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
+    for (std::uint32_t i = 0; i < n; ++i)
+      order[next[bin_of[i]]++] = i;
+  }
+
+  /// visit(i) for all points in the bins up to two beside that of the place p: at least those nearer than two widths.
+  template <typename Visit>
+  void near(const double *p, const Visit &visit) const
+  {
+    int from[3] = {}, to[3] = {};
+    for (int d = 0; d < dim; ++d)
+      {
+        const int at = index(p[d], d);
+        from[d] = std::max(at - 2, 0);
+        to[d] = std::min(at + 2, count[d] - 1);
+      }
+    for (int z = from[2]; z <= to[2]; ++z)
+      for (int y = from[1]; y <= to[1]; ++y)
+        {
+          const std::size_t row = (std::size_t(z) * count[1] + y) * count[0];
+          for (std::uint32_t k = start[row + from[0]], end = start[row + to[0] + 1]; k < end; ++k)
+            visit(order[k]);
+        }
+  }
+
+private:
+  int index(const double value, const int d) const { return int(std::clamp((value - lo[d]) / width, 0., count[d] - 1.)); }
+
+  double width, lo[dim];
+  int count[dim];
+  std::vector<std::uint32_t> start, order;
+};
+} // namespace turgor

@@ -1,0 +1,200 @@
+// The part of the sweeps of sph_sweeps.h that 2D and 3D share line by line: rows, kernel sums, law, pair forces.
+// Included by sph_sweeps.inc.h alone and under its rule: anonymous namespace, no inline function of a shared header.
+#pragma once
+
+#include "micro/terms/sph_lanes.inc.h"
+
+namespace turgor::sph
+{
+namespace
+{
+/// Peak of the kernel W(0): 1/m^2, 1/m^3.
+template <int dim>
+inline double kernel_peak(const double R)
+{
+  return dim == 2 ? 7. / (pi * R * R) : 21. / (2. * pi * R * R * R);
+}
+
+/// Sum of value(0 .. n - 1), in eight interleaved parts: an order that does not depend on the machine.
+template <typename Value>
+inline double sum_of(const std::uint32_t n, const Value &value)
+{
+  double parts[8] = {};
+  std::uint32_t i = 0;
+  for (; i + 8 <= n; i += 8)
+    for (std::uint32_t l = 0; l < 8; ++l)
+      parts[l] += value(i + l);
+  for (; i < n; ++i)
+    parts[0] += value(i);
+  return ((parts[0] + parts[4]) + (parts[1] + parts[5])) + ((parts[2] + parts[6]) + (parts[3] + parts[7]));
+}
+
+/// Positions and velocities side by side, a row a particle, and the row that pads the lists: out of reach.
+template <int dim, bool viscous>
+void fill_rows(CellView<dim> &c)
+{
+  for (std::uint32_t i = 0; i < c.n; ++i)
+    {
+      double *row = c.rows + std::size_t(i) * row_doubles;
+      for (int d = 0; d < dim; ++d)
+        row[d] = c.x[d][i];
+      if (viscous)
+        for (int d = 0; d < dim; ++d)
+          row[Column<dim>::velocity + d] = c.v[d][i];
+    }
+  double *dummy = c.rows + std::size_t(c.n) * row_doubles;
+  for (unsigned int k = 0; k < row_doubles; ++k)
+    dummy[k] = k < dim ? c.x[k][0] + 1e3 * c.support : 0.;
+}
+
+/// |r|^2, never 0; r becomes the vectors from xi.
+template <int dim>
+inline V square_from(const V xi[dim], V r[], const V tiny)
+{
+  for (int d = 0; d < dim; ++d)
+    r[d] = r[d] - xi[d];
+  V r2 = r[0] * r[0];
+  for (int d = 1; d < dim; ++d)
+    r2 = r2 + r[d] * r[d];
+  return r2 + tiny;
+}
+
+/// Kernel sums, into rho, as if the kernel were inside the wall as a whole.
+template <int dim>
+void sum_kernels(CellView<dim> &c)
+{
+  const double R = c.support, C = kernel_peak<dim>(R) / c.depth;
+  const V viR = splat(1. / R), one = splat(1.), four = splat(4.), tiny = splat(1e-24 * R * R);
+  for (std::uint32_t i = 0; i < c.n; ++i)
+    {
+      const double *row = c.rows + std::size_t(i) * row_doubles;
+      V xi[dim];
+      for (int d = 0; d < dim; ++d)
+        xi[d] = splat(row[d]);
+      V acc = splat(0.);
+      for (std::uint32_t k = c.first_neighbour[i]; k < c.first_neighbour[i + 1]; k += W)
+        {
+          V r[4];
+          load_half_rows<row_doubles>(c.rows, c.neighbours + k, r);
+          const V r2 = square_from<dim>(xi, r, tiny);
+          const V u = r2 * rsqrt(r2) * viR;
+          const V w = positive(one - u), w2 = w * w;
+          acc += w2 * w2 * (four * u + one);
+        }
+      c.rho[i] = c.mass * C * (1. + sum(acc));
+    }
+}
+
+/// From the kernel sum and what the wall's formula gives: gamma, the density before scaling, and (in push) the sign with
+/// which gamma follows the formula.
+template <int dim>
+inline void correct(CellView<dim> &c, const std::uint32_t i, double gamma)
+{
+  double side = 1.;
+  if (c.open)
+    {
+      if (gamma > 1.)
+        {
+          gamma = 2. - gamma;
+          side = -1.;
+        }
+    }
+  else if (gamma > 1. + 1e-3)
+    { // Just outside the wall the winding number is 0, not the 1 that was assumed.
+      gamma -= 1.;
+      ++c.crossed;
+    }
+  if (gamma < 0.02)
+    gamma = 0.02;
+  c.rho[i] /= gamma;
+  c.gamma[i] = gamma;
+  c.push[i] = side;
+}
+
+/// rho so that the volumes fill the cell, p, and their share in the rows.
+template <int dim, bool viscous>
+void apply_law(CellView<dim> &c)
+{
+  double scale = c.scale, mean_pressure = 0.;
+  if (c.volume > 0.)
+    scale = c.mass * sum_of(c.n, [&](std::uint32_t i) { return 1. / c.rho[i]; }) / c.volume;
+  for (std::uint32_t i = 0; i < c.n; ++i)
+    c.rho[i] *= scale;
+  c.eos(c.eos_data, c.n, c.rho, c.pressure);
+  if (c.volume > 0.)
+    mean_pressure = c.mass * sum_of(c.n, [&](std::uint32_t i) { return c.pressure[i] / c.rho[i]; }) / c.volume;
+  c.mean_pressure = mean_pressure;
+  c.scale = scale;
+  for (std::uint32_t i = 0; i < c.n; ++i)
+    {
+      double *row = c.rows + std::size_t(i) * row_doubles;
+      const double ig = 1. / c.gamma[i], ir = 1. / c.rho[i], p = c.pressure[i] - mean_pressure + c.ordering * scale,
+                   volume = c.mass * ir;
+      row[Column<dim>::a] = volume * p * scale * ir * ig;
+      if constexpr (dim == 2)
+        {
+          row[Column<dim>::volume] = volume;
+          row[Column<dim>::inverse_share] = ig;
+        }
+      else if (viscous)
+        row[Column<dim>::viscous_weight] = volume * __builtin_sqrt(ig);
+      c.push[i] *= volume * p * ig;
+    }
+}
+
+template <int dim, bool viscous>
+void force(CellView<dim> &c)
+{
+  using Is = Column<dim>;
+  const double R = c.support, iR = 1. / R, C = kernel_peak<dim>(R) / c.depth;
+  const V viR = splat(iR), one = splat(1.), tiny = splat(1e-24 * R * R);
+  // -20 C (1 - u)^3 / R^2 = W'/r
+  const V slope = splat(-20. * C * iR * iR);
+  const V mass = splat(c.mass);
+  // chi mu_i mu_j / (mu_i + mu_j) = 4 (d + 2) mu / 2; times 1/2 from the arithmetic mean of 1/gamma in 2D
+  const double drag = dim == 2 ? 4. * c.viscosity : 10. * c.viscosity;
+  for (std::uint32_t i = 0; i < c.n; ++i)
+    {
+      const double *row = c.rows + std::size_t(i) * row_doubles;
+      V xi[dim], vi[dim], total[dim];
+      for (int d = 0; d < dim; ++d)
+        {
+          xi[d] = splat(row[d]);
+          vi[d] = splat(row[Is::velocity + d]);
+          total[d] = splat(0.);
+        }
+      const V ai = splat(row[Is::a]), weight = splat(drag * row[dim == 2 ? Is::volume : Is::viscous_weight]),
+              igi = splat(row[Is::inverse_share]);
+      for (std::uint32_t k = c.first_neighbour[i]; k < c.first_neighbour[i + 1]; k += W)
+        {
+          V j[row_doubles];
+          if (viscous)
+            load_rows(c.rows, c.neighbours + k, j);
+          else
+            load_half_rows<row_doubles>(c.rows, c.neighbours + k, j);
+          const V aj = j[Is::a];
+          const V r2 = square_from<dim>(xi, j, tiny);
+          const V ir = rsqrt(r2), u = r2 * ir * viR;
+          const V w = positive(one - u), g = slope * (w * w * w);
+          V coefficient = mass * (ai + aj);
+          if (viscous)
+            {
+              V rate = (j[Is::velocity] - vi[0]) * j[0];
+              for (int d = 1; d < dim; ++d)
+                rate = rate + (j[Is::velocity + d] - vi[d]) * j[d];
+              const V approach = rate * (ir * ir);
+              if constexpr (dim == 2)
+                coefficient -= weight * j[Is::volume] * (igi + j[Is::inverse_share]) * approach;
+              else
+                coefficient -= weight * j[Is::viscous_weight] * approach;
+            }
+          coefficient *= g;
+          for (int d = 0; d < dim; ++d)
+            total[d] += coefficient * j[d];
+        }
+      for (int d = 0; d < dim; ++d)
+        c.f[d][i] += sum(total[d]);
+    }
+}
+} // namespace
+} // namespace turgor::sph

@@ -1,0 +1,206 @@
+// Contact between cells, and lamella that breaks: by hand, F = -dE/dx, momentum, lists.
+#include "micro/engine/counter_random.h"
+#include "micro/engine/particle_system.h"
+#include "micro/terms/cell_contact.h"
+#include "micro/terms/lamella_ties.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <memory>
+#include <sstream>
+
+using namespace turgor;
+
+namespace
+{
+// Squares of side 4 with n nodes a side, counter-clockwise, lower left corner at `corners`; fluid particles behind the wall.
+void add_square(Particles<2> &p, const double x0, const double y0, const unsigned int n, const unsigned int fluid = 0)
+{
+  const std::uint32_t begin = std::uint32_t(p.size()), ring = 4 * n;
+  p.resize(begin + ring + fluid);
+  p.groups.push_back({begin, begin + ring, begin + ring + fluid});
+  const double s = 4. / n;
+  for (std::uint32_t k = 0; k < n; ++k)
+    {
+      const double corner[4][2] = {{k * s, 0.}, {4., k * s}, {4. - k * s, 4.}, {0., 4. - k * s}};
+      for (int side = 0; side < 4; ++side)
+        {
+          p.x[0][begin + side * n + k] = x0 + corner[side][0];
+          p.x[1][begin + side * n + k] = y0 + corner[side][1];
+        }
+    }
+  for (std::uint32_t k = 0; k < fluid; ++k)
+    {
+      p.x[0][begin + ring + k] = x0 + 2.;
+      p.x[1][begin + ring + k] = y0 + 2.;
+    }
+  std::fill(p.inverse_mass.begin() + begin, p.inverse_mass.end(), 1.);
+}
+
+void require_conservative(ParticleSystem<2> &system)
+{
+  Particles<2> &p = system.particles;
+  system.compute_forces();
+  const Particles<2>::Components f = p.f;
+  double fx = 0., fy = 0., moment = 0., scale = 0.;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    {
+      fx += f[0][i];
+      fy += f[1][i];
+      moment += p.x[0][i] * f[1][i] - p.x[1][i] * f[0][i];
+      scale = std::max(scale, std::hypot(f[0][i], f[1][i]));
+    }
+  BOOST_REQUIRE(scale > 0.);
+  BOOST_TEST(std::hypot(fx, fy) < 1e-14 * double(p.size()) * scale);
+  BOOST_TEST(std::abs(moment) < 1e-14 * double(p.size()) * scale * 10.);
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (int d = 0; d < 2; ++d)
+      {
+        const double h = 1e-6, x = p.x[d][i];
+        p.x[d][i] = x + h;
+        const double up = system.potential_energy();
+        p.x[d][i] = x - h;
+        const double down = system.potential_energy();
+        p.x[d][i] = x;
+        // Quadratic but for the nearest point's own motion: h^2/l^2 of it, and round-off of the energy over the step
+        BOOST_TEST(std::abs((up - down) / (2. * h) + f[d][i]) < 1e-8 * scale, "particle " << i);
+      }
+}
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(cell_contact)
+
+BOOST_AUTO_TEST_CASE(corner_in_a_wall_by_hand)
+{
+  // A corner node stands 0.1 deep in the foreign wall, above the middle of a bond: k 0.1 on it, half of that on each end. The
+  // foreign wall's own nodes stay outside.
+  ParticleSystem<2> system;
+  add_square(system.particles, 0., 0., 4);
+  add_square(system.particles, 3.9, 1.5, 4);
+  Particles<2> &p = system.particles;
+  for (std::uint32_t k = 16; k < 32; ++k) // second cell: pointed to the left at its lower left corner
+    p.x[0][k] += k == 16 ? 0. : 0.5;
+  const auto &contact = system.add(std::make_unique<CellContact>(10., 0.5, 0.2, 1.));
+  system.compute_forces();
+  BOOST_TEST(p.f[0][16] == 1., boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(std::abs(p.f[1][16]) < 1e-14);
+  for (const int k : {5, 6}) // (4, 1) and (4, 2)
+    BOOST_TEST(p.f[0][k] == -0.5, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(system.potential_energy() == 0.05, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(contact.deepest(p) == 0.1, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(walls_that_lie_on_each_other_feel_nothing)
+{
+  ParticleSystem<2> system;
+  add_square(system.particles, 0., 0., 4);
+  add_square(system.particles, 4., 0., 4);
+  system.add(std::make_unique<CellContact>(10., 0.5, 0.2, 1.));
+  system.compute_forces();
+  for (int d = 0; d < 2; ++d)
+    for (const double f : system.particles.f[d])
+      BOOST_TEST(f == 0.);
+}
+
+BOOST_AUTO_TEST_CASE(contact_is_conservative)
+{
+  // Three cells that overlap a little, disturbed: nodes in walls, walls on nodes, a corner in a dent.
+  ParticleSystem<2> system;
+  Particles<2> &p = system.particles;
+  add_square(p, 0., 0., 5);
+  add_square(p, 3.9, 0.3, 5);
+  add_square(p, 1.7, 3.85, 5);
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (int d = 0; d < 2; ++d)
+      p.x[d][i] += 0.12 * (2. * random_uniform(3, 2 * i + d) - 1.);
+  system.add(std::make_unique<CellContact>(10., 0.7, 0.2, 1.));
+  require_conservative(system);
+}
+
+BOOST_AUTO_TEST_CASE(fluid_of_failed_cells_only)
+{
+  ParticleSystem<2> system;
+  Particles<2> &p = system.particles;
+  add_square(p, 0., 0., 4, 1);
+  add_square(p, 4.2, 0., 4, 1);
+  p.x[0][16] = 4.5; // the first cell's fluid stands 0.3 deep in the second cell
+  p.x[1][16] = 2.1;
+  const auto damage = std::make_shared<WallDamage>(2, 16, 16);
+  auto &contact = system.add(std::make_unique<CellContact>(10., 0.5, 0.2, 1., damage));
+  system.compute_forces();
+  BOOST_TEST(p.f[0][16] == 0.);
+  damage->cells[0].broken = 1;
+  system.compute_forces(); // lists follow
+  BOOST_TEST(contact.list_builds() == 2u);
+  BOOST_TEST(p.f[0][16] == -3., boost::test_tools::tolerance(1e-12));
+  require_conservative(system);
+}
+
+BOOST_AUTO_TEST_CASE(lists_do_not_change_forces)
+{
+  // The same motion with a skin that rebuilds rarely and one that rebuilds at once; and after a checkpoint.
+  Particles<2>::Components forces[2];
+  for (const int run : {0, 1})
+    {
+      ParticleSystem<2> system;
+      add_square(system.particles, 0., 0., 5);
+      add_square(system.particles, 4.5, 0.3, 5);
+      const auto &contact = system.add(std::make_unique<CellContact>(10., 0.5, run == 0 ? 1. : 1e-9, 1.));
+      for (int step = 0; step < 50; ++step)
+        {
+          system.compute_forces();
+          for (std::size_t i = 20; i < 40; ++i)
+            {
+              system.particles.x[0][i] -= 0.015;
+              system.particles.x[1][i] += 0.004;
+            }
+        }
+      system.compute_forces();
+      forces[run] = system.particles.f;
+      BOOST_TEST(contact.list_builds() < (run == 0 ? 4u : 60u));
+      std::stringstream file;
+      system.save(file);
+      system.load(file);
+      system.compute_forces();
+      BOOST_TEST(system.particles.f[0] == forces[run][0]);
+    }
+  for (int d = 0; d < 2; ++d)
+    BOOST_TEST(forces[0][d] == forces[1][d]);
+  double most = 0.;
+  for (const double f : forces[0][0])
+    most = std::max(most, std::abs(f));
+  BOOST_TEST(most > 1.);
+}
+
+BOOST_AUTO_TEST_CASE(overloaded_ties_break_on_both_sides)
+{
+  ParticleSystem<2> system;
+  Particles<2> &p = system.particles;
+  add_square(p, 0., 0., 4);
+  add_square(p, 4.1, 0., 4);
+  p.x[0][16 + 12] = 4.3; // node (0, 4) of the second cell, a further 0.2 away
+  std::vector<LamellaTie> list;
+  for (std::uint32_t k = 0; k <= 4; ++k)
+    list.push_back({4 + k, 16 + (16 - k) % 16, {{0, 0}}});
+  auto &ties = system.add(std::make_unique<LamellaTies>(list, 10., 1., 2.));
+  system.compute_forces();
+  BOOST_TEST(p.f[0][8] == 3., boost::test_tools::tolerance(1e-12));
+  const auto broken = ties.break_overloaded(p, system.box);
+  BOOST_REQUIRE(broken.size() == 1u);
+  BOOST_TEST(list[broken[0]].a == 8u);
+  system.compute_forces();
+  BOOST_TEST(p.f[0][8] == 0.);
+  BOOST_TEST(p.f[0][16 + 12] == 0.);
+  BOOST_TEST(p.f[0][7] == 1., boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(ties.break_overloaded(p, system.box).empty());
+  BOOST_TEST(ties.broken_count() == 1u);
+  std::stringstream file;
+  ties.save(file, p);
+  LamellaTies read(list, 10., 1., 2.);
+  read.load(file, p);
+  BOOST_TEST(read.is_broken(broken[0]));
+  require_conservative(system);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
