@@ -32,6 +32,8 @@ BAD = ("crash", "hang", "nan", "silent", "energy")
 SMALL = {"Cell/Nodes per side": (3, 10), "SPH/Particles per side": (6, 10), "SPH/Anneal steps": (200, 20000), "Samples": (10, 50),
          "Frames": (0, 2), "Checkpoints": (0, 3), "Columns": (1, 2), "Rows": (1, 2), "RVE/Columns": 1, "RVE/Rows": 1,
          "RVE/Relax steps": (50, 1000), "Relax steps": (0, 2000), "Steps": (100, 20000)}
+SMALL_TISSUE = {"Columns": (1, 3), "Rows": (1, 3), "End strain": 0.1, "Speed": (5, 20), "Inflation time": 5e-6}
+SMALL_ROUND = {"Cell/Frequency": (3, 6), "Cell/Fluid particles": (100, 600), "Cell/Anneal steps": (100, 2000)}
 SCENES = {
     "full_micro": {"End time": 1e-6},
     "stability": {"Hold steps": (100, 500), "Bisections": 2},
@@ -39,6 +41,16 @@ SCENES = {
     "rve_response": {"Path/Points": (2, 4)},
     "tissue_gravity": {"Tissue gravity/Cells": (1, 4), "Tissue/Elements": (1, 2), "Tissue/Degree": 1, "Time/End time": 2e-5,
                        "Tissue gravity/Outlined RVEs": (0, 2)},
+    "tissue_compression": SMALL_TISSUE,
+    "tissue_impact": SMALL_TISSUE,
+    "tissue_failure": SMALL_TISSUE,
+    "wall_uniaxial": {},
+    "laplace": SMALL_ROUND,
+    "shell_oscillation": dict(SMALL_ROUND, Periods=2),
+    "cell_compression": dict(SMALL_ROUND, Speed=(20, 50), Deformation=0.1),
+    "cell_impact": dict(SMALL_ROUND, Speed=(20, 50), Deformation=0.1),
+    "cell_failure": dict(SMALL_ROUND, Speed=(20, 50), Deformation=0.1),
+    "tissue_bruise": {"Impact/Depth": 1e-5, "Tissue/Elements": (1, 2), "Tissue/Degree": 1},
     "tissue_statics": {"Tissue statics/Cells": (1, 4), "Tissue statics/Elements": (1, 2), "Tissue statics/Degree": 1},
 }
 
@@ -200,6 +212,7 @@ def run_one(program, scene, entries, seed, seconds):
 
 def kind_of(sentence):
     """Sentences that differ in their numbers only are of one kind."""
+    sentence = re.sub(r"\S*/scene\.prm: ", "", sentence)
     return re.sub(r"[-+]?\d[\d.e+-]*", "#", sentence)[:140]
 
 
@@ -245,7 +258,7 @@ def main():
             counts[key] += 1
             example.setdefault(key, seed)
             if verdict in BAD:
-                bad.append((seed, scene, verdict, sentence, json.dumps(settings)))
+                bad.append((seed, scene, verdict, kind_of(sentence), json.dumps(settings)))
                 print(f"seed {seed}: {scene}: {verdict}: {sentence}", flush=True)
             if done % 50 == 0:
                 print(f"{done} of {options.n}", file=sys.stderr, flush=True)
