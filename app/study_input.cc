@@ -39,7 +39,7 @@ StudyInput load_study(const std::filesystem::path &file)
     {
       const bool axis = section.path[0].compare(0, 5, "Axis ") == 0;
       if (section.path.size() != 1 || (!axis && section.path[0].compare(0, 4, "Run ") != 0))
-        throw InputError(section.where + ": a study holds subsections 'Run LABEL' and 'Axis LABEL' only, not '" + section.path.back() + "'.");
+        throw InputError(section.where + ": a study holds subsections 'Axis LABEL' and 'Run LABEL' only, not '" + section.path.back() + "'.");
       RunEntries &run = entries.emplace_back();
       run.section = section.path[0];
       run.axis = axis;

@@ -8,7 +8,7 @@ hang, no NaN in any file, no wrong input without a sentence, no energy from noth
 Drawn: one to four entries over their whole range (logarithmically where it spans decades), a third of the others
 within a factor of three of their default. The tables SMALL and DRAWN size the scenes down and know entries that are texts.
 
-Verdicts: ok, refused (exit code 2, a sentence, nothing written), failed (1, a sentence), long (alive after --time seconds, then stopped
+Verdicts: ok, refused (exit code 2, a sentence, nothing written), failed (1, a sentence), long (alive after --time seconds of CPU, then stopped
 cleanly when asked), and the bad ones: crash, hang, nan, silent (no sentence), energy.
 """
 import argparse
@@ -23,6 +23,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 BAD = ("crash", "hang", "nan", "silent", "energy")
@@ -31,6 +32,8 @@ BAD = ("crash", "hang", "nan", "silent", "energy")
 SMALL = {"Cell/Nodes per side": (3, 10), "SPH/Particles per side": (6, 10), "SPH/Anneal steps": (200, 20000), "Samples": (10, 50),
          "Frames": (0, 2), "Checkpoints": (0, 3), "Columns": (1, 2), "Rows": (1, 2), "RVE/Columns": 1, "RVE/Rows": 1,
          "RVE/Relax steps": (50, 1000), "Relax steps": (0, 2000), "Steps": (100, 20000)}
+SMALL_TISSUE = {"Columns": (1, 3), "Rows": (1, 3), "End strain": 0.1, "Speed": (5, 20), "Inflation time": 5e-6}
+SMALL_ROUND = {"Cell/Frequency": (3, 6), "Cell/Fluid particles": (100, 600), "Cell/Anneal steps": (100, 2000)}
 SCENES = {
     "full_micro": {"End time": 1e-6},
     "stability": {"Hold steps": (100, 500), "Bisections": 2},
@@ -38,6 +41,16 @@ SCENES = {
     "rve_response": {"Path/Points": (2, 4)},
     "tissue_gravity": {"Tissue gravity/Cells": (1, 4), "Tissue/Elements": (1, 2), "Tissue/Degree": 1, "Time/End time": 2e-5,
                        "Tissue gravity/Outlined RVEs": (0, 2)},
+    "tissue_compression": SMALL_TISSUE,
+    "tissue_impact": SMALL_TISSUE,
+    "tissue_failure": SMALL_TISSUE,
+    "wall_uniaxial": {},
+    "laplace": SMALL_ROUND,
+    "shell_oscillation": dict(SMALL_ROUND, Periods=2),
+    "cell_compression": dict(SMALL_ROUND, Speed=(20, 50), Deformation=0.1),
+    "cell_impact": dict(SMALL_ROUND, Speed=(20, 50), Deformation=0.1),
+    "cell_failure": dict(SMALL_ROUND, Speed=(20, 50), Deformation=0.1),
+    "tissue_bruise": {"Impact/Depth": 1e-5, "Tissue/Elements": (1, 2), "Tissue/Degree": 1},
     "tissue_statics": {"Tissue statics/Cells": (1, 4), "Tissue statics/Elements": (1, 2), "Tissue statics/Degree": 1},
 }
 
@@ -139,6 +152,18 @@ def not_finite(directory):
     return None
 
 
+def ended(process, seconds):
+    """Waits until the process has ended or used so many seconds of CPU (ten times as long where it uses none)."""
+    start, tick = time.monotonic(), os.sysconf("SC_CLK_TCK")
+    while process.poll() is None:
+        with open(f"/proc/{process.pid}/stat", encoding="utf-8") as file:
+            used = sum(int(x) for x in file.read().rpartition(")")[2].split()[11:13]) / tick
+        if used > seconds or time.monotonic() - start > 60.0 + 10.0 * seconds:
+            return False
+        time.sleep(0.02)
+    return True
+
+
 def run_one(program, scene, entries, seed, seconds):
     """(seed, scene, verdict, sentence, settings)"""
     settings = draw(random.Random(seed), scene, entries)
@@ -149,20 +174,18 @@ def run_one(program, scene, entries, seed, seconds):
         command = [program, "run", source, "-o", out, "--quiet", "--threads", "1"]
         for name, value in settings.items():
             command += ["--set", f"{name}={value}"]
-        process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, text=True,
-                                   cwd=directory)
-        late = False
-        try:
-            words = process.communicate(timeout=seconds)[1]
-        except subprocess.TimeoutExpired:
-            late = True
+        said_to = os.path.join(directory, "stderr")
+        with open(said_to, "w", encoding="utf-8") as said:
+            process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=said, stdin=subprocess.DEVNULL, cwd=directory)
+        late = not ended(process, seconds)
+        if late:
             process.terminate()
-            try:
-                words = process.communicate(timeout=max(20.0, seconds))[1]
-            except subprocess.TimeoutExpired:
+            if not ended(process, seconds + 20.0):
                 process.kill()
-                words = process.communicate()[1]
+                process.wait()
                 return seed, scene, "hang", "does not stop when asked", settings
+        with open(said_to, encoding="utf-8", errors="replace") as file:
+            words = file.read()
         code, bad_file = process.returncode, not_finite(out)
         said = words.strip().splitlines()
         sentence = said[0] if said else ""
@@ -189,14 +212,24 @@ def run_one(program, scene, entries, seed, seconds):
 
 def kind_of(sentence):
     """Sentences that differ in their numbers only are of one kind."""
+    sentence = re.sub(r"\S*/scene\.prm: ", "", sentence)
     return re.sub(r"[-+]?\d[\d.e+-]*", "#", sentence)[:140]
+
+
+def write(directory, counts, example, bad):
+    os.makedirs(directory, exist_ok=True)
+    for name, head, rows in (("verdicts.csv", ("scene", "verdict", "count", "first_seed", "sentence"),
+                              [(s, v, n, example[s, v, k], k) for (s, v, k), n in sorted(counts.items())]),
+                             ("bad.csv", ("seed", "scene", "verdict", "sentence", "settings"), bad)):
+        with open(os.path.join(directory, name), "w", newline="", encoding="utf-8") as file:
+            csv.writer(file, lineterminator="\n").writerows([head] + rows)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("-n", type=int, default=1000, help="how many scenes")
     parser.add_argument("--seed", type=int, default=1, help="of the first; the others follow")
-    parser.add_argument("--time", type=float, default=10.0, help="seconds before a scene is asked to stop")
+    parser.add_argument("--time", type=float, default=10.0, help="CPU seconds before a scene is asked to stop")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--scenes", help="names, separated by commas (default: all)")
     parser.add_argument("-o", "--output", help="directory for verdicts.csv and bad.csv")
@@ -225,17 +258,12 @@ def main():
             counts[key] += 1
             example.setdefault(key, seed)
             if verdict in BAD:
-                bad.append((seed, scene, verdict, sentence, json.dumps(settings)))
+                bad.append((seed, scene, verdict, kind_of(sentence), json.dumps(settings)))
                 print(f"seed {seed}: {scene}: {verdict}: {sentence}", flush=True)
             if done % 50 == 0:
                 print(f"{done} of {options.n}", file=sys.stderr, flush=True)
-    if options.output:
-        os.makedirs(options.output, exist_ok=True)
-        for name, head, rows in (("verdicts.csv", ("scene", "verdict", "count", "first_seed", "sentence"),
-                                  [(s, v, n, example[s, v, k], k) for (s, v, k), n in sorted(counts.items())]),
-                                 ("bad.csv", ("seed", "scene", "verdict", "sentence", "settings"), bad)):
-            with open(os.path.join(options.output, name), "w", newline="", encoding="utf-8") as file:
-                csv.writer(file, lineterminator="\n").writerows([head] + rows)
+            if options.output and (done % 50 == 0 or done == options.n):
+                write(options.output, counts, example, bad)
     total = collections.Counter()
     for (_, verdict, _), n in counts.items():
         total[verdict] += n

@@ -11,18 +11,18 @@ namespace turgor
 namespace
 {
 constexpr std::uint64_t steps_between_looks = 100;
-constexpr double spacings_a_step = 0.01;
-} // namespace
+}
 
 template <int dim>
-StepControl<dim>::StepControl(ParticleSystem<dim> &system_, const double fraction_)
-  : system(system_)
+StepControl<dim>::StepControl(ParticleSystem<dim> &system_, const double fraction_, const double spacings_a_step_)
+  : system(&system_)
   , fraction(fraction_)
+  , spacings_a_step(spacings_a_step_)
 {
-  const double bound = system.stable_time_step();
-  step = fraction * std::min(bound, measure_stable_step(system, bound).dt);
+  const double bound = system->stable_time_step();
+  step = fraction * std::min(bound, measure_stable_step(*system, bound).dt);
   // Of the first cell: its box shared out among its particles.
-  const Particles<dim> &p = system.particles;
+  const Particles<dim> &p = system->particles;
   if (!p.groups.empty())
     {
       const Group &g = p.groups.front();
@@ -41,7 +41,7 @@ StepControl<dim>::StepControl(ParticleSystem<dim> &system_, const double fractio
 template <int dim>
 double StepControl<dim>::step_of_speed() const
 {
-  const Particles<dim> &p = system.particles;
+  const Particles<dim> &p = system->particles;
   double fastest = 0.; // squared
   for (const Group &g : p.groups)
     {
@@ -66,13 +66,13 @@ double StepControl<dim>::step_of_speed() const
 template <int dim>
 void StepControl<dim>::remember()
 {
-  looked_at = system.particles.x;
+  looked_at = system->particles.x;
 }
 
 template <int dim>
 bool StepControl<dim>::moved() const
 {
-  const Particles<dim> &p = system.particles;
+  const Particles<dim> &p = system->particles;
   for (const Group &g : p.groups)
     for (int d = 0; d < dim; ++d)
       {
@@ -103,8 +103,8 @@ bool StepControl<dim>::after_step(const std::uint64_t count)
     {
       remember();
       // Stable still, at dt / fraction?
-      if (step_eigenvalue(system, step / fraction) > 4.)
-        step = std::min(step, fraction * measure_stable_step(system, step / fraction).dt);
+      if (step_eigenvalue(*system, step / fraction) > 4.)
+        step = std::min(step, fraction * measure_stable_step(*system, step / fraction).dt);
     }
   return step < before;
 }

@@ -20,7 +20,8 @@ class StepControl
 {
 public:
   /// Measures the present state.
-  StepControl(ParticleSystem<dim> &system, double fraction);
+  /// spacings_a_step: how far the fastest particle may move in a step, over the particle spacing.
+  StepControl(ParticleSystem<dim> &system, double fraction, double spacings_a_step = 0.01);
 
   double dt() const { return step; } ///< s
 
@@ -36,8 +37,8 @@ private:
   double step_of_speed() const; ///< s
   void remember();
 
-  ParticleSystem<dim> &system;
-  double fraction, step = 0., spacing = 0.; ///< 1, s, m
+  ParticleSystem<dim> *system; ///< a pointer: a control is replaced when a scene begins anew
+  double fraction, spacings_a_step, step = 0., spacing = 0.; ///< 1, 1, s, m
   typename Particles<dim>::Components looked_at; ///< m, positions at the last look
 };
 

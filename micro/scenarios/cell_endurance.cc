@@ -3,8 +3,7 @@
 #include "micro/cells/sph_cell_entries.h"
 #include "micro/engine/binary.h"
 #include "micro/engine/counter_random.h"
-#include "micro/engine/kick_drift_kick.h"
-#include "micro/engine/step_control.h"
+#include "micro/engine/watched_steps.h"
 #include "micro/scenarios/shared_entries.h"
 #include "micro/scenarios/stepping.h"
 
@@ -61,15 +60,7 @@ struct CellEndurance::Progress
   double most_kinetic = 0.;             ///< J
   double most_crossed = 0.;
   double list_builds = 0.; ///< before a resume
-  std::uint64_t shortened_at = 0; ///< step since which dt holds
-  double time_before = 0.;        ///< s, of the steps before that
-  double time() const { return time_before + double(step - shortened_at) * dt; }
-  void shorten(const double shorter)
-  {
-    time_before = time();
-    shortened_at = step;
-    dt = shorter;
-  }
+  double time() const { return double(step) * dt; }
 };
 
 struct CellEndurance::Sample
@@ -153,9 +144,9 @@ void CellEndurance::run(RunContext &context)
   Particles<2> &particles = system.particles;
   context.active(system.term_names(), particles.field_names());
 
+  WatchedSteps<2> integrator(system, step_fraction);
   Progress at;
-  StepControl<2> stepping(system, step_fraction);
-  at.dt = stepping.dt();
+  at.dt = integrator.safe_step();
   const std::uint64_t last = std::uint64_t(steps);
   const Tensor2<2> rate = matrix_from(F_dot);
   for (int k = 0; k <= 100; ++k)
@@ -163,11 +154,10 @@ void CellEndurance::run(RunContext &context)
       throw InputError("F_dot = " + F_dot + " over " + std::to_string(double(last) * at.dt)
                        + " s turns the cell inside out; use fewer Steps or a smaller F_dot.");
 
-  KickDriftKick<2> integrator(system);
   const bool resumed = context.load_checkpoint([&](std::istream &in) {
     read_binary(in, at);
     system.load(in);
-    stepping.load(in);
+    integrator.load(in);
     at.list_builds -= double(wet->fluid->list_builds());
   });
   if (!resumed)
@@ -261,7 +251,7 @@ void CellEndurance::run(RunContext &context)
       saved.list_builds += double(wet->fluid->list_builds());
       write_binary(out, saved);
       system.save(out);
-      stepping.save(out);
+      integrator.save(out);
     });
   };
   const StepCheckpoints keep(context, last, checkpoints, save,
@@ -281,8 +271,6 @@ void CellEndurance::run(RunContext &context)
       power_before = power_now;
       if (at.step % sample_every == 0)
         record();
-      if (stepping.after_step(at.step))
-        at.shorten(stepping.dt());
       if (at.step % 64 == 0)
         context.progress(double(at.step) / double(last), "micro steps");
       keep.after_step(at.step);

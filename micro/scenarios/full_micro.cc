@@ -2,7 +2,7 @@
 
 #include "micro/cells/sph_cell_entries.h"
 #include "micro/engine/binary.h"
-#include "micro/engine/step_control.h"
+#include "micro/engine/watched_steps.h"
 #include "micro/io/cpu_clock.h"
 #include "micro/io/field_file.h"
 #include "micro/processes/osmosis.h"
@@ -24,28 +24,11 @@ struct FullMicro::Progress
   double dt = 0.;
   double start_energy = 0.;
   std::vector<double> x0[2]; ///< m, positions at t = 0
-  std::uint64_t shortened_at = 0; ///< step since which dt holds
-  double time_before = 0.;        ///< s, of the steps before that
-  double time() const { return time_before + double(step - shortened_at) * dt; }
-
-  /// Steps of at most dt for what is left until the end (s).
-  void divide(const double end, const double longest)
-  {
-    time_before = time();
-    shortened_at = step;
-    const double left = end - time_before;
-    const auto more = std::uint64_t(std::ceil(left / longest));
-    steps = step + more;
-    dt = left / double(more);
-  }
+  double time() const { return double(step) * dt; }
 
   void save(std::ostream &out) const
   {
     write_binary(out, step);
-    write_binary(out, steps);
-    write_binary(out, dt);
-    write_binary(out, shortened_at);
-    write_binary(out, time_before);
     write_binary(out, start_energy);
     for (const auto &x : x0)
       write_binary(out, x);
@@ -53,10 +36,6 @@ struct FullMicro::Progress
   void load(std::istream &in)
   {
     read_binary(in, step);
-    read_binary(in, steps);
-    read_binary(in, dt);
-    read_binary(in, shortened_at);
-    read_binary(in, time_before);
     read_binary(in, start_energy);
     for (auto &x : x0)
       read_binary(in, x);
@@ -200,25 +179,27 @@ void FullMicro::run(RunContext &context)
   Particles<2> &particles = system.particles;
   context.active(system.term_names(), particles.field_names());
 
+  WatchedSteps<2> integrator(system, step_fraction);
   Progress at;
-  StepControl<2> stepping(system, step_fraction);
-  at.divide(end_time, stepping.dt());
-  const auto last_step = [&] {
-    return window > 0. ? std::max<std::uint64_t>(1, std::uint64_t(window * double(at.steps))) : at.steps;
-  };
+  at.dt = integrator.safe_step();
+  at.steps = std::uint64_t(std::ceil(end_time / at.dt));
+  at.dt = end_time / double(at.steps);
+  const std::uint64_t last = window > 0. ? std::max<std::uint64_t>(1, std::uint64_t(window * double(at.steps))) : at.steps;
   const double acceleration = -load / (block.density * block.width);
 
-  KickDriftKick<2> integrator(system);
   const bool resumed = context.load_checkpoint([&](std::istream &in) {
     at.load(in);
     system.load(in);
-    stepping.load(in);
+    integrator.load(in);
     block.body_force->set({0., acceleration});
   });
   if (!resumed)
     {
       if (surfaces == "free" || surfaces == "osmosis")
-        relax(context, block, reference);
+        {
+          relax(context, block, reference);
+          integrator.begin_here();
+        }
       for (int d = 0; d < 2; ++d)
         at.x0[d] = particles.x[d];
       block.body_force->set({0., acceleration});
@@ -233,14 +214,13 @@ void FullMicro::run(RunContext &context)
   if (frames > 0 && context.is_writer())
     fields = std::make_unique<FieldFile>(context.directory(), "cells", resumed);
 
-  std::uint64_t last = last_step();
   const std::uint64_t sample_every = steps_between(at.steps, samples), frame_every = steps_between(at.steps, frames);
   const auto save = [&] {
     require_finite(context, block, at);
     context.save_checkpoint([&](std::ostream &out) {
       at.save(out);
       system.save(out);
-      stepping.save(out);
+      integrator.save(out);
     });
   };
   const StepCheckpoints keep(context, last, checkpoints, save,
@@ -274,11 +254,6 @@ void FullMicro::run(RunContext &context)
         record();
       if (fields && at.step % frame_every == 0)
         fields->write(frame_of(particles, at.x0, at.time()));
-      if (at.step < last && stepping.after_step(at.step))
-        {
-          at.divide(end_time, stepping.dt());
-          last = last_step();
-        }
       if (at.step % 16 == 0)
         context.progress(double(at.step) / double(last), "full run");
       keep.after_step(at.step);
@@ -301,6 +276,7 @@ void FullMicro::run(RunContext &context)
   context.result("probe_displacement_y", u[1], "m");
   context.result("steps", double(at.steps), "");
   context.result("time_step", at.dt, "s");
+  context.result("extra_steps", double(integrator.extra_steps()), "");
   context.result("particles", n, "");
   context.result("density", block.density, "kg/m^3");
   context.result("body_force", acceleration, "m/s^2");

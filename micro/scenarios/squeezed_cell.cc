@@ -1,7 +1,7 @@
 #include "micro/scenarios/squeezed_cell.h"
 
 #include "micro/engine/binary.h"
-#include "micro/engine/kick_drift_kick.h"
+#include "micro/engine/watched_steps.h"
 #include "micro/io/run_context.h"
 #include "micro/processes/failure.h"
 #include "micro/scenarios/round_cell_fields.h"
@@ -139,6 +139,7 @@ void SqueezedCell::run_in(RunContext &context)
   Progress at_step;
   std::vector<Row> rows;
   std::vector<double> polar(nw); // cosine of the polar angle of each node in the turgid cell
+  WatchedSteps<dim> integrator(system, step_fraction, 0.05);
   const bool resumed = context.load_checkpoint([&](std::istream &in) {
     read_binary(in, at_step);
     read_binary(in, rows);
@@ -146,6 +147,7 @@ void SqueezedCell::run_in(RunContext &context)
     if (round.damage)
       round.damage->load(in);
     system.load(in);
+    integrator.load(in);
   });
   if (!resumed)
     {
@@ -183,7 +185,8 @@ void SqueezedCell::run_in(RunContext &context)
       plates.set_velocity(0, both_move ? 0.5 * speed : 0.);
       plates.set_velocity(1, both_move ? -0.5 * speed : -speed);
       system.compute_forces();
-      at_step.dt = step_fraction * system.stable_time_step();
+      integrator.begin_here();
+      at_step.dt = integrator.safe_step();
       at_step.start_energy = system.potential_energy();
     }
   radius = at_step.radius;
@@ -300,10 +303,10 @@ void SqueezedCell::run_in(RunContext &context)
         if (round.damage)
           round.damage->save(out);
         system.save(out);
+        integrator.save(out);
       });
     },
     [&] { return "at a deformation of " + std::to_string(rows.empty() ? 0. : rows.back().deformation); });
-  KickDriftKick<dim> integrator(system);
   std::unique_ptr<Failure<dim>> failure;
   if (round.damage)
     failure = std::make_unique<Failure<dim>>(*round.wall, round.damage, critical_stretch);
