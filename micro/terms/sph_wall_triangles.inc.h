@@ -132,6 +132,9 @@ inline V sum_triangles(const FanRows &fan, const std::uint16_t *corner)
             }
         }
     }
+  if constexpr (quadrature > 0)
+    if (all_zero(S))
+      return splat(0.); // the skin's faces: out of the support
   V share = N * S;
   if constexpr (quadrature == 0)
     {
