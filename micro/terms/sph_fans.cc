@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace turgor
 {
@@ -80,7 +81,7 @@ void WallFans::build(const ListOrigin<3> &origin, const std::uint32_t nw, const 
   const double range = reach + largest_size;
   const Bins<3> bins(x, std::uint32_t(face.size()), range / 2., lo, hi);
 
-  std::vector<std::uint32_t> found[sph::quadratures];
+  std::vector<std::pair<double, std::uint32_t>> found[sph::quadratures]; // nearest first: chunks out of the support are skipped
   std::vector<std::uint32_t> seen_by(nw, n);
   std::vector<std::uint16_t> number(nw);
   for (std::uint32_t i = 0; i < n; ++i)
@@ -100,7 +101,7 @@ void WallFans::build(const ListOrigin<3> &origin, const std::uint32_t nw, const 
         int q = sph::quadratures - 1;
         while (q > 0 && (distance < far_enough[q] * size[k] || distance < near + size[k]))
           --q;
-        found[q].push_back(face[k]);
+        found[q].push_back({d2, face[k]});
       });
       sph::Fan &fan = fans[i];
       fan.first_node = std::uint32_t(nodes.size());
@@ -118,7 +119,7 @@ void WallFans::build(const ListOrigin<3> &origin, const std::uint32_t nw, const 
                       corners.push_back(0); // three times the same node: no area
                       continue;
                     }
-                  const std::uint16_t node = mesh.faces[found[q][k]][c];
+                  const std::uint16_t node = mesh.faces[found[q][k].second][c];
                   if (seen_by[node] != i)
                     {
                       seen_by[node] = i;

@@ -22,6 +22,7 @@ inline void store(double *p, V a) { _mm512_storeu_pd(p, a); }
 inline V positive(V a) { return _mm512_max_pd(a, _mm512_setzero_pd()); }
 inline V select_less(V a, V b, V yes, V no) { return _mm512_mask_blend_pd(_mm512_cmp_pd_mask(a, b, _CMP_LT_OQ), no, yes); }
 inline double sum(V a) { return _mm512_reduce_add_pd(a); }
+inline bool all_zero(V a) { return _mm512_test_epi64_mask(_mm512_castpd_si512(a), _mm512_castpd_si512(a)) == 0; }
 /// 1/sqrt(a), a > 0: hardware estimate (14 bit) and two Newton steps (full precision).
 inline V rsqrt(V a)
 {
@@ -115,6 +116,12 @@ inline void store(double *p, V a) { __builtin_memcpy(p, &a, sizeof a); }
 inline V positive(V a) { return a > splat(0.) ? a : splat(0.); }
 inline V select_less(V a, V b, V yes, V no) { return a < b ? yes : no; }
 inline double sum(V a) { return (a[0] + a[1]) + (a[2] + a[3]); }
+inline bool all_zero(V a)
+{
+  typedef long long M __attribute__((vector_size(32)));
+  const M bits = reinterpret_cast<M>(a);
+  return (bits[0] | bits[1] | bits[2] | bits[3]) == 0;
+}
 inline V rsqrt(V a)
 {
   V y;

@@ -6,7 +6,8 @@
 //   integral G r.n dS        = N S,   S = sum_g w_g g(|r_g|),  g = 4 pi R^3 G = 14 - 84 u^2 + 140 u^3 - 90 u^4 + 21 u^5 (u < 1)
 //   solid angle (Van Oosterom and Strackee 1983)  = 2 atan2(N, D),  D = |a||b||c| + (a.b)|c| + (b.c)|a| + (c.a)|b|
 //   integral D r.n dS        = N S with  g = -(1 - u)^5 (1 + 5 u + 15 u^2 + 21 u^3) / u^3
-// |r_g|^2 comes from the six products a.a ... c.a, and its derivatives from six sums over g: no Gauss point has coordinates.
+// |r_g|^2 comes from the six products a.a ... c.a, its derivatives from sums over g: no Gauss point has coordinates. Quadratures
+// of 6 (degree 4), 3 (degree 2) and 1 points: Dunavant 1985, 10.1002/nme.1620210612.
 #pragma once
 
 #include "micro/terms/sph_pairs.inc.h"
@@ -15,31 +16,13 @@ namespace turgor::sph
 {
 namespace
 {
-struct GaussPoint
+/// Three Gauss points that are alike: (alpha, beta, beta) and its turns, beta = (1 - alpha)/2, each of weight w.
+struct Orbit
 {
-  double w, l[3];
+  double w, alpha;
 };
-constexpr double s6a = 0.10810301816807023, s6b = 0.44594849091596489, s6c = 0.81684757298045851, s6d = 0.091576213509770743;
-constexpr double s6v = 0.22338158967801147, s6w = 0.10995174365532187;
-constexpr GaussPoint six_points[6] = {{s6v, {s6a, s6b, s6b}}, {s6v, {s6b, s6a, s6b}}, {s6v, {s6b, s6b, s6a}},
-                                      {s6w, {s6c, s6d, s6d}}, {s6w, {s6d, s6c, s6d}}, {s6w, {s6d, s6d, s6c}}};
-constexpr GaussPoint three_points[3] = {
-  {1. / 3., {2. / 3., 1. / 6., 1. / 6.}}, {1. / 3., {1. / 6., 2. / 3., 1. / 6.}}, {1. / 3., {1. / 6., 1. / 6., 2. / 3.}}};
-constexpr GaussPoint one_point[1] = {{1., {1. / 3., 1. / 3., 1. / 3.}}};
-
-/// Points of the quadratures (see Fan).
-template <int quadrature>
-constexpr int points_of = quadrature < 2 ? 6 : quadrature == 2 ? 3 : 1;
-template <int quadrature>
-inline const GaussPoint &point(const int g)
-{
-  if constexpr (quadrature < 2)
-    return six_points[g];
-  else if constexpr (quadrature == 2)
-    return three_points[g];
-  else
-    return one_point[g];
-}
+constexpr Orbit six_points[2] = {{0.22338158967801147, 0.10810301816807023}, {0.10995174365532187, 0.81684757298045851}};
+constexpr Orbit three_points[1] = {{1. / 3., 2. / 3.}};
 
 struct Vec
 {
@@ -58,6 +41,28 @@ inline Vec combine(const V s, const Vec &p, const V t, const V i, const Vec &a, 
           s * p.z + ti * a.z + tj * b.z + tk * c.z};
 }
 
+/// At a Gauss point: g, (1/u) dg/du and the kernel over its peak.
+template <int quadrature>
+inline void profile(const V r2, V &value, V &slope, V &kernel)
+{
+  const V one = splat(1.), ir = rsqrt(r2), u = r2 * ir, w = positive(one - u), w2 = w * w;
+  kernel = w2 * w2 * (splat(4.) * u + one);
+  if constexpr (quadrature == 0)
+    {
+      const V outside = ir * ir * ir;
+      value = select_less(u, one, splat(14.) + r2 * (splat(-84.) + u * (splat(140.) + u * (splat(-90.) + u * splat(21.)))),
+                          outside);
+      slope = select_less(u, one, splat(-168.) + u * (splat(420.) + u * (splat(-360.) + u * splat(105.))),
+                          splat(-3.) * outside * (ir * ir));
+    }
+  else
+    {
+      const V ir2 = ir * ir;
+      value = -(w2 * w2 * w) * (one + u * (splat(5.) + u * (splat(15.) + u * splat(21.)))) * (ir2 * ir);
+      slope = ir2 * (splat(42.) * kernel - splat(3.) * value);
+    }
+}
+
 /// What the fan of one particle is worked out in: rows of 4 doubles, a row a node.
 struct FanRows
 {
@@ -71,7 +76,7 @@ struct FanRows
 template <int quadrature, bool viscous>
 inline V sum_triangles(const FanRows &fan, const std::uint16_t *corner)
 {
-  const V one = splat(1.), tiny = splat(1e-24);
+  const V tiny = splat(1e-24);
   V column[4];
   load_half_rows<4>(fan.from, corner, column);
   const Vec a{column[0], column[1], column[2]};
@@ -85,46 +90,51 @@ inline V sum_triangles(const FanRows &fan, const std::uint16_t *corner)
   const Vec bxc = cross(b, c), cxa = cross(c, a), axb = cross(a, b);
   const V N = dot(a, bxc), aa = dot(a, a), bb = dot(b, b), cc = dot(c, c), ab = dot(a, b), bc = dot(b, c), ca = dot(c, a);
 
-  const V zero = splat(0.);
-  V S = zero, Maa = zero, Mbb = zero, Mcc = zero, Mab = zero, Mbc = zero, Mca = zero, Ka = zero, Kb = zero, Kc = zero;
-  for (int g = 0; g < points_of<quadrature>; ++g)
+  // With s = a + b + c a point is beta s + (alpha - beta) a, so that |r|^2 takes three products, and of sum_g w slope l_j l_k
+  // everything but one term is common to the three points of an orbit.
+  const V sa = aa + ab + ca, sb = ab + bb + bc, sc = ca + bc + cc, ss = sa + sb + sc;
+  V S = splat(0.), Maa, Mbb, Mcc, Mab, Mbc, Mca, Ka, Kb, Kc;
+  if constexpr (quadrature == 3)
     {
-      const GaussPoint &p = point<quadrature>(g);
-      const double qaa = p.l[0] * p.l[0], qbb = p.l[1] * p.l[1], qcc = p.l[2] * p.l[2], qab = p.l[0] * p.l[1],
-                   qbc = p.l[1] * p.l[2], qca = p.l[2] * p.l[0];
-      const V r2 = splat(qaa) * aa + splat(qbb) * bb + splat(qcc) * cc + splat(2. * qab) * ab + splat(2. * qbc) * bc
-                   + splat(2. * qca) * ca + tiny;
-      const V ir = rsqrt(r2), u = r2 * ir, w = positive(one - u), w2 = w * w, kernel = w2 * w2 * (splat(4.) * u + one);
-      V value, slope; // g and (1/u) dg/du
-      if constexpr (quadrature == 0)
+      V slope, kernel;
+      profile<quadrature>(splat(1. / 9.) * ss + tiny, S, slope, kernel);
+      Maa = Mbb = Mcc = Mab = Mbc = Mca = splat(1. / 9.) * slope;
+      Ka = Kb = Kc = splat(1. / 3.) * kernel;
+    }
+  else
+    {
+      constexpr bool three = quadrature == 2;
+      Maa = Mbb = Mcc = Mab = Mbc = Mca = Ka = Kb = Kc = splat(0.);
+      for (int o = 0; o < (three ? 1 : 2); ++o)
         {
-          const V outside = ir * ir * ir;
-          value = select_less(u, one, splat(14.) + r2 * (splat(-84.) + u * (splat(140.) + u * (splat(-90.) + u * splat(21.)))),
-                              outside);
-          slope = select_less(u, one, splat(-168.) + u * (splat(420.) + u * (splat(-360.) + u * splat(105.))),
-                              splat(-3.) * outside * (ir * ir));
-        }
-      else
-        {
-          const V ir2 = ir * ir;
-          value = -(w2 * w2 * w) * (one + u * (splat(5.) + u * (splat(15.) + u * splat(21.)))) * (ir2 * ir);
-          slope = ir2 * (splat(42.) * kernel - splat(3.) * value);
-        }
-      S += splat(p.w) * value;
-      const V t = splat(p.w) * slope;
-      Maa += splat(qaa) * t;
-      Mbb += splat(qbb) * t;
-      Mcc += splat(qcc) * t;
-      Mab += splat(qab) * t;
-      Mbc += splat(qbc) * t;
-      Mca += splat(qca) * t;
-      if constexpr (viscous)
-        {
-          Ka += splat(p.w * p.l[0]) * kernel;
-          Kb += splat(p.w * p.l[1]) * kernel;
-          Kc += splat(p.w * p.l[2]) * kernel;
+          const Orbit orbit = three ? three_points[0] : six_points[o];
+          const double w = orbit.w, alpha = orbit.alpha, beta = 0.5 * (1. - alpha), delta = alpha - beta;
+          const V base = splat(beta * beta) * ss + tiny, first = splat(2. * beta * delta), second = splat(delta * delta);
+          V value[3], slope[3], kernel[3];
+          profile<quadrature>(base + first * sa + second * aa, value[0], slope[0], kernel[0]);
+          profile<quadrature>(base + first * sb + second * bb, value[1], slope[1], kernel[1]);
+          profile<quadrature>(base + first * sc + second * cc, value[2], slope[2], kernel[2]);
+          S += splat(w) * (value[0] + value[1] + value[2]);
+          const V all = slope[0] + slope[1] + slope[2], own = splat(w * beta * beta) * all, mixed = splat(w * alpha * beta) * all,
+                  x = splat(w * (alpha * alpha - beta * beta)), y = splat(w * (beta * beta - alpha * beta));
+          Maa += own + x * slope[0];
+          Mbb += own + x * slope[1];
+          Mcc += own + x * slope[2];
+          Mbc += mixed + y * slope[0];
+          Mca += mixed + y * slope[1];
+          Mab += mixed + y * slope[2];
+          if constexpr (viscous)
+            {
+              const V common = splat(w * beta) * (kernel[0] + kernel[1] + kernel[2]), more = splat(w * delta);
+              Ka += common + more * kernel[0];
+              Kb += common + more * kernel[1];
+              Kc += common + more * kernel[2];
+            }
         }
     }
+  if constexpr (quadrature > 0)
+    if (all_zero(S))
+      return splat(0.); // the skin's faces: out of the support
   V share = N * S;
   if constexpr (quadrature == 0)
     {
