@@ -96,7 +96,8 @@ template <int dim>
 std::unique_ptr<RoundCell<dim>> make_round_cell(const RoundCellParameters &parameters, bool can_fail);
 
 /// Osmosis and damped motion until the cell stands at turgor. watch(step, steps, dt) after every step; it may throw to stop.
-/// Returns the largest unbalanced force over turgor times the wall per node. Throws std::runtime_error where it diverges.
+/// Returns the largest unbalanced force over turgor times the wall per node. Throws std::runtime_error where the cell diverges or
+/// has not come to rest.
 template <int dim>
 double bring_to_turgor(RoundCell<dim> &cell, const std::function<void(unsigned int, unsigned int, double)> &watch);
 

@@ -1,5 +1,7 @@
 #include "micro/scenarios/balloon_model.h"
 
+#include "micro/terms/wall_bending.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,20 +24,23 @@ struct Quadrant
 {
   const BalloonModel &model;
   unsigned int n;
-  double plate_stiffness; ///< Pa/m
 
   double angle(const double i) const { return 0.5 * pi * i / n; }
-  bool fixed(const unsigned int k) const { return k == 0 || k == 2 * n + 1; } // the pole's rho, the equator's z
+  /// The pole's rho, the equator's z, and z of the first nodes, those on the plate.
+  bool fixed(const unsigned int k, const unsigned int touching) const
+  {
+    return k == 0 || k == 2 * n + 1 || (k % 2 == 1 && k < 2 * touching);
+  }
 
   struct Sums
   {
     Eigen::VectorXd slope, volume_slope;
     std::vector<Eigen::Triplet<double>> stiffness;
-    double volume = 0., wall_energy = 0., plate_force = 0., contact_radius = 0.;
+    double volume = 0., wall_energy = 0.;
   };
 
-  /// Of a quadrant turned around the axis (half a cell), plates at z = H.
-  Sums assemble(const Eigen::VectorXd &u, const double H) const
+  /// Of a quadrant turned around the axis (half a cell).
+  Sums assemble(const Eigen::VectorXd &u) const
   {
     Sums s;
     s.slope = s.volume_slope = Eigen::VectorXd::Zero(2 * n + 2);
@@ -82,36 +87,54 @@ struct Quadrant
               s.stiffness.emplace_back(2 * i + k, 2 * i + m, h(k, m));
           }
       }
-    for (unsigned int i = 0; i <= n; ++i)
+    for (unsigned int i = 1; i < n && model.bending > 0.; ++i)
       {
-        const double depth = u[2 * i + 1] - H;
-        if (depth <= 0.)
-          continue;
-        const double area = i == 0 ? pi * ds0 * ds0 / 4. : 2. * pi * r0 * std::sin(angle(i)) * ds0;
-        s.slope[2 * i + 1] += plate_stiffness * area * depth;
-        s.plate_force += plate_stiffness * area * depth;
-        s.stiffness.emplace_back(2 * i + 1, 2 * i + 1, plate_stiffness * area);
-        s.contact_radius = u[2 * i];
+        const Vector<2> e1(u[2 * i] - u[2 * i - 2], u[2 * i + 1] - u[2 * i - 1]),
+          e2(u[2 * i + 2] - u[2 * i], u[2 * i + 3] - u[2 * i + 1]);
+        const double k = model.bending / ds0 * 2. * pi * r0 * std::sin(angle(i));
+        const double bent = WallBending::angle(e1, e2) + 0.5 * pi / n; // the meridian turns clockwise
+        const Vector<2> g1 = WallBending::angle_gradient(e1), g2 = WallBending::angle_gradient(e2);
+        const Tensor2<2> h1 = WallBending::angle_hessian(e1), h2 = WallBending::angle_hessian(e2);
+        s.wall_energy += 0.5 * k * bent * bent;
+        Eigen::Matrix<double, 6, 1> g;
+        g << g1, -g1 - g2, g2;
+        Eigen::Matrix<double, 6, 6> h = k * g * g.transpose();
+        h.block<2, 2>(0, 0) -= k * bent * h1;
+        h.block<2, 2>(0, 2) += k * bent * h1;
+        h.block<2, 2>(2, 0) += k * bent * h1;
+        h.block<2, 2>(2, 2) += k * bent * (h2 - h1);
+        h.block<2, 2>(2, 4) -= k * bent * h2;
+        h.block<2, 2>(4, 2) -= k * bent * h2;
+        h.block<2, 2>(4, 4) += k * bent * h2;
+        for (int a = 0; a < 6; ++a)
+          {
+            s.slope[2 * i - 2 + a] += k * bent * g[a];
+            for (int b = 0; b < 6; ++b)
+              s.stiffness.emplace_back(2 * i - 2 + a, 2 * i - 2 + b, h(a, b));
+          }
       }
     return s;
   }
 
-  /// Newton's method; false if it does not converge.
-  bool solve(Eigen::VectorXd &u, const double H, const double force_scale) const
+  /// Newton's method with the first nodes on the plate; false if it does not converge.
+  bool solve(Eigen::VectorXd &u, const double H, const unsigned int touching, const double force_scale) const
   {
-    for (int iteration = 0; iteration < 60; ++iteration)
+    for (unsigned int i = 0; i < touching; ++i)
+      u[2 * i + 1] = H;
+    for (int iteration = 0; iteration < 40; ++iteration)
       {
-        Sums s = assemble(u, H);
+        Sums s = assemble(u);
         double worst = 0.;
         std::vector<Eigen::Triplet<double>> entries;
         for (const auto &t : s.stiffness)
-          if (!fixed(t.row()) && !fixed(t.col()))
+          if (!fixed(t.row(), touching) && !fixed(t.col(), touching))
             entries.push_back(t);
-        for (const unsigned int k : {0u, 2 * n + 1})
-          {
-            entries.emplace_back(k, k, 1.);
-            s.slope[k] = s.volume_slope[k] = 0.;
-          }
+        for (unsigned int k = 0; k < 2 * n + 2; ++k)
+          if (fixed(k, touching))
+            {
+              entries.emplace_back(k, k, 1.);
+              s.slope[k] = s.volume_slope[k] = 0.;
+            }
         worst = s.slope.lpNorm<Eigen::Infinity>();
         if (!std::isfinite(worst))
           return false;
@@ -129,6 +152,28 @@ struct Quadrant
         const Eigen::VectorXd step = y - c * s.volume_slope.dot(y) / (1. + c * s.volume_slope.dot(z)) * z;
         const double longest = step.lpNorm<Eigen::Infinity>(), allowed = 0.02 * model.rest_radius;
         u -= std::min(1., allowed / longest) * step;
+      }
+    return false;
+  }
+
+  /// Equilibrium with a plate at z = H: nodes join the contact while the next one is above the plate, and leave it
+  /// while the plate would have to pull at its edge.
+  bool squeeze(Eigen::VectorXd &u, const double H, unsigned int &touching, const double force_scale) const
+  {
+    touching = std::max(1u, touching);
+    for (unsigned int tries = 0, grown = 0; tries < n; ++tries)
+      {
+        if (!solve(u, H, touching, force_scale))
+          return false;
+        if (touching < n && u[2 * touching + 1] > H)
+          {
+            ++touching;
+            ++grown;
+          }
+        else if (touching > 1 && !grown && assemble(u).slope[2 * touching - 1] > 0.)
+          --touching;
+        else
+          return true;
       }
     return false;
   }
@@ -197,10 +242,7 @@ std::vector<BalloonModel::Point> BalloonModel::compress(const double largest, co
 {
   const double R = turgid_radius(), p0 = pressure_of_volume(4. / 3. * pi * R * R * R);
   const double scale_p = std::max(std::abs(p0), 1e-3 * wall_stiffness / rest_radius);
-  // Under the plates the wall is flat and may be compressed: a penalty softer than tension over length squared would let it
-  // buckle into the plate element by element. This one bears strains of -0.5.
-  const double element = rest_radius * 0.5 * pi / elements;
-  const Quadrant quadrant{*this, elements, 4. * 6. * 0.5 * wall_stiffness / (element * element)};
+  const Quadrant quadrant{*this, elements};
   Eigen::VectorXd u(2 * elements + 2);
   for (unsigned int i = 0; i <= elements; ++i)
     {
@@ -208,16 +250,18 @@ std::vector<BalloonModel::Point> BalloonModel::compress(const double largest, co
       u[2 * i + 1] = R * std::cos(quadrant.angle(i));
     }
   const double force_scale = scale_p * R * R;
-  const auto state = [&](const double first_height, const double H) {
-    const Quadrant::Sums s = quadrant.assemble(u, H);
+  unsigned int touching = 0;
+  const auto state = [&](const double first_height) {
+    const Quadrant::Sums s = quadrant.assemble(u);
     const double ds0 = rest_radius * 0.5 * pi / elements;
     const auto length = [&](const unsigned int i) { return std::hypot(u[2 * i + 2] - u[2 * i], u[2 * i + 3] - u[2 * i + 1]); };
     Point at;
     at.deformation = first_height > 0. ? 1. - u[1] / first_height : 0.;
-    at.force = s.plate_force;
+    for (unsigned int i = 0; i < touching; ++i)
+      at.force -= s.slope[2 * i + 1];
+    at.contact_radius = touching > 0 ? u[2 * touching - 2] : 0.;
     at.volume = 2. * s.volume;
     at.pressure = pressure_of_volume(at.volume);
-    at.contact_radius = s.contact_radius;
     at.energy = 2. * s.wall_energy;
     at.pole_stretch = length(0) / ds0;
     at.equator_hoop_stretch = u[2 * elements] / rest_radius;
@@ -226,20 +270,21 @@ std::vector<BalloonModel::Point> BalloonModel::compress(const double largest, co
     at.force_balance = (2. * pi * rho * T - at.pressure * pi * rho * rho + at.force) / (scale_p * pi * rho * rho);
     return at;
   };
-  if (!quadrant.solve(u, 2. * R, force_scale))
+  if (!quadrant.solve(u, 0., 0, force_scale))
     throw std::runtime_error("the balloon model found no equilibrium without plates");
   const double height = u[1];
-  std::vector<Point> points = {state(height, 2. * R)};
+  std::vector<Point> points = {state(height)};
   for (double done = 0., part = step; points.back().deformation < largest;)
     {
       const Eigen::VectorXd before = u;
+      const unsigned int touched = touching;
       const double H = height * (1. - done - part);
-      bool good = quadrant.solve(u, H, force_scale);
+      bool good = quadrant.squeeze(u, H, touching, force_scale);
       if (good)
         {
-          // The pole is compressed more and more; a pole that is suddenly longer has buckled into folds (another equilibrium).
-          const Point next = state(height, H);
-          good = next.pole_stretch <= points.back().pole_stretch;
+          // A pressure that leaps has found another equilibrium, the wall folded under the plate.
+          const Point next = state(height);
+          good = std::abs(next.pressure - points.back().pressure) < 0.1 * std::max(points.back().pressure, scale_p);
           if (good)
             points.push_back(next);
         }
@@ -251,6 +296,7 @@ std::vector<BalloonModel::Point> BalloonModel::compress(const double largest, co
       else
         {
           u = before;
+          touching = touched;
           part *= 0.5;
           if (part < 1e-5)
             break;

@@ -5,13 +5,14 @@
 // psi: polar angle of a point when stress-free, rho: distance from the axis now, z: height over the equator:
 //
 //   lambda_1 = ds/(r0 dpsi),  lambda_2 = rho/(r0 sin psi)
-//   stationary:  integral of W(lambda_1, lambda_2) over the stress-free sphere + energy of the liquid at V + plates at z = +-H
+//   stationary:  integral of W(lambda_1, lambda_2) + D kappa^2/2 over the stress-free sphere + energy of the liquid at V + plates
+//                at z = +-H;  kappa: change of the meridian's curvature, D = G t0 t0^2/3 or 0
 //   which is     d(rho T_1) = T_2 d rho,  T_1 dphi/ds + T_2 sin phi/rho = p(V),  F = p times the contact
 //
 // Shooting from the pole, as in those papers, is hopeless here: at the strains of turgor (0.5 %) solutions part like
 // exp(psi sqrt(E t/T)), 10^6 over a quadrant. So the meridian of a quadrant is cut into straight elements (lambda_2 at their middle,
-// second order) and the energy made stationary by Newton's method, H lowered step by step. Plates are a penalty whose give
-// is not part of the deformation: the height is that of the wall itself.
+// second order) and the energy made stationary by Newton's method, H lowered step by step. What
+// touches stays flat: it is pressed on by p, compressed or not (thin walls may wrinkle there, which changes nothing in F).
 //
 // Membranes (tension per present length, N/m; both have T = G t0 (1 - lambda^-6) equibiaxially):
 //   net          W = 2 G t0 < l^2/2 + l^-4/4 - 3/4 >,  l^2 = lambda_1^2 cos^2 + lambda_2^2 sin^2, mean over all directions:
@@ -49,6 +50,7 @@ struct BalloonModel
   double wall_stiffness = 0.; ///< N/m, G t0
   Membrane membrane = Membrane::net;
   std::function<double(double)> pressure_of_volume; ///< Pa of m^3
+  double bending = 0.; ///< N m, rigidity D along the meridian; keeps what is compressed beside the plates from folding
   unsigned int elements = 400; ///< of a quadrant
 
   /// Tensions T_1, T_2 (N/m) at the two stretches, the slopes of T_1, energy W (J/m^2, per stress-free area).

@@ -51,6 +51,7 @@ protected:
         balloon.rest_radius = rest_radius;
         balloon.wall_stiffness = cell.wall_stiffness;
         balloon.membrane = membrane;
+        balloon.bending = cell.wall_bending ? cell.wall_stiffness * cell.wall_thickness * cell.wall_thickness / 3. : 0.;
         // The turgid sphere has the pressure that the cell's wall was measured to balance; the liquid is the cell's.
         double lambda = 1.;
         for (int k = 0; k < 200; ++k)

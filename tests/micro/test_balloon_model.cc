@@ -16,6 +16,7 @@ BalloonModel balloon(const BalloonModel::Membrane membrane, const double turgor,
   model.rest_radius = 30e-6;
   model.wall_stiffness = 100.;
   model.membrane = membrane;
+  model.bending = 100. * 126e-9 * 126e-9 / 3.;
   // turgor where 2 T = p R
   double lambda = 1.;
   for (int k = 0; k < 100; ++k)
@@ -81,6 +82,20 @@ BOOST_AUTO_TEST_CASE(force_is_pressure_times_contact)
   BOOST_TEST(points.back().force <= points.back().pressure * std::numbers::pi * (a + 2. * width) * (a + 2. * width));
   BOOST_TEST(std::isnan(BalloonModel::force_at(points, 0.5)));
   BOOST_TEST(BalloonModel::force_at(points, points[2].deformation) == points[2].force, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(finer_elements_change_less_and_less)
+{
+  double force[3];
+  for (int k = 0; k < 3; ++k)
+    {
+      BalloonModel model = balloon(BalloonModel::Membrane::net, 200e3, 42e6);
+      model.elements = 50u << k;
+      force[k] = BalloonModel::force_at(model.compress(0.16, 0.02), 0.15);
+    }
+  BOOST_TEST_MESSAGE("force at 15 % with 50, 100, 200 elements: " << force[0] << " " << force[1] << " " << force[2]);
+  // the contact's edge jumps from node to node: first order, 2/50 of the contact's radius and less
+  BOOST_TEST(std::abs(force[2] / force[1] - 1.) < 0.04);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(the_empty_shell_breathes_as_its_closed_form)
   Disk disk;
   MemoryContext context(disk, false);
   ShellOscillation scene;
-  run(scene, context, {{"Filled", "false"}, {"Periods", "12"}, {"Samples per period", "40"}, {"Cell/Frequency", "5"},
+  run(scene, context, {{"Filled", "false"}, {"Periods", "12"}, {"Samples per period", "200"}, {"Cell/Frequency", "5"},
                        {"Cell/Wall thickness", "1e-6"}});
   BOOST_TEST(std::abs(context.results.at("mode_1_deviation")) < 0.2);
   BOOST_TEST(std::abs(context.results.at("energy_drift")) < 1e-4);
