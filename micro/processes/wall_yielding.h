@@ -11,6 +11,7 @@
 #include "micro/engine/particle_system.h"
 #include "micro/terms/bonded_wall.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -26,19 +27,20 @@ public:
     , flow(std::move(flow_))
   {}
 
-  /// Lengthens the bonds that yield; if there are any, computes the forces of the system anew. True then.
+  /// Lengthens the bonds that yield; if there are any, computes the forces of their cells anew. True then.
   bool apply(ParticleSystem<dim> &system) const
   {
-    // A group looks at its own bonds only: shared out over threads, same bits on any number of them.
+    // A group looks at its own bonds only: shared out over threads, same bits on any number of them. The forces must be
+    // current before (they are at the end of a step).
     std::vector<unsigned char> yielded(flow->permanent.size(), 0);
     system.for_groups([&](const std::size_t group) {
       std::vector<double> &permanent = flow->permanent[group];
       for (std::size_t bond = 0; bond < permanent.size(); ++bond)
         {
           const double lambda = wall.stretch(system.particles, group, bond);
-          // Not beyond 1e-12, or round-off would lengthen a bond at rest on the curve for ever.
-          if (!(lambda > permanent[bond]))
+          if (!(lambda > permanent[bond]) || !wall.may_yield(lambda, permanent[bond]))
             continue;
+          // Not beyond 1e-12, or round-off would lengthen a bond at rest on the curve for ever.
           const double needed = lambda / wall.bearable_stretch(lambda);
           if (needed > permanent[bond] * (1. + 1e-12))
             {
@@ -46,14 +48,10 @@ public:
               yielded[group] = 1;
             }
         }
+      if (yielded[group]) // nothing moved, and walls act within their own cell: no other group's forces change
+        system.forces_of_group(group);
     });
-    for (const unsigned char y : yielded)
-      if (y)
-        {
-          system.compute_forces();
-          return true;
-        }
-    return false;
+    return std::count(yielded.begin(), yielded.end(), 1) > 0;
   }
 
 private:

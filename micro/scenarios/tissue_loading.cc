@@ -116,6 +116,7 @@ private:
     write_binary(out, angle_before);
     write_binary(out, angle_inflated);
     write_binary(out, void_fraction);
+    write_binary(out, tie_stress);
     write_binary(out, start_energy);
     write_binary(out, start.low);
     write_binary(out, start.high);
@@ -142,6 +143,7 @@ private:
     read_binary(in, angle_before);
     read_binary(in, angle_inflated);
     read_binary(in, void_fraction);
+    read_binary(in, tie_stress);
     read_binary(in, start_energy);
     read_binary(in, start.low);
     read_binary(in, start.high);
@@ -220,6 +222,10 @@ private:
     start = TissueStart::of(*tissue);
     angle_inflated = tissue->angle_deviation();
     void_fraction = tissue->void_fraction();
+    if (tissue->ties)
+      for (const LamellaTie &tie : tissue->ties->all())
+        tie_stress = std::max(tie_stress, tissue->ties->stiffness() * (p.position(tie.a) - p.position(tie.b)).norm()
+                                            / (tissue->spacing * scene.cell.depth));
     plates->set_position(0, start.low);
     plates->set_position(1, start.high);
     plates->set_velocity(1, -scene.speed);
@@ -277,7 +283,7 @@ private:
                                                     {"stress_top", "Pa"}, {"stress_bottom", "Pa"}, {"plate_top", "m"},
                                                     {"mean_pressure", "Pa"}, {"potential", "J"}, {"kinetic", "J"}, {"work", "J"},
                                                     {"centre", ""}, {"flattest_cell", ""}, {"stretch_near", ""}, {"stretch", ""},
-                                                    {"failed_cells", ""}, {"broken_bonds", ""}, {"broken_ties", ""},
+                                                    {"largest_stretch", ""}, {"failed_cells", ""}, {"broken_bonds", ""}, {"broken_ties", ""},
                                                     {"failed_depth", ""}, {"crossed", ""}});
     const auto by_row = context.series("rows", rows);
     std::unique_ptr<FieldFile> fields;
@@ -297,7 +303,7 @@ private:
       history.push_back(s);
       loading->add_row({s.time, s.strain, s.top, s.bottom, s.top / area, s.bottom / area, (*plates)[1].position, mean_pressure(),
                         system.potential_energy(), system.kinetic_energy(), plates->work(), s.centre, s.flattest, s.stretch_near,
-                        s.stretch, s.failed_cells, s.broken_bonds, s.broken_ties, s.failed_depth, double(tissue->fluid->crossed())});
+                        s.stretch, s.largest_stretch, s.failed_cells, s.broken_bonds, s.broken_ties, s.failed_depth, double(tissue->fluid->crossed())});
       std::vector<double> row{s.time, s.strain};
       for (const double f : flattening_of_rows(*tissue, start, scene.brick.rows))
         row.push_back(f);
@@ -389,6 +395,7 @@ private:
           context.result("centre_of_flattening" + at, at_strain(history, &TissueSample::centre, e), "");
           context.result("flattest_cell" + at, at_strain(history, &TissueSample::flattest, e), "");
           context.result("stretch_near_plate" + at, at_strain(history, &TissueSample::stretch_near, e), "");
+          context.result("largest_stretch" + at, at_strain(history, &TissueSample::largest_stretch, e), "");
           context.result("mean_stretch" + at, at_strain(history, &TissueSample::stretch, e), "");
         }
     double peak = 0., flat = 0.;
@@ -421,6 +428,8 @@ private:
         context.result("broken_bonds", broken_bonds, "");
         context.result("broken_bonds_at_junctions", broken_bonds > 0. ? broken_at_junction / broken_bonds : 0., "");
       }
+    if (tissue->ties)
+      context.result("largest_tie_stress_inflated", tie_stress, "Pa");
     if (tissue->ties && scene.brick.lamella_strength > 0.)
       {
         const std::size_t n = broken_ties.size(), part = std::max<std::size_t>(1, n / 5);
@@ -452,7 +461,7 @@ private:
 
   // what changes while the scene runs, and is in the checkpoint
   std::uint64_t step = 0, load_steps = 0; ///< load_steps = 0: still inflating
-  double angle_before = 0., angle_inflated = 0., void_fraction = 0., start_energy = 0.;
+  double angle_before = 0., angle_inflated = 0., void_fraction = 0., tie_stress = 0., start_energy = 0.;
   TissueStart start;
   std::vector<TissueSample> history;
   double broken_bonds = 0., broken_at_junction = 0., deepest = 0.;

@@ -71,6 +71,7 @@ TissueSample measure(const BrickTissue &tissue, const TissueStart &start)
             continue;
           const double stretch = tissue.wall->stretch(p, c, k);
           s.stretch += stretch;
+          s.largest_stretch = std::max(s.largest_stretch, stretch);
           ++bonds;
           if (start.depth[c] < 0.2)
             {

@@ -27,6 +27,7 @@ struct TissueSample
   double centre = 0.;                    ///< mean depth of the flattening: 0 at the moving plate, 1 at the other, 0.5 even
   double flattest = 0.;                  ///< largest 1 - height / height at the start of a cell
   double stretch_near = 0., stretch = 0.; ///< mean stretch of the walls of the cells in the first fifth below the plate; of all
+  double largest_stretch = 0.;           ///< of a bond that holds
   double failed_cells = 0., broken_bonds = 0., broken_ties = 0.;
   double failed_depth = 0.;              ///< mean depth of the failed cells; 0 where there are none
 };

@@ -28,6 +28,9 @@ public:
   /// what the yield curve allows there, F_elastic(result) = g(stretch) F_elastic(stretch).
   virtual double bearable_stretch(double stretch) const = 0;
 
+  /// False where a bond with that permanent stretch surely stays below the yield curve: spares bearable_stretch.
+  virtual bool may_yield(double /*stretch*/, double /*permanent*/) const { return true; }
+
   /// Broken bonds carry nothing. Shared with the fluid and the process that breaks them.
   void set_damage(std::shared_ptr<const WallDamage> damage_) { damage = std::move(damage_); }
   /// Bonds are at rest at permanent x rest length.

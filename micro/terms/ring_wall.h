@@ -45,6 +45,10 @@ public:
     return {std::uint32_t(bond), std::uint32_t(bond)};
   }
   double bearable_stretch(double stretch) const override;
+  bool may_yield(const double stretch, const double permanent) const override
+  {
+    return elastic_law.force(stretch / permanent) > yielding_law.force(stretch);
+  }
   /// N, of a bond as it is now.
   double tension(const Particles<2> &particles, std::size_t group, std::size_t bond) const;
 

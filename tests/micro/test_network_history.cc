@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(a_bond_flows_along_the_curve_and_springs_back)
   for (int i = 1; i <= 200; ++i)
     {
       const double lambda = 1. + 0.001 * i, F = h.force(loaded, elastic, 1e-3, 0, lambda, slope);
-      BOOST_TEST(F == loaded.force(lambda), boost::test_tools::tolerance(1e-14)); // the two overloads round differently
+      BOOST_TEST(F == loaded.force(lambda), boost::test_tools::tolerance(1e-12)); // the two overloads round differently, where the force is small more
       work += 0.0005 * (F + last);
       last = F;
       const double more = h.flow(loaded, elastic, 0, lambda);
