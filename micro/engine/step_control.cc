@@ -42,7 +42,7 @@ template <int dim>
 double StepControl<dim>::step_of_speed() const
 {
   const Particles<dim> &p = system->particles;
-  double fastest = 0.; // squared
+  double fastest = 0.; // mean square of a cell
   for (const Group &g : p.groups)
     {
       double mean[dim]{};
@@ -52,13 +52,11 @@ double StepControl<dim>::step_of_speed() const
             mean[d] += p.v[d][i];
           mean[d] /= g.end - g.begin;
         }
+      double square = 0.;
       for (std::uint32_t i = g.begin; i < g.end; ++i)
-        {
-          double square = 0.;
-          for (int d = 0; d < dim; ++d)
-            square += (p.v[d][i] - mean[d]) * (p.v[d][i] - mean[d]);
-          fastest = std::max(fastest, square);
-        }
+        for (int d = 0; d < dim; ++d)
+          square += (p.v[d][i] - mean[d]) * (p.v[d][i] - mean[d]);
+      fastest = std::max(fastest, square / (g.end - g.begin));
     }
   return fastest > 0. ? spacings_a_step * spacing / std::sqrt(fastest) : HUGE_VAL;
 }

@@ -1,10 +1,10 @@
 // The step a scene takes, and when it has to become shorter.
 //
 //   dt = min( fraction x what the terms bound (Term::rates), fraction x what is measured in the present state
-//             (measured_step.h), 0.01 x particle spacing / fastest particle, against the mean of its cell )
+//             (measured_step.h), 0.007 x particle spacing / speed of a cell's particles )
 //
-// at the start. The first two are of small motions; the last is of collisions, where forces change within a step (0.01: from the stability map,
-// doc/results/stability). Later the state is looked at again whenever some particle has moved, against the mean of its cell, by a particle spacing, but at most every
+// at the start. The first two are of small motions; the last is of collisions, where forces change within a step: root mean square against
+// the mean of the cell, of the fastest cell (single particles may be far faster); 0.007 from the stability map, doc/results/stability. Later the state is looked at again whenever some particle has moved, against the mean of its cell, by a particle spacing, but at most every
 // hundredth step: a look costs about 20 force evaluations. The step never grows again: every change of it is a small
 // kick to the energy that a symplectic step conserves.
 #pragma once
@@ -20,8 +20,8 @@ class StepControl
 {
 public:
   /// Measures the present state.
-  /// spacings_a_step: how far the fastest particle may move in a step, over the particle spacing.
-  StepControl(ParticleSystem<dim> &system, double fraction, double spacings_a_step = 0.01);
+  /// spacings_a_step: how far the particles of the fastest cell may move in a step (rms), over their spacing.
+  StepControl(ParticleSystem<dim> &system, double fraction, double spacings_a_step = 0.007);
 
   double dt() const { return step; } ///< s
 

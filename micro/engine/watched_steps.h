@@ -15,7 +15,7 @@ class WatchedSteps
 {
 public:
   /// As of StepControl. Measures the present state; begin_here() does so again after a change from outside.
-  WatchedSteps(ParticleSystem<dim> &system, double fraction, double spacings_a_step = 0.01);
+  WatchedSteps(ParticleSystem<dim> &system, double fraction, double spacings_a_step = 0.007);
 
   void begin_here();
 

@@ -139,7 +139,7 @@ void SqueezedCell::run_in(RunContext &context)
   Progress at_step;
   std::vector<Row> rows;
   std::vector<double> polar(nw); // cosine of the polar angle of each node in the turgid cell
-  WatchedSteps<dim> integrator(system, step_fraction, 0.05);
+  WatchedSteps<dim> integrator(system, step_fraction, 0.02);
   const bool resumed = context.load_checkpoint([&](std::istream &in) {
     read_binary(in, at_step);
     read_binary(in, rows);

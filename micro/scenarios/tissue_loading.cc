@@ -84,7 +84,7 @@ public:
       failure.emplace(*tissue->wall, tissue->damage, scene.brick.critical_stretch);
     if (tissue->flow)
       yielding.emplace(*tissue->wall, tissue->flow);
-    integrator.emplace(system, scene.step_fraction, 0.05);
+    integrator.emplace(system, scene.step_fraction, 0.02);
     dt = integrator->safe_step();
     inflation_steps = std::uint64_t(std::ceil(scene.inflation_time / dt));
     reach = 20. * std::max(scene.brick.columns, scene.brick.rows) * scene.cell.period;
