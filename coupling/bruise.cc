@@ -36,9 +36,11 @@ Bruise::Sum Bruise::sum(const Tissue<2> &tissue, const RveLaw<2> &law) const
 {
   Sum s;
   const std::vector<RveCondition> &condition = law.condition();
+  s.area = condition.empty() ? tissue.size()[0] * tissue.size()[1] : 0.;
   for (std::size_t q = 0; q < condition.size(); ++q)
   {
     const double area = tissue.mesh().gauss_weight[q];
+    s.area += area;
     s.failed += area * condition[q].failed;
     s.permanent += area * condition[q].permanent;
     s.by_flow += area * condition[q].flow_dissipated;
@@ -52,9 +54,9 @@ Bruise::Sum Bruise::sum(const Tissue<2> &tissue, const RveLaw<2> &law) const
 void Bruise::row(const Tissue<2> &tissue, const RveLaw<2> &law)
 {
   const TissueState<2> &state = tissue.state();
-  const double area = tissue.size()[0] * tissue.size()[1], time = tissue.time(), force = state.tool.force;
+  const double time = tissue.time(), force = state.tool.force;
   const Sum s = sum(tissue, law);
-  impact->add_row({time, tool.travel(time), force, state.tool.support, state.tool_work, s.failed / area, s.permanent / area,
+  impact->add_row({time, tool.travel(time), force, state.tool.support, state.tool_work, s.failed / s.area, s.permanent / s.area,
                    s.by_flow, s.by_failure});
   if (force > memory.peak_force)
   {
@@ -89,8 +91,7 @@ void Bruise::frame(const Tissue<2> &tissue, const RveLaw<2> &law)
 void Bruise::results(RunContext &context, const Tissue<2> &tissue, const RveLaw<2> &law)
 {
   const Sum s = sum(tissue, law);
-  const double area = tissue.size()[0] * tissue.size()[1];
-  context.result("bruised_share", s.failed / area, "1");
+  context.result("bruised_share", s.failed / s.area, "1");
   context.result("bruised_area", s.failed, "m^2");
   context.result("bruise_depth", s.depth, "m");
   context.result("peak_force", memory.peak_force, "N/m");
@@ -103,7 +104,7 @@ void Bruise::results(RunContext &context, const Tissue<2> &tissue, const RveLaw<
     context.result("strain_at_first_failure", memory.first_failure_travel / width, "1"); // travel over width
   }
   context.result("permanent_stretch_max", memory.largest_permanent, "1");
-  context.result("permanent_stretch_mean", s.permanent / area, "1");
+  context.result("permanent_stretch_mean", s.permanent / s.area, "1");
   context.result("tool_work", tissue.state().tool_work, "J/m");
   context.result("energy_dissipated_by_flow", s.by_flow, "J/m");
   context.result("energy_dissipated_by_failure", s.by_failure, "J/m");

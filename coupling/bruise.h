@@ -25,7 +25,7 @@ public:
 private:
   struct Sum // over the points, weighted with their area
   {
-    double failed = 0., permanent = 0.;          // m^2
+    double area = 0., failed = 0., permanent = 0.; // m^2
     double by_flow = 0., by_failure = 0.;        // J/m
     double depth = 0.;                           // m, of the deepest point with a failed cell below the surface, at rest
   };

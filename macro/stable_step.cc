@@ -112,7 +112,7 @@ template <int dim>
 double StableStep<dim>::frequency() const
 {
   const double now = op.law().stiffness_bound(), bound = now * laplacian * compression;
-  const double contact = op.tools() ? op.tools()->frequency2(op.mass()) : 0.;
+  const double contact = op.tools() ? 4. * op.tools()->frequency2(op.mass()) : 0.;
   if (frequency2 <= 0.)
     return std::sqrt(bound + contact);
   return std::sqrt(std::min(bound, frequency2 * std::max(1., now / stiffness_then)) + contact);

@@ -161,13 +161,10 @@ BOOST_AUTO_TEST_CASE(stable_step_knows_the_contact)
       tissue.start();
       steps[stiff] = tissue.stable_step();
       tissue.advance_to(1e-3);
-      // An unstable mode would have grown without bound over some hundred steps. (The energy at 0.95 of the limit means little:
-      // velocity and position of the fastest mode are then half a swing apart.)
-      double fastest = 0.;
-      for (const double v : tissue.state().v)
-        fastest = std::max(fastest, std::abs(v));
+      // Undamped, the contacts open and close for hundreds of steps. The energy they make must stay small beside the work.
       BOOST_TEST(tissue.steps() > 100u);
-      BOOST_TEST(fastest < 10. * p.tool.speed, "velocity " << fastest << " m/s after " << tissue.steps() << " steps");
+      BOOST_TEST(std::abs(tissue.energies().balance()) < 0.2 * tissue.state().tool_work,
+                 "balance " << tissue.energies().balance() << " of " << tissue.state().tool_work << " J/m after " << tissue.steps());
     }
   BOOST_TEST(steps[1] < 0.3 * steps[0]);
 }
