@@ -1,11 +1,12 @@
 // The command line:
 //   turgor run FILE.prm [-o DIR] [--set 'Section/Name=value']... [--resume] [--threads N] [--ranks N]
-//   turgor list | parameters SCENARIO | check FILE.prm | study FILE.prm [--list] | plot DIR
+//   turgor list | parameters SCENARIO | check FILE.prm | study FILE.prm [--list] | validate [NAME...] | plot DIR
 #include "app/nearest_name.h"
 #include "app/plot_command.h"
 #include "app/ranks.h"
 #include "app/run_command.h"
 #include "app/study_runner.h"
+#include "app/validate_command.h"
 #include "micro/io/stop_flag.h"
 #include "micro/io/run_context.h"
 
@@ -64,6 +65,13 @@ int dispatch(int argc, char **argv)
   study_app->add_flag("--fresh", study.fresh, "Compute every run again");
   study_app->add_option("--only", study.only, "Only the run with this label; may be repeated")->allow_extra_args(false);
 
+  ValidateOptions validate;
+  CLI::App *validate_app = app.add_subcommand("validate", "Run the validation scenes and write the table of doc/validation.md");
+  validate_app->add_option("NAME", validate.names, "Names of inputs/validation/NAME.json (default: all)");
+  validate_app->add_option("--root", validate.root, "Directory that holds inputs/validation and doc (default: this program's source)");
+  validate_app->add_flag("--list", validate.list_only, "Only print the runs and what is cached");
+  validate_app->add_flag("--fresh", validate.fresh, "Compute every run again");
+
   std::string plot_directory;
   CLI::App *plot_app = app.add_subcommand("plot", "Pictures of a run, beside its results");
   plot_app->add_option("DIR", plot_directory, "Output directory of a run")->required();
@@ -116,6 +124,8 @@ int dispatch(int argc, char **argv)
     return check_command(run, registry);
   if (study_app->parsed())
     return study_command(study, registry);
+  if (validate_app->parsed())
+    return validate_command(validate, registry);
   if (plot_app->parsed())
     return plot_command(plot_directory);
   throw InputError("The tests are built and run by the launcher: ./turgor test");

@@ -16,7 +16,8 @@ namespace
 {
 struct RunEntries
 {
-  std::string section, label, method, settings, input, overrides;
+  std::string section, label, method, settings, input, overrides, entry, values;
+  bool axis = false;
   unsigned int threads = 1;
 };
 } // namespace
@@ -27,7 +28,8 @@ StudyInput load_study(const std::filesystem::path &file)
   dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
   const PrmText text = read_prm(file);
   dealii::ParameterHandler prm;
-  std::string reference;
+  std::string reference, picture;
+  prm.add_parameter("Picture", picture, "Without Reference: app/plots/study_NAME.py draws the results.", Anything());
   prm.add_parameter("Reference", reference,
                     "Label of the run, or directory of a finished run (relative to the study file), that all are measured against.",
                     Anything());
@@ -35,11 +37,13 @@ StudyInput load_study(const std::filesystem::path &file)
   std::vector<std::string> labels;
   for (const PrmSection &section : text.sections)
     {
-      if (section.path.size() != 1 || section.path[0].compare(0, 4, "Run ") != 0)
-        throw InputError(section.where + ": a study holds subsections 'Run LABEL' only, not '" + section.path.back() + "'.");
+      const bool axis = section.path[0].compare(0, 5, "Axis ") == 0;
+      if (section.path.size() != 1 || (!axis && section.path[0].compare(0, 4, "Run ") != 0))
+        throw InputError(section.where + ": a study holds subsections 'Axis LABEL' and 'Run LABEL' only, not '" + section.path.back() + "'.");
       RunEntries &run = entries.emplace_back();
       run.section = section.path[0];
-      run.label = trimmed(run.section.substr(4));
+      run.axis = axis;
+      run.label = trimmed(run.section.substr(axis ? 5 : 4));
       if (std::find(labels.begin(), labels.end(), run.label) != labels.end())
         throw InputError(section.where + ": there are two runs with the label '" + run.label + "'.");
       labels.push_back(run.label);
@@ -50,6 +54,11 @@ StudyInput load_study(const std::filesystem::path &file)
       prm.add_parameter("Input", run.input, "Input file, relative to the study file.", Anything());
       prm.add_parameter("Overrides", run.overrides, "Section/Name=value, separated by semicolons.", Anything());
       prm.add_parameter("Threads", run.threads, "Threads of the run.", Integer(1, 1024));
+      if (axis)
+        {
+          prm.add_parameter("Entry", run.entry, "Section/Name of the entry that takes the values.", Anything());
+          prm.add_parameter("Values", run.values, "Values of the entry, separated by |.", Anything());
+        }
       prm.leave_subsection();
     }
   apply(text, prm);
@@ -62,7 +71,7 @@ StudyInput load_study(const std::filesystem::path &file)
     {
       if (run.input.empty())
         throw InputError(file.string() + ": '" + run.section + "/Input' is missing; it names the run's input file.");
-      StudyRun &made = study.runs.emplace_back();
+      StudyRun made;
       made.label = run.label;
       made.method = run.method;
       made.settings = run.settings;
@@ -71,9 +80,25 @@ StudyInput load_study(const std::filesystem::path &file)
       for (const std::string &part : split_trimmed(run.overrides, ';'))
         if (!part.empty())
           made.overrides.push_back(part);
+      if (!run.axis)
+        study.runs.push_back(made);
+      else if (run.entry.empty() || trimmed(run.values).empty())
+        throw InputError(file.string() + ": '" + run.section + "' needs both 'Entry' and 'Values'.");
+      else
+        for (const std::string &value : split_trimmed(run.values, '|'))
+          {
+            StudyRun point = made;
+            point.label = run.label + " " + value;
+            point.settings = value;
+            point.overrides.push_back(run.entry + "=" + value);
+            study.runs.push_back(point);
+          }
     }
+  study.picture = picture;
+  if (reference.empty() && !picture.empty())
+    return study;
   if (reference.empty())
-    throw InputError(file.string() + ": 'Reference' is missing; it names a run or a directory." + suggestion("", labels));
+    throw InputError(file.string() + ": 'Reference' is missing; it names a run or a directory. (A study of results has 'Picture' instead.)" + suggestion("", labels));
   if (std::find(labels.begin(), labels.end(), reference) != labels.end())
     study.reference = reference;
   else if (std::filesystem::exists(base / reference / "probe.csv"))

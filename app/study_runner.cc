@@ -1,13 +1,12 @@
 #include "app/study_runner.h"
 
-#include "app/child_process.h"
+#include "app/cached_run.h"
 #include "app/plot_command.h"
 #include "app/run_command.h"
 #include "app/study_errors.h"
 #include "app/study_input.h"
 #include "app/swing.h"
 #include "micro/io/atomic_file.h"
-#include "micro/io/checksum.h"
 #include "micro/io/progress_bar.h"
 #include "micro/io/run_context.h"
 #include "micro/io/stop_flag.h"
@@ -25,12 +24,9 @@ namespace turgor
 namespace
 {
 /// One line of the table, and what is known about it so far.
-struct Row
+struct Row : CachedRun
 {
   StudyRun run;
-  std::filesystem::path directory; ///< cache of this run
-  std::string status = "waiting", message;
-  ResourceUse use;
   std::optional<double> error_history, error_field;
   std::optional<Swing> swing, reference_swing;
 };
@@ -42,44 +38,6 @@ std::string number(const std::optional<double> &value)
   char digits[40];
   std::snprintf(digits, sizeof(digits), "%.6g", *value);
   return digits;
-}
-
-/// Status and cost from the run's own summary; a resumed run's cost is that of all its parts.
-bool read_summary(Row &row)
-{
-  const std::filesystem::path file = row.directory / "summary.json";
-  if (!std::filesystem::exists(file))
-    return false;
-  const auto json = nlohmann::json::parse(read_whole(file), nullptr, false);
-  if (json.is_discarded())
-    return false;
-  row.status = json.value("status", "failed");
-  row.message = json.value("message", "");
-  row.use = {json.value("wall_time_s", 0.), json.value("cpu_time_s", 0.), json.value("peak_memory_bytes", std::uint64_t(0))};
-  return row.status == "finished";
-}
-
-void compute(Row &row, const bool fresh)
-{
-  std::filesystem::create_directories(row.directory.parent_path());
-  const std::string log = row.directory.string() + ".log";
-  std::filesystem::remove(log);
-  std::vector<std::string> words = {this_program(), "run", row.run.input.string(), "-o", row.directory.string(), "--quiet",
-                                    "--threads", std::to_string(row.run.threads)};
-  for (const std::string &value : row.run.overrides)
-    words.insert(words.end(), {"--set", value});
-  std::vector<std::string> resumed = words;
-  resumed.push_back("--resume");
-  ChildEnd end = run_child(fresh ? words : resumed, log);
-  if (end.code == 2 && !fresh) // a damaged checkpoint: this cache is ours to overwrite
-    end = run_child(words, log);
-  row.status.clear();
-  if (!read_summary(row) && row.status.empty())
-    {
-      row.status = end.code == 130 ? "stopped" : "failed";
-      row.message = "It ended with code " + std::to_string(end.code) + "; " + log + " has its last words.";
-      row.use = end.use;
-    }
 }
 
 void measure(Row &row, const std::filesystem::path &reference)
@@ -139,6 +97,38 @@ void write_tables(const std::vector<Row> &rows, const std::filesystem::path &dir
     write_atomically(directory / "swing.csv", swings.str());
 }
 
+/// Of a study without reference: everything the runs say of themselves.
+void write_results(const std::vector<Row> &rows, const std::filesystem::path &directory)
+{
+  std::vector<std::string> names;
+  std::vector<nlohmann::json> results;
+  for (const Row &row : rows)
+    {
+      results.emplace_back(nlohmann::json::object());
+      if (row.status == "finished")
+        results.back() = nlohmann::json::parse(read_whole(row.directory / "summary.json")).value("results", nlohmann::json::object());
+      for (const auto &item : results.back().items())
+        if (std::find(names.begin(), names.end(), item.key()) == names.end())
+          names.push_back(item.key());
+    }
+  std::ostringstream table;
+  table << "label,method,settings,status,cpu_time_s,message";
+  for (const std::string &name : names)
+    table << ',' << csv_field(name);
+  table << '\n';
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    {
+      const Row &row = rows[i];
+      table << csv_field(row.run.label) << ',' << csv_field(row.run.method) << ',' << csv_field(row.run.settings) << ','
+            << row.status << ',' << number(row.use.cpu_time) << ',' << csv_field(row.message);
+      for (const std::string &name : names)
+        table << ',' << (results[i].contains(name) ? number(results[i][name].value("value", 0.)) : "");
+      table << '\n';
+    }
+  std::filesystem::create_directories(directory);
+  write_atomically(directory / "results.csv", table.str());
+}
+
 void print(const std::vector<Row> &rows)
 {
   std::printf("%-28s %-10s %12s %12s %12s %12s\n", "run", "status", "err history", "err field", "CPU s", "wall s");
@@ -157,14 +147,8 @@ std::vector<Row> planned(const StudyInput &study, const StudyOptions &options, c
       const Input input = load_input(run.input, run.overrides, registry);
       const std::string key = input.hash + " " + program_version() + " " + std::to_string(run.threads);
       Row &row = rows.emplace_back();
+      static_cast<CachedRun &>(row) = cached_run(run.input.stem().string(), key, options.fresh);
       row.run = run;
-      row.directory = std::filesystem::path("runs") / "cache" / (run.input.stem().string() + "_" + hexadecimal(fnv1a(key)));
-      if (read_summary(row) && !options.fresh)
-        row.status = "finished";
-      else if (row.status != "finished" && std::filesystem::exists(row.directory / "checkpoint.0"))
-        row.status = "partly";
-      else if (options.fresh)
-        row.status = "waiting";
     }
   for (const std::string &label : options.only)
     if (std::none_of(rows.begin(), rows.end(), [&](const Row &row) { return row.run.label == label; }))
@@ -207,15 +191,20 @@ int study_command(const StudyOptions &options, const ScenarioRegistry &registry)
       if (row.status != "finished" && wanted && !row.run.input.empty() && !stop_was_requested())
         {
           std::cout << "Running " << row.run.label << " (" << row.run.threads << " threads) ..." << std::endl;
-          compute(row, options.fresh);
+          compute(row, {row.run.input, row.run.overrides, row.run.threads}, options.fresh);
           std::cout << "  " << row.status << " after " << ProgressBar::in_words(row.use.wall_time)
                     << (row.message.empty() ? "" : ": " + row.message) << std::endl;
           failed = failed || row.status != "finished";
         }
       if (row.run.label == study.reference && row.status == "finished")
         reference = row.directory;
-      measure(row, reference);
-      write_tables(rows, directory);
+      if (study.of_errors())
+        {
+          measure(row, reference);
+          write_tables(rows, directory);
+        }
+      else
+        write_results(rows, directory);
     }
   print(rows);
   if (stop_was_requested())
@@ -223,7 +212,8 @@ int study_command(const StudyOptions &options, const ScenarioRegistry &registry)
       std::cerr << "turgor: stopped; the same command continues the study." << std::endl;
       return 130;
     }
-  const bool drawn = run_plot_script("study.py", {directory.string(), reference.string()}) == 0;
+  const bool drawn = run_plot_script(study.of_errors() ? "study.py" : "study_" + study.picture + ".py",
+                                     {directory.string(), reference.string()}) == 0;
   std::cout << "The study's tables " << (drawn ? "and pictures " : "") << "are in " << directory.string() << "." << std::endl;
   return failed || !drawn ? 1 : 0;
 }

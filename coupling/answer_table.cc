@@ -1,5 +1,7 @@
 #include "coupling/answer_table.h"
 
+#include <algorithm>
+
 namespace turgor
 {
 namespace
@@ -15,9 +17,10 @@ struct Row
 } // namespace
 
 template <int dim>
-AnswerTable<dim>::AnswerTable(const std::size_t points, const bool tangents_)
+AnswerTable<dim>::AnswerTable(const std::size_t points, const bool tangents_, const bool conditions_)
   : tangents(tangents_)
-  , width(Row<dim>::tangent + (tangents ? dim * dim * dim * dim : 0))
+  , conditions(conditions_)
+  , width(Row<dim>::tangent + (tangents ? dim * dim * dim * dim : 0) + (conditions ? 4 : 0))
   , table(points * width, 0.)
 {}
 
@@ -42,6 +45,19 @@ void AnswerTable<dim>::put(const std::size_t point, const RveAnswer<dim> &a)
     for (int i = 0; i < dim * dim; ++i)
       for (int j = 0; j < dim * dim; ++j)
         row[R::tangent + i * dim * dim + j] = a.tangent(i, j);
+  if (conditions)
+  {
+    const RveCondition &c = a.condition;
+    const double values[4] = {c.failed, c.permanent, c.flow_dissipated, c.failure_dissipated};
+    std::copy(values, values + 4, row + width - 4);
+  }
+}
+
+template <int dim>
+RveCondition AnswerTable<dim>::condition(const std::size_t point) const
+{
+  const double *last = table.data() + (point + 1) * width - 4;
+  return {last[0], last[1], last[2], last[3]};
 }
 
 template <int dim>

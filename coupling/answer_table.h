@@ -1,5 +1,6 @@
 // What the RVEs of one batch answered, one row of doubles a point, so that one message gathers it over
-// the ranks: stresses (Pa), energy (J/m^3), fluid pressure (Pa), diagnostics, tangents (Pa) where asked for, failed or not.
+// the ranks: stresses (Pa), energy (J/m^3), fluid pressure (Pa), diagnostics, tangents (Pa) where asked for, the condition of the
+// cells where it can change, failed or not.
 #pragma once
 
 #include "coupling/point_shares.h"
@@ -16,7 +17,7 @@ class AnswerTable
 {
 public:
   /// All rows zero: nobody has answered, nobody failed.
-  AnswerTable(std::size_t points, bool tangents);
+  AnswerTable(std::size_t points, bool tangents, bool conditions = false);
 
   /// Rows of this rank's points; different points at once from different threads.
   void put(std::size_t point, const RveAnswer<dim> &answer);
@@ -27,12 +28,13 @@ public:
   bool failed(std::size_t point) const;
   double pressure(std::size_t point) const;
   Tensor2<dim> sigma(std::size_t point) const;
+  RveCondition condition(std::size_t point) const; ///< only if the table has conditions
   RveDiagnostics diagnostics(std::size_t point) const; ///< numbers only: no message, converged as it failed or not
   /// P, energy and the tangent, if there is one, of the point; the answer's lists are long enough.
   void read(std::size_t point, LawAnswer<dim> &answer) const;
 
 private:
-  bool tangents;
+  bool tangents, conditions;
   std::size_t width;
   std::vector<double> table;
 };

@@ -57,6 +57,7 @@ struct RveLaw<dim>::Impl
 
   std::vector<double> pressure;
   std::vector<Tensor2<dim>> sigma;
+  std::vector<RveCondition> condition;
   std::vector<double> cost; // s, smoothed, equal on all ranks
   std::uint64_t commits = 0;
   RveLawStatistics statistics;
@@ -188,6 +189,7 @@ void RveLaw<dim>::set_points(const std::vector<dealii::Point<dim>> &points)
     m.committed[p] = start;
   m.pressure.assign(points.size(), unset);
   m.sigma.assign(points.size(), Tensor2<dim>::Constant(unset));
+  m.condition.assign(m.rve->has_history() ? points.size() : 0, RveCondition());
   m.cost.assign(points.size(), 0.);
   m.last = Impl::Last::none;
 }
@@ -203,7 +205,7 @@ void RveLaw<dim>::evaluate(const std::vector<dealii::Tensor<2, dim>> &F,
   if (F.size() != n || F_dot.size() != n)
     throw std::logic_error("RveLaw::evaluate: the batch has another number of points than set_points().");
 
-  AnswerTable<dim> table(n, request.tangents);
+  AnswerTable<dim> table(n, request.tangents, !m.condition.empty());
   std::vector<std::string> reasons(n);
   RveRequest rve_request;
   rve_request.time_since_commit = request.time_since_commit;
@@ -231,6 +233,8 @@ void RveLaw<dim>::evaluate(const std::vector<dealii::Tensor<2, dim>> &F,
     table.read(p, answer);
     m.sigma[p] = table.sigma(p);
     m.pressure[p] = table.pressure(p);
+    if (!m.condition.empty() && !table.failed(p))
+      m.condition[p] = table.condition(p);
     if (table.failed(p))
       answer.failed.push_back({static_cast<unsigned int>(p), ""});
   }
@@ -289,6 +293,7 @@ void RveLaw<dim>::save(std::ostream &out) const
   head.put(m.pressure.data(), m.pressure.size());
   for (const Tensor2<dim> &sigma : m.sigma)
     head.put(sigma.data(), dim * dim);
+  head.put(m.condition.data(), m.condition.size());
   for (const std::string &t : texts)
   {
     head.put(static_cast<std::uint64_t>(t.size()));
@@ -319,6 +324,7 @@ void RveLaw<dim>::load(std::istream &in)
   reader.get(m.pressure.data(), n);
   for (Tensor2<dim> &sigma : m.sigma)
     reader.get(sigma.data(), dim * dim);
+  reader.get(m.condition.data(), m.condition.size());
   for (std::size_t p = 0; p < n; ++p)
   {
     const auto size = reader.get<std::uint64_t>();
@@ -360,6 +366,12 @@ template <int dim>
 const std::vector<Tensor2<dim>> &RveLaw<dim>::cauchy_stress() const
 {
   return impl->sigma;
+}
+
+template <int dim>
+const std::vector<RveCondition> &RveLaw<dim>::condition() const
+{
+  return impl->condition;
 }
 
 template <int dim>

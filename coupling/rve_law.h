@@ -78,6 +78,9 @@ public:
   /// Pa, Cauchy stress of every point in the last batch.
   const std::vector<Tensor2<dim>> &cauchy_stress() const;
 
+  /// What has happened for good to the cells of every point, as of the last batch; empty for RVEs without history.
+  const std::vector<RveCondition> &condition() const;
+
   /// The committed states of some points, whoever owns them.
   std::vector<RveState<dim>> states(const std::vector<std::size_t> &points) const;
 

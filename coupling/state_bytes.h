@@ -1,6 +1,7 @@
 // Plain data <-> bytes, for checkpoints and for messages between ranks of one machine type.
 // An RveState is written as F, F_dot, number of unknowns, unknowns: doubles as they are, so
-// that what is read back has the same bits. A short or overlong text throws std::runtime_error.
+// that what is read back has the same bits. Where it has a history, the top bit of the number is set and the number and the
+// numbers of the history follow. A short or overlong text throws std::runtime_error.
 #pragma once
 
 #include "rve/rve.h"
@@ -35,9 +36,16 @@ public:
   {
     put(state.F.data(), dim * dim);
     put(state.F_dot.data(), dim * dim);
-    put(static_cast<std::uint64_t>(state.unknowns.size()));
+    put(static_cast<std::uint64_t>(state.unknowns.size()) | (state.history.empty() ? 0 : history_follows));
     put(state.unknowns.data(), state.unknowns.size());
+    if (!state.history.empty())
+      {
+        put(static_cast<std::uint64_t>(state.history.size()));
+        put(state.history.data(), state.history.size());
+      }
   }
+
+  static constexpr std::uint64_t history_follows = std::uint64_t(1) << 63;
 
   std::string bytes;
 };
@@ -75,16 +83,23 @@ public:
     get(state.F.data(), dim * dim);
     get(state.F_dot.data(), dim * dim);
     const auto n = get<std::uint64_t>();
-    if (n > (bytes.size() - at) / sizeof(double))
-      throw std::runtime_error("The saved state of an RVE ends too early: the checkpoint is damaged.");
-    state.unknowns.resize(n);
-    get(state.unknowns.data(), n);
+    get_numbers(n & ~ByteWriter::history_follows, state.unknowns);
+    if (n & ByteWriter::history_follows)
+      get_numbers(get<std::uint64_t>(), state.history);
     return state;
   }
 
   bool at_end() const { return at == bytes.size(); }
 
 private:
+  void get_numbers(const std::uint64_t n, std::vector<double> &numbers)
+  {
+    if (n > (bytes.size() - at) / sizeof(double))
+      throw std::runtime_error("The saved state of an RVE ends too early: the checkpoint is damaged.");
+    numbers.resize(n);
+    get(numbers.data(), n);
+  }
+
   const std::string &bytes;
   std::size_t at = 0;
 };

@@ -1,7 +1,6 @@
 #include "coupling/tissue_output.h"
 
 #include <algorithm>
-#include <array>
 
 namespace turgor
 {
@@ -20,22 +19,31 @@ FieldFrame tissue_frame(const Tissue<2> &tissue, const RveLaw<2> &law)
   frame.nodes_per_cell = fields.nodes_per_cell;
 
   const TissueMesh<2> &mesh = tissue.mesh();
-  std::vector<double> fluid;
-  for (const unsigned int element : mesh.picture_element)
-  {
-    double sum = 0., weight = 0.;
-    for (unsigned int q = element * mesh.gauss_points; q < (element + 1) * mesh.gauss_points; ++q)
+  const auto mean = [&](const auto &of_point) {
+    std::vector<double> result;
+    for (const unsigned int element : mesh.picture_element)
     {
-      sum += mesh.gauss_weight[q] * law.pressure()[q];
-      weight += mesh.gauss_weight[q];
+      double sum = 0., weight = 0.;
+      for (unsigned int q = element * mesh.gauss_points; q < (element + 1) * mesh.gauss_points; ++q)
+      {
+        sum += mesh.gauss_weight[q] * of_point(q);
+        weight += mesh.gauss_weight[q];
+      }
+      result.push_back(sum / weight);
     }
-    fluid.push_back(sum / weight);
-  }
+    return result;
+  };
   frame.fields.push_back({"displacement [m]", 3, std::move(fields.displacement), false});
   frame.fields.push_back({"velocity [m/s]", 3, std::move(fields.velocity), false});
   frame.fields.push_back({"stress [Pa]", 9, std::move(fields.stress), true});
   frame.fields.push_back({"pressure [Pa]", 1, std::move(fields.pressure), true});
-  frame.fields.push_back({"fluid pressure [Pa]", 1, std::move(fluid), true});
+  frame.fields.push_back({"fluid pressure [Pa]", 1, mean([&](unsigned int q) { return law.pressure()[q]; }), true});
+  if (!law.condition().empty())
+  {
+    frame.fields.push_back({"failed [1]", 1, mean([&](unsigned int q) { return law.condition()[q].failed; }), true});
+    frame.fields.push_back(
+      {"permanent stretch [1]", 1, mean([&](unsigned int q) { return law.condition()[q].permanent; }), true});
+  }
   return frame;
 }
 
@@ -64,24 +72,15 @@ void write_cell_displacement(RunContext &context, const Tissue<2> &tissue, unsig
     }
 }
 
-RveOutlines::RveOutlines(RunContext &context, const Tissue<2> &tissue, unsigned int how_many, double width)
+RveOutlines::RveOutlines(RunContext &context, const Tissue<2> &tissue, unsigned int how_many,
+                         const std::vector<std::array<double, 2>> &places)
 {
-  // Where bending shows most first: at the clamp, above and below, then the free end.
-  static constexpr std::array<std::array<double, 2>, 9> places = {{{0.03, 0.97},
-                                                                  {0.97, 0.50},
-                                                                  {0.03, 0.03},
-                                                                  {0.50, 0.97},
-                                                                  {0.03, 0.50},
-                                                                  {0.50, 0.03},
-                                                                  {0.97, 0.97},
-                                                                  {0.97, 0.03},
-                                                                  {0.50, 0.50}}};
   const std::vector<Point<2>> &points = tissue.quadrature_points();
   for (const auto &place : places)
   {
     if (chosen.size() == how_many)
       break;
-    const Point<2> target(place[0] * width, place[1] * width);
+    const Point<2> target(place[0] * tissue.size()[0], place[1] * tissue.size()[1]);
     std::size_t nearest = 0;
     for (std::size_t p = 1; p < points.size(); ++p)
       if (points[p].distance_square(target) < points[nearest].distance_square(target))

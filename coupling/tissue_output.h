@@ -7,10 +7,14 @@
 #include "micro/io/field_file.h"
 #include "micro/io/run_context.h"
 
+#include <array>
+#include <vector>
+
 namespace turgor
 {
 /// The deformed mesh with displacement (m), velocity (m/s) at the nodes; Cauchy stress (Pa), pressure -tr(sigma)/2 (Pa)
-/// and mean fluid pressure of the RVEs (Pa) per element.
+/// mean fluid pressure of the RVEs (Pa) and, where cells can fail or flow, the share of failed cells and the permanent
+/// stretch of the walls, per element.
 FieldFrame tissue_frame(const Tissue<2> &tissue, const RveLaw<2> &law);
 
 /// cell_displacement.csv: the displacement averaged over each of the cells x cells squares of side `period` (m),
@@ -18,13 +22,14 @@ FieldFrame tissue_frame(const Tissue<2> &tissue, const RveLaw<2> &law);
 void write_cell_displacement(RunContext &context, const Tissue<2> &tissue, unsigned int cells, double period,
                              unsigned int samples);
 
-/// rve_outlines.csv: rings of points (m) of the RVEs nearest to up to 9 spread places of the piece, with their
+/// rve_outlines.csv: rings of points (m) of the RVEs nearest to some places of the piece, with their
 /// quadrature point (m, deformed), F, period (m), fluid pressure and shear stress (Pa); one block a call.
 class RveOutlines
 {
 public:
-  /// width: m, of the square piece.
-  RveOutlines(RunContext &context, const Tissue<2> &tissue, unsigned int how_many, double width);
+  /// places: shares of width and height, the most telling first; how_many of them, none twice.
+  RveOutlines(RunContext &context, const Tissue<2> &tissue, unsigned int how_many,
+              const std::vector<std::array<double, 2>> &places);
 
   /// The committed state. Collective.
   void write(const Tissue<2> &tissue, const RveLaw<2> &law, const Rve<2> &rve);

@@ -1,6 +1,6 @@
 #include "coupling/tissue_run.h"
 
-#include "coupling/oscillation.h"
+#include "coupling/tip_swing.h"
 #include "coupling/tissue_output.h"
 #include "macro/binary.h"
 #include "macro/tissue.h"
@@ -26,7 +26,6 @@ double seconds_since(Clock::time_point start)
 struct Memory
 {
   unsigned long frames = 0; // written so far; the next one is due at frames * output_interval
-  Oscillation swing;        // of the probe, downwards
   double cpu_seconds = 0.;  // before the resume, all ranks
   double wall_seconds = 0.;
 };
@@ -34,13 +33,14 @@ struct Memory
 class Run
 {
 public:
-  Run(RunContext &context_, const TissueRunSettings &settings_, const std::shared_ptr<const Rve<2>> &rve_)
+  Run(RunContext &context_, const TissueRunSettings &settings_, const std::shared_ptr<const Rve<2>> &rve_,
+      TissueObserver &observer_)
     : context(context_)
     , settings(settings_)
     , rve(*rve_)
     , law(rve_, settings_.law)
     , tissue(settings_.tissue, law)
-    , tip(tissue.probe({dealii::Point<2>(settings_.tissue.size[0], 0.5 * settings_.tissue.size[1])}))
+    , observer(observer_)
   {}
 
   void go();
@@ -51,9 +51,9 @@ private:
   const Rve<2> &rve;
   RveLaw<2> law;
   Tissue<2> tissue;
-  const Probe tip;
+  TissueObserver &observer;
   Memory memory;
-  std::unique_ptr<Series> probe_series, energy_series, cost_series;
+  std::unique_ptr<Series> energy_series, cost_series;
   std::optional<FieldFile> fields;
   std::optional<RveOutlines> outlines;
   RveLawStatistics before; // at the last row of cost.csv
@@ -61,7 +61,7 @@ private:
   const double cpu_at_start = process_cpu_seconds();
 
   void checkpoint();
-  void probe_row();
+  void row();
   void frame();
   void results();
   double frame_time(unsigned long n) const
@@ -78,15 +78,14 @@ void Run::checkpoint()
   now.wall_seconds += seconds_since(started);
   context.save_checkpoint([&](std::ostream &out) {
     write_binary(out, now);
+    observer.save(out);
     tissue.save(out);
   });
 }
 
-void Run::probe_row()
+void Run::row()
 {
-  const dealii::Tensor<1, 2> u = tissue.displacement_at(tip).front();
-  probe_series->add_row({tissue.time(), u[0], u[1]});
-  memory.swing.add(tissue.time(), -u[1]);
+  observer.row(tissue, law);
   const TissueEnergies e = tissue.energies();
   energy_series->add_row({tissue.time(), e.kinetic, e.internal, e.external_work, e.balance()});
   const RveLawStatistics &s = law.statistics();
@@ -104,26 +103,13 @@ void Run::frame()
   if (fields)
     fields->write(tissue_frame(tissue, law));
   outlines->write(tissue, law, rve);
+  observer.frame(tissue, law);
   ++memory.frames;
 }
 
 void Run::results()
 {
-  const dealii::Tensor<1, 2> u = tissue.displacement_at(tip).front();
-  context.result("tip_displacement_x", u[0], "m");
-  context.result("tip_displacement_y", u[1], "m");
-  context.result("tip_largest_deflection", memory.swing.maximum().value, "m");
-  if (memory.swing.has_maximum())
-  {
-    context.result("time_of_largest_deflection", memory.swing.maximum().time, "s");
-    // A damped swing is at its maximum after half a period; the return is the better measure where it was reached.
-    context.result("period_from_maximum", 2. * memory.swing.maximum().time, "s");
-  }
-  if (memory.swing.has_return())
-  {
-    context.result("period_from_return", memory.swing.minimum().time, "s");
-    context.result("tip_deflection_at_return", memory.swing.minimum().value, "m");
-  }
+  observer.results(context, tissue, law);
   const TissueEnergies e = tissue.energies();
   context.result("energy_dissipated", -e.balance(), "J/m");
 
@@ -156,7 +142,7 @@ void Run::results()
 void Run::go()
 {
   const double end = settings.tissue.end_time;
-  probe_series = context.series("probe", {{"time", "s"}, {"displacement_x", "m"}, {"displacement_y", "m"}});
+  observer.open(context, tissue);
   energy_series = context.series("energies", {{"time", "s"},
                                               {"kinetic", "J/m"},
                                               {"internal", "J/m"},
@@ -170,11 +156,12 @@ void Run::go()
                                         {"failed_calls", "1"},
                                         {"rve_cpu_time", "s"},
                                         {"rank_imbalance", "1"}});
-  outlines.emplace(context, tissue, settings.outlined_rves, settings.tissue.size[0]);
+  outlines.emplace(context, tissue, settings.outlined_rves, observer.places());
   try
   {
     const bool resumed = context.load_checkpoint([&](std::istream &in) {
       read_binary(in, memory);
+      observer.load(in);
       tissue.load(in);
     });
     if (context.is_writer())
@@ -187,7 +174,7 @@ void Run::go()
     else
     {
       tissue.start();
-      probe_row();
+      row();
       frame();
     }
 
@@ -196,7 +183,7 @@ void Run::go()
     {
       // Steps end on the times of the frames, also after a resume: the same limits, the same bits.
       tissue.step(frame_time(memory.frames));
-      probe_row();
+      row();
       if (tissue.time() >= frame_time(memory.frames))
         frame();
       char what[96];
@@ -221,13 +208,19 @@ void Run::go()
       checkpoint();
     throw RunFailed(why.what());
   }
-  write_cell_displacement(context, tissue, settings.cells, settings.period, settings.cell_samples);
   results();
 }
 } // namespace
 
+void run_tissue(RunContext &context, const TissueRunSettings &settings, const std::shared_ptr<const Rve<2>> &rve,
+                TissueObserver &observer)
+{
+  Run(context, settings, rve, observer).go();
+}
+
 void run_tissue(RunContext &context, const TissueRunSettings &settings, const std::shared_ptr<const Rve<2>> &rve)
 {
-  Run(context, settings, rve).go();
+  TipSwing swing(settings.cells, settings.period, settings.cell_samples);
+  run_tissue(context, settings, rve, swing);
 }
 } // namespace turgor

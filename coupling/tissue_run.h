@@ -1,12 +1,12 @@
 // One FE^2 run from rest to the end time: steps, series, fields, checkpoints, results.
-// A scene decides piece, load and RVE; this does the rest, for a square piece of cells.
+// A scene decides piece, load, RVE and what to watch (tissue_observer.h); this does the rest.
 //
-// Writes probe.csv (middle of the right side), energies.csv (J per metre of depth), cost.csv,
-// tissue.xdmf and rve_outlines.csv every output interval, cell_displacement.csv at the end. After --resume, all but the
+// Writes energies.csv (J per metre of depth), cost.csv, tissue.xdmf and rve_outlines.csv every output interval. After --resume, all but the
 // measured times has the same bits as in a run that was never stopped.
 #pragma once
 
 #include "coupling/rve_law.h"
+#include "coupling/tissue_observer.h"
 #include "macro/tissue_parameters.h"
 #include "micro/io/run_context.h"
 
@@ -18,12 +18,16 @@ struct TissueRunSettings
 {
   TissueParameters<2> tissue;      ///< size and load filled in
   RveLawSettings law;
-  unsigned int cells = 16;         ///< along each side
+  unsigned int cells = 16;         ///< along each side, of the piece that swings
   double period = 100e-6;          ///< m, side of a cell
   unsigned int cell_samples = 5;   ///< points per direction for the mean displacement of a cell
   unsigned int outlined_rves = 6;
 };
 
 /// Throws RunFailed with place and reason when no shorter step helps (the last good state is saved), RunStopped.
+void run_tissue(RunContext &context, const TissueRunSettings &settings, const std::shared_ptr<const Rve<2>> &rve,
+                TissueObserver &observer);
+
+/// With a TipSwing for observer.
 void run_tissue(RunContext &context, const TissueRunSettings &settings, const std::shared_ptr<const Rve<2>> &rve);
 } // namespace turgor

@@ -103,8 +103,16 @@ template <int dim>
 void Integrator<dim>::accept(double time)
 {
   op.acceleration(state.a);
+  if (op.tools())
+    {
+      const double force_before = state.tool.force, travel = op.tools()->travel(time) - op.tools()->travel(state.time);
+      state.tool = op.tools()->read(time, state.u);
+      state.tool.support += op.reaction()[0];
+      state.tool_work += 0.5 * (force_before + state.tool.force) * travel;
+    }
   state.time = time;
   state.F = op.F_bar();
+  stability.observe(state.F);
   state.P = op.answer().P;
   state.energy = op.answer().energy;
 }
@@ -122,6 +130,11 @@ template <int dim>
 void Integrator<dim>::save(std::ostream &out) const
 {
   state.save(out);
+  if (op.tools())
+    {
+      write_binary(out, state.tool);
+      write_binary(out, state.tool_work);
+    }
   write_binary(out, counters);
   write_binary(out, last_step);
   write_binary(out, since_estimate);
@@ -132,10 +145,16 @@ template <int dim>
 void Integrator<dim>::load(std::istream &in)
 {
   state.load(in);
+  if (op.tools())
+    {
+      read_binary(in, state.tool);
+      read_binary(in, state.tool_work);
+    }
   read_binary(in, counters);
   read_binary(in, last_step);
   read_binary(in, since_estimate);
   stability.load(in);
+  stability.observe(state.F);
 }
 
 template <int dim>

@@ -17,6 +17,8 @@ struct TissueState
   std::vector<double> u, v, a;               ///< m, m/s, m/s^2; [node][dim]
   std::vector<dealii::Tensor<2, dim>> F, P;  ///< F_bar and Pa, at all quadrature points
   std::vector<double> energy;                ///< J/m^3 per point; empty if the law gives none
+  ToolReading tool;                          ///< N, J; support: of the clamp or the plate below
+  double tool_work = 0.;                     ///< J, done by the tool since rest
 
   void save(std::ostream &out) const;
   void load(std::istream &in);

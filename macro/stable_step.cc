@@ -2,6 +2,8 @@
 
 #include "macro/binary.h"
 
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -94,18 +96,32 @@ void StableStep<dim>::estimate(double time, const std::vector<double> &u, const 
 }
 
 template <int dim>
+void StableStep<dim>::observe(const std::vector<dealii::Tensor<2, dim>> &F)
+{
+  if (!op.tools())
+    return;
+  compression = 1.;
+  for (const dealii::Tensor<2, dim> &f : F)
+    {
+      const auto squares = dealii::eigenvalues(dealii::symmetrize(dealii::transpose(f) * f)); // falling
+      compression = std::max(compression, dealii::determinant(f) / squares[dim - 1]);
+    }
+}
+
+template <int dim>
 double StableStep<dim>::frequency() const
 {
-  const double now = op.law().stiffness_bound(), bound = now * laplacian;
+  const double now = op.law().stiffness_bound(), bound = now * laplacian * compression;
+  const double contact = op.tools() ? op.tools()->frequency2(op.mass()) : 0.;
   if (frequency2 <= 0.)
-    return std::sqrt(bound);
-  return std::sqrt(std::min(bound, frequency2 * std::max(1., now / stiffness_then)));
+    return std::sqrt(bound + contact);
+  return std::sqrt(std::min(bound, frequency2 * std::max(1., now / stiffness_then)) + contact);
 }
 
 template <int dim>
 double StableStep<dim>::damping() const
 {
-  return op.law().viscosity_bound() * laplacian;
+  return op.law().viscosity_bound() * laplacian * compression;
 }
 
 template <int dim>

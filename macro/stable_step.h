@@ -5,7 +5,9 @@
 // K from the law's tangents at the committed state when it gives them (power iteration over the whole mesh, F_bar
 // included, 1 % on top), but never more than the bound from K <= stiffness_bound * L and never less than what
 // the iteration saw; without tangents that bound itself. L: Laplacian of each displacement component.
-// C <= viscosity_bound * L. F_bar does not raise either: it removes volumetric modes.
+// C <= viscosity_bound * L. F_bar does not raise either: it removes volumetric modes. The law's bounds are those of dP/dF at
+// F = I; a tissue pressed to the stretch lambda is J/lambda^2 stiffer against the reference, and so much are both bounds raised. Tools
+// (rigid_tools.h) add their largest kappa A/m: the sum of two largest eigenvalues is never below that of the sum.
 #pragma once
 
 #include "macro/tissue_operator.h"
@@ -23,6 +25,9 @@ public:
   /// Finds omega anew at the committed (u, v): one law call with tangents, which is a probe (nothing is committed).
   void estimate(double time, const std::vector<double> &u, const std::vector<double> &v);
 
+  /// F_bar of the committed state. Nothing to see without tools: elsewhere tissue is not pressed.
+  void observe(const std::vector<dealii::Tensor<2, dim>> &F);
+
   /// 1/s: at the law's present bounds. Between estimates omega grows with the law's stiffness bound.
   double frequency() const;
   double damping() const;
@@ -36,6 +41,7 @@ private:
   TissueOperator<dim> &op;
   double laplacian;          // 1/s^2 per Pa: largest eigenvalue of M^-1 L
   double frequency2 = 0.;    // 1/s^2, from tangents; 0: none
+  double compression = 1.;    // largest J/lambda^2 over the points, at least 1; follows from the state
   double stiffness_then = 0.; // Pa, the law's bound at that estimate
 };
 } // namespace turgor

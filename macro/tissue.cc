@@ -8,7 +8,8 @@ using dealii::Tensor;
 
 template <int dim>
 Tissue<dim>::Tissue(const TissueParameters<dim> &parameters, MaterialLaw<dim> &law)
-  : tables(parameters)
+  : block(parameters.size)
+  , tables(parameters)
   , op(tables, parameters, law)
   , integrator(make_integrator(op, parameters))
 {}
@@ -78,6 +79,7 @@ TissueEnergies Tissue<dim>::energies() const
       // the loads are constant and dead: their work is their potential, whatever the path
       result.external_work += op.external_forces()[i] * state.u[i];
     }
+  result.external_work += state.tool_work - state.tool.energy;
   if (state.energy.empty())
     result.internal = std::numeric_limits<double>::signaling_NaN();
   for (std::size_t q = 0; q < state.energy.size(); ++q)

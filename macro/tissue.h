@@ -19,7 +19,7 @@ struct TissueEnergies
 {
   double kinetic = 0.;       ///< J (2D: per metre of depth)
   double internal = 0.;      ///< J; signalling NaN if the law gives no energy
-  double external_work = 0.; ///< J, done by body force and traction since rest
+  double external_work = 0.; ///< J, done by body force, traction and tool since rest, less what is in the tools' penalty
   /// kinetic + internal - external_work: 0 for an elastic law, the energy dissipated with a minus sign for a viscous one
   double balance() const { return kinetic + internal - external_work; }
 };
@@ -79,9 +79,11 @@ public:
   const std::vector<dealii::Tensor<2, dim>> &deformation() const { return integrator->state.F; }
   const std::vector<dealii::Tensor<2, dim>> &stress() const { return integrator->state.P; }
 
+  const std::array<double, dim> &size() const { return block; } ///< m, of the piece at rest
   const TissueMesh<dim> &mesh() const { return tables; }
   TissueOperator<dim> &forces() { return op; }
   TissueState<dim> &state() { return integrator->state; }
+  const TissueState<dim> &state() const { return integrator->state; }
 
   /// Tissue and law, binary. load() needs the same parameters; std::runtime_error for another mesh.
   void save(std::ostream &out) const;
@@ -90,6 +92,7 @@ public:
 private:
   std::vector<dealii::Tensor<1, dim>> interpolate(const Probe &probe, const std::vector<double> &values) const;
 
+  std::array<double, dim> block;
   TissueMesh<dim> tables;
   TissueOperator<dim> op;
   std::unique_ptr<Integrator<dim>> integrator;

@@ -133,7 +133,7 @@ TissueMesh<dim>::TissueMesh(const TissueParameters<dim> &parameters)
   clamped.assign(nodes, 0);
   for (unsigned int n = 0; n < nodes; ++n)
     {
-      bool held = on_side(node_position[n], 0, false) || (parameters.right == "clamped" && on_side(node_position[n], 0, true));
+      bool held = (parameters.left == "clamped" && on_side(node_position[n], 0, false)) || (parameters.right == "clamped" && on_side(node_position[n], 0, true));
       for (unsigned int d = 1; d < dim && parameters.lateral == "clamped"; ++d)
         held = held || on_side(node_position[n], d, false) || on_side(node_position[n], d, true);
       clamped[n] = held;
@@ -166,6 +166,7 @@ TissueMesh<dim>::TissueMesh(const TissueParameters<dim> &parameters)
                                  dealii::update_values | dealii::update_JxW_values);
   nodal_volume.assign(nodes, 0.);
   nodal_area.assign(nodes, 0.);
+  nodal_area_below.assign(nodes, 0.);
   for (unsigned int i = 0; i < position.size(); ++i)
     {
       picture_node.push_back(impl->node_of_dof[i]);
@@ -197,12 +198,13 @@ TissueMesh<dim>::TissueMesh(const TissueParameters<dim> &parameters)
         for (unsigned int a = 0; a < nodes_per_cell; ++a)
           nodal_volume[impl->node_of_dof[dof[a]]] += lumped.shape_value(a, q) * lumped.JxW(q);
       for (const unsigned int f : cell->face_indices())
-        if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == 1)
+        if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() <= 1)
           {
             face.reinit(cell, f);
+            std::vector<double> &area = cell->face(f)->boundary_id() == 1 ? nodal_area : nodal_area_below;
             for (unsigned int q = 0; q < face.n_quadrature_points; ++q)
               for (unsigned int a = 0; a < nodes_per_cell; ++a)
-                nodal_area[impl->node_of_dof[dof[a]]] += face.shape_value(a, q) * face.JxW(q);
+                area[impl->node_of_dof[dof[a]]] += face.shape_value(a, q) * face.JxW(q);
           }
       for (const auto &corners : pictured)
         {

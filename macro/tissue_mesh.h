@@ -45,6 +45,7 @@ public:
   std::vector<double> projection;                   ///< [gauss][point]: see f_bar.h; empty for full integration
   std::vector<double> nodal_volume;                 ///< m^dim, Gauss-Lobatto lumping, per node
   std::vector<double> nodal_area;                   ///< m^(dim-1), of the side x = width, per node
+  std::vector<double> nodal_area_below;             ///< m^(dim-1), of the side x = 0, per node
   std::vector<char> clamped;                        ///< per node
 
   /// Corners of the pictured cells (degree 2: each element as 2^dim), in the order of FieldFrame.

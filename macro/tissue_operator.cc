@@ -29,6 +29,11 @@ TissueOperator<dim>::TissueOperator(const TissueMesh<dim> &mesh, const TissuePar
           nodal_mass[a * dim + c] * parameters.body_force[c] + mesh.nodal_area[a] * parameters.traction[c];
       }
   law.set_points(mesh.gauss_position);
+  if (parameters.tool.active() || parameters.left == "plate")
+    {
+      const double distance = parameters.size[0] / (parameters.elements[0] * parameters.degree);
+      rigid.emplace(mesh, parameters, parameters.tool.stiffness * law.stiffness_bound() / distance);
+    }
 }
 
 template <int dim>
@@ -37,6 +42,8 @@ bool TissueOperator<dim>::evaluate(double time, double since_commit, const std::
 {
   const unsigned int n = tables.nodes_per_cell, n_gauss = tables.gauss_points;
   last_time = time;
+  if (rigid)
+    last_u = u;
   const auto describe = [&](unsigned int point, const std::string &reason, unsigned int others) {
     failed = TissueFailure();
     failed.point = point;
@@ -106,6 +113,14 @@ void TissueOperator<dim>::acceleration(std::vector<double> &a)
   internal_forces(a);
   for (std::size_t i = 0; i < size(); ++i)
     a[i] = external[i] - a[i];
+  if (rigid)
+    {
+      held = dealii::Tensor<1, dim>();
+      for (std::size_t i = 0; i < size(); ++i)
+        if (fixed(i))
+          held[i % dim] -= a[i];
+      rigid->add_forces(last_time, last_u, a);
+    }
   if (given_forces)
     given_forces(last_time, a);
   for (std::size_t i = 0; i < size(); ++i)

@@ -1,6 +1,6 @@
 // Forces on the nodes of the tissue from displacement and velocity, through the law in one batch.
 //
-//   M a = f_ext + f_given(t) - f_int(u, v),   a = 0 at clamped nodes,   M diagonal
+//   M a = f_ext + f_tools(t, u) + f_given(t) - f_int(u, v),   a = 0 at clamped nodes,   M diagonal
 //
 // f_int is the exact derivative of sum_q w_q W(F_bar_q(u)) (f_bar.h); f_ext: body force times nodal mass plus
 // traction, constant from t = 0. Vectors are [node][dim]; in 2D masses and forces are per metre of depth.
@@ -9,10 +9,12 @@
 
 #include "macro/f_bar.h"
 #include "macro/material_law.h"
+#include "macro/rigid_tools.h"
 #include "macro/tissue_failed.h"
 #include "macro/tissue_mesh.h"
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace turgor
@@ -45,6 +47,11 @@ public:
   const std::vector<double> &external_forces() const { return external; }
   std::function<void(double time, std::vector<double> &force)> given_forces;
 
+  /// What presses on the tissue, if anything does.
+  const RigidTools<dim> *tools() const { return rigid ? &*rigid : nullptr; }
+  /// From the last acceleration(), with tools: sum of the forces (N) of the clamped nodes' holder on the tissue.
+  const dealii::Tensor<1, dim> &reaction() const { return held; }
+
   const TissueMesh<dim> &mesh() const { return tables; }
   MaterialLaw<dim> &law() const { return material; }
   const std::vector<double> &mass() const { return nodal_mass; } ///< kg, per entry
@@ -60,6 +67,9 @@ private:
   LawAnswer<dim> answered;
   TissueFailure failed;
   std::vector<double> nodal_mass, external, local_u, local_v;
+  std::optional<RigidTools<dim>> rigid;
+  std::vector<double> last_u; ///< of the last evaluate(), with tools only
+  dealii::Tensor<1, dim> held;
   double last_time = 0.;
   unsigned long calls = 0;
 };

@@ -91,6 +91,9 @@ void TissueParameters<dim>::check() const
   if (right == "clamped" && traction.norm() > 0.)
     throw std::invalid_argument("Tissue/Traction acts on the side x = Width, so it needs 'Right side = free' "
                                 "(it is 'clamped').");
+  if (right == "clamped" && tool.active())
+    throw std::invalid_argument("A tool acts on the side x = Width, so it needs 'Right side = free' (it is 'clamped').");
+  tool.check(size[0]);
   if (lateral == "periodic")
     for (unsigned int d = 1; d < dim; ++d)
       if (elements[d] * degree < 2)

@@ -1,8 +1,10 @@
 // What the user says about the piece of tissue and its time integration.
 //
-// The piece is a block [0, width] x [0, height] (x [0, depth] in 3D), clamped at x = 0. In 2D all masses and
+// The piece is a block [0, width] x [0, height] (x [0, depth] in 3D), clamped at x = 0 or resting on a plate there. In 2D all masses and
 // forces are per metre of depth, plane strain.
 #pragma once
+
+#include "macro/tool_parameters.h"
 
 #include <deal.II/base/tensor.h>
 
@@ -25,6 +27,8 @@ struct TissueParameters
   std::string locking = "f_bar";                  ///< f_bar | full
   std::string lateral = "free";                   ///< sides y (and z): free | periodic | clamped
   std::string right = "free";                     ///< side x = width: free | clamped
+  std::string left = "clamped";                   ///< side x = 0: clamped | plate (rigid_tools.h); scenes with a tool ask for it
+  ToolParameters tool;                            ///< on the side x = width; none unless a scene declares it
   dealii::Tensor<1, dim> body_force;              ///< N/kg, on from t = 0
   dealii::Tensor<1, dim> traction;                ///< Pa of reference area, on the side x = width, from t = 0
 

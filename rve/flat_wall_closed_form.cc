@@ -10,7 +10,7 @@ constexpr double layers = 2.;
 FlatWallClosedForm::FlatWallClosedForm(const ParenchymaParameters &p)
   : L(p.period)
   , z0(p.depth)
-  , wall(p.wall_stiffness, p.depth, p.wall_beta)
+  , wall(p.wall_stiffness, p.depth, p.wall_beta, p.wall_yield)
   , fluid(p.fluid_density, p.fluid_modulus, p.cavitation_pressure)
   , stretch(wall.stretch_at(p.turgor * L * z0 / layers))
   , density(fluid.density_at(p.turgor))

@@ -7,6 +7,9 @@
 // period, n F(lambda_0)/(L z0) = turgor. p(A) is the EOS pressure (2.22) of the mass that has the turgor at
 // F = I. Exact for walls in tension and shared walls (or stiff lamella) without bending.
 //
+// Walls that yield (wall_yield.h): F(lambda) = g(lambda) F_elastic(lambda), thesis Eq. 3.8 (corrected); while the walls are
+// loaded this holds whether the stretch stays or not.
+//
 // In: F (no unit). Out: sigma (Pa, Cauchy), pressure (Pa).
 #pragma once
 

@@ -51,6 +51,7 @@ struct HydrostaticRve::Scratch : Rve<2>::Workspace
   {}
   NetworkEquilibrium equilibrium;
   NetworkEvaluation evaluation;
+  WallHistory history; // of the call under way
   std::vector<double> positions;
   std::array<std::vector<double>, 4> forces;
 };
@@ -62,14 +63,20 @@ HydrostaticRve::HydrostaticRve(const ParenchymaParameters &cell, const Hydrostat
 {
   if (!(settings.equilibrium.tolerance > 0.))
     throw std::invalid_argument("RVE/Tolerance has to be positive.");
+  settings.walls.check(cell.wall_yield);
+  if (settings.walls.history() && settings.rule != HydrostaticRule::elastic_equilibrium)
+    throw std::invalid_argument("Walls that flow or break need 'RVE/Rule = elastic_equilibrium'.");
+  network.set_limits(settings.walls);
   TurgidReference turgid = turgid_reference(network.patch());
   network.set_fluid_mass(turgid.fluid_mass);
   reference = std::move(turgid.positions);
+  virgin = network.new_history(reference);
   NetworkEvaluation e;
-  network.evaluate(reference, network.patch().lattice, NetworkOrder::energy, e);
+  network.evaluate(reference, network.patch().lattice, NetworkOrder::energy, e, &virgin);
   reference_energy = e.energy;
 
   Scratch scratch(network);
+  scratch.history = virgin; // walls that have flowed are stiff against both ways: the bound has to know
   bool regular = false;
   const Tensor2<2> I = Tensor2<2>::Identity();
   const Tensor4<2> affine = tangent(reference, I, Tensor2<2>::Zero(), false, scratch, regular);
@@ -98,6 +105,7 @@ RveState<2> HydrostaticRve::initial_state() const
 {
   RveState<2> state;
   state.unknowns = reference;
+  state.history = virgin.pack();
   return state;
 }
 
@@ -170,6 +178,61 @@ EquilibriumReport HydrostaticRve::find_equilibrium(const RveState<2> &committed,
   return report;
 }
 
+EquilibriumReport HydrostaticRve::break_bonds(const Tensor2<2> &F, std::vector<double> &x, Scratch &scratch) const
+{
+  const Tensor2<2> H = F * network.patch().lattice;
+  WallHistory &history = scratch.history;
+  EquilibriumReport total;
+  total.converged = true;
+  while (true)
+    {
+      double worst = settings.walls.critical_stretch;
+      std::size_t bond = 0, cell = 0;
+      bool any = false;
+      for (std::size_t c = 0; c < network.patch().rings.size(); ++c)
+        {
+          const WallRing &ring = network.patch().rings[c];
+          for (std::size_t i = ring.first; i < ring.first + ring.count; ++i)
+            if (const double lambda = history.broken[i] ? 0. : network.stretch(x, ring, i); lambda > worst)
+              {
+                worst = lambda;
+                bond = i;
+                cell = c;
+                any = true;
+              }
+        }
+      if (!any)
+        return total;
+      network.flow(x, history); // the others have come this far before it broke
+      network.evaluate(x, H, NetworkOrder::energy, scratch.evaluation, &history);
+      const double before = scratch.evaluation.energy;
+      history.broken[bond] = 1;
+      history.failed[cell] = 1;
+      const EquilibriumReport report = scratch.equilibrium.solve(x, H, settings.equilibrium);
+      total.iterations += report.iterations;
+      total.residual = report.residual;
+      if (!report.converged)
+        {
+          total.converged = false;
+          total.message = "After a wall broke in cell " + std::to_string(cell + 1) + ": " + report.message;
+          return total;
+        }
+      network.evaluate(x, H, NetworkOrder::energy, scratch.evaluation, &history);
+      history.failure_dissipated += before - scratch.evaluation.energy;
+    }
+}
+
+RveCondition HydrostaticRve::condition(const WallHistory &history) const
+{
+  RveCondition c;
+  if (!history.failed.empty())
+    c.failed = double(history.failed_cells()) / double(history.failed.size());
+  c.permanent = history.mean_permanent() / virgin.mean_permanent() - 1.;
+  c.flow_dissipated = history.flow_dissipated / reference_volume;
+  c.failure_dissipated = history.failure_dissipated / reference_volume;
+  return c;
+}
+
 Tensor4<2> HydrostaticRve::tangent(const std::vector<double> &x, const Tensor2<2> &F, const Tensor2<2> &F_dot,
                                    const bool relaxed, Scratch &scratch, bool &regular) const
 {
@@ -180,7 +243,7 @@ Tensor4<2> HydrostaticRve::tangent(const std::vector<double> &x, const Tensor2<2
     regular = scratch.equilibrium.relaxed_curvature(x, H, motions, result);
   else
     {
-      network.evaluate(x, H, NetworkOrder::hessian, scratch.evaluation);
+      network.evaluate(x, H, NetworkOrder::hessian, scratch.evaluation, &scratch.history);
       network.affine_response(x, H, scratch.evaluation, motions, scratch.forces, result);
       regular = result.allFinite();
     }
@@ -213,13 +276,33 @@ RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor
   Scratch &scratch = dynamic_cast<Scratch &>(workspace);
   const bool relaxed = settings.rule == HydrostaticRule::elastic_equilibrium;
 
+  const bool with_history = settings.walls.history();
+  if (with_history)
+    {
+      scratch.history = virgin;
+      network.unpack(committed.history, scratch.history);
+      const double tau = settings.walls.leak_time;
+      scratch.history.pressure_share = tau > 0. ? std::exp(-request.time_since_commit / tau) : 0.;
+    }
+  else if (!committed.history.empty())
+    throw std::invalid_argument("The committed state has a history, this RVE keeps none.");
+  scratch.equilibrium.set_history(with_history ? &scratch.history : nullptr);
+
   RveAnswer<2> answer;
   std::vector<double> &x = answer.trial.unknowns;
   const Tensor2<2> H = F * network.patch().lattice;
   const NetworkEvaluation *e = &scratch.evaluation;
   if (relaxed)
     {
-      const EquilibriumReport report = find_equilibrium(committed, F, x, scratch);
+      EquilibriumReport report = find_equilibrium(committed, F, x, scratch);
+      if (report.converged && settings.walls.failure())
+        {
+          const EquilibriumReport after = break_bonds(F, x, scratch);
+          report.converged = after.converged;
+          report.message = after.message;
+          report.iterations += after.iterations;
+          report.residual = std::max(report.residual, after.residual);
+        }
       answer.diagnostics.converged = report.converged;
       answer.diagnostics.message = report.message;
       answer.diagnostics.iterations = report.iterations;
@@ -250,8 +333,19 @@ RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor
           answer.diagnostics.message = "The tangent is not defined here: the cells are about to buckle.";
         }
     }
-  network.evaluate(x, H, NetworkOrder::energy, scratch.evaluation);
-  answer.energy = (scratch.evaluation.energy - reference_energy) / reference_volume;
+  if (with_history && answer.diagnostics.converged)
+    {
+      network.flow(x, scratch.history);
+      network.leak(x, scratch.history);
+      answer.energy = (network.stored_energy(x, H, scratch.history) - reference_energy) / reference_volume;
+      answer.condition = condition(scratch.history);
+      answer.trial.history = scratch.history.pack();
+    }
+  else
+    {
+      network.evaluate(x, H, NetworkOrder::energy, scratch.evaluation);
+      answer.energy = (scratch.evaluation.energy - reference_energy) / reference_volume;
+    }
   answer.trial.F = F;
   answer.trial.F_dot = F_dot;
   if (answer.diagnostics.converged && !(answer.sigma.allFinite() && std::isfinite(answer.energy)))
@@ -266,6 +360,7 @@ RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor
       answer.P.setZero();
       answer.tangent.setZero();
       answer.energy = answer.pressure = 0.;
+      answer.condition = {};
       answer.trial = committed;
       if (!std::isfinite(answer.diagnostics.residual))
         answer.diagnostics.residual = HUGE_VAL;

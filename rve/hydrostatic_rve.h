@@ -9,7 +9,12 @@
 // and from the reference where the committed positions lead nowhere.
 // The tangent dP/dF (fixed F_dot, viscous part included) is analytic: the nodes follow by the implicit function theorem.
 //
-// In: F (no unit), F_dot (1/s). Out: see rve.h. State: node positions (m), x and y interleaved.
+// Walls may flow and break and cells fail (wall_history.h). Then the rule elastic_equilibrium minimises the potential of the step from
+// the committed history; afterwards the most stretched bond beyond lambda_c breaks, equilibrium is found again at the same F, and so
+// on until no bond is beyond: a crack runs as far as it goes by itself. All of it becomes history with the trial state, so a
+// rejected step leaves no trace.
+//
+// In: F (no unit), F_dot (1/s). Out: see rve.h. State: node positions (m), x and y interleaved; history: WallHistory::pack().
 #pragma once
 
 #include "micro/cells/network_equilibrium.h"
@@ -28,6 +33,7 @@ struct HydrostaticRveSettings
   HydrostaticRule rule = HydrostaticRule::elastic_equilibrium;
   unsigned int columns = 1, rows = 1;
   EquilibriumSettings equilibrium;
+  WallLimits walls; ///< needs elastic_equilibrium
 };
 
 class HydrostaticRve : public Rve<2>
@@ -41,6 +47,7 @@ public:
                         const RveRequest &request, Workspace &workspace) const override;
 
   double density() const override;
+  bool has_history() const override { return settings.walls.history(); }
 
   /// Largest eigenvalue of the acoustic tensor of Cauchy-Born at F = I (an upper bound of the relaxed one), with
   /// a fifth more for the stiffening of walls and fluid under strain.
@@ -55,12 +62,15 @@ private:
   struct Scratch;
   EquilibriumReport find_equilibrium(const RveState<2> &committed, const Tensor2<2> &F, std::vector<double> &x,
                                      Scratch &scratch) const;
+  EquilibriumReport break_bonds(const Tensor2<2> &F, std::vector<double> &x, Scratch &scratch) const;
+  RveCondition condition(const WallHistory &history) const;
   Tensor4<2> tangent(const std::vector<double> &x, const Tensor2<2> &F, const Tensor2<2> &F_dot, bool relaxed,
                      Scratch &scratch, bool &regular) const;
 
   HydrostaticRveSettings settings;
   HydrostaticNetwork network;
   std::vector<double> reference;
+  WallHistory virgin; ///< at the reference: empty without plastic flow and failure
   double reference_volume, reference_energy, bound;
 };
 } // namespace turgor

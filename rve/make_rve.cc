@@ -27,7 +27,8 @@ std::unique_ptr<Rve<2>> make_rve(const RveParameters &p)
           settings.columns = p.columns;
           settings.rows = p.rows;
           settings.equilibrium = {p.equilibrium_tolerance(), p.max_iterations};
-          return std::make_unique<HydrostaticRve>(p.cell, settings);
+          settings.walls = p.wall_limits();
+          return std::make_unique<HydrostaticRve>(p.yielding_cell(), settings);
         }
       SphRveSettings settings;
       settings.rule = p.rule == "cauchy_born"         ? SphRule::cauchy_born :

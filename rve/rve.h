@@ -23,6 +23,16 @@ struct RveState
   Tensor2<dim> F = Tensor2<dim>::Identity();  ///< at which the unknowns below were reached
   Tensor2<dim> F_dot = Tensor2<dim>::Zero();  ///< 1/s
   std::vector<double> unknowns;               ///< positions (m), then velocities (m/s) where the rule has them
+  std::vector<double> history;                ///< what walls and cells have been through; empty where nothing stays
+};
+
+/// What has happened to the cells for good, for pictures and results. All zero where nothing stays.
+struct RveCondition
+{
+  double failed = 0.;             ///< share of the cells that have failed
+  double permanent = 0.;          ///< mean permanent stretch of the walls over that of the reference, less 1
+  double flow_dissipated = 0.;    ///< J/m^3 of reference volume, by yielding
+  double failure_dissipated = 0.; ///< J/m^3, set free by breaking walls
 };
 
 struct RveRequest
@@ -51,6 +61,7 @@ struct RveAnswer
   Tensor4<dim> tangent = Tensor4<dim>::Zero(); ///< Pa, dP/dF at fixed F_dot; only if asked
   double energy = 0.;                        ///< J/m^3 of reference volume, elastic, 0 at F = I
   double pressure = 0.;                      ///< Pa, mean fluid pressure
+  RveCondition condition;
   RveState<dim> trial;
   RveDiagnostics diagnostics;
 };
@@ -76,6 +87,9 @@ public:
   virtual RveAnswer<dim> evaluate(const RveState<dim> &committed, const Tensor2<dim> &F,
                                   const Tensor2<dim> &F_dot, const RveRequest &request,
                                   Workspace &workspace) const = 0;
+
+  /// Whether states have a history, so that conditions are worth keeping.
+  virtual bool has_history() const { return false; }
 
   virtual double density() const = 0;         ///< kg/m^3 of reference volume, fluid + walls
   virtual double stiffness_bound() const = 0; ///< Pa, upper bound of the tangent dP/dF

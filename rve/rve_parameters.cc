@@ -30,6 +30,21 @@ double RveParameters::equilibrium_tolerance() const
   return tolerance;
 }
 
+ParenchymaParameters RveParameters::yielding_cell() const
+{
+  ParenchymaParameters c = cell;
+  if (yielding != "none")
+    c.wall_yield = yield;
+  return c;
+}
+
+WallLimits RveParameters::wall_limits() const
+{
+  WallLimits limits = walls;
+  limits.plastic = yielding == "plastic";
+  return limits;
+}
+
 void RveParameters::add_parameters(dealii::ParameterHandler &prm)
 {
   using namespace dealii::Patterns;
@@ -69,6 +84,31 @@ void RveParameters::add_parameters(dealii::ParameterHandler &prm)
   prm.enter_subsection("SPH");
   sph.add_parameters(prm);
   prm.leave_subsection();
+  prm.enter_subsection("Wall");
+  prm.add_parameter("Yielding", yielding,
+                    "Whether walls soften when they are stretched (thesis Eq. 3.8): none; reversible, along the same curve back; "
+                    "plastic, elastic on the way back, so that a stretch stays. Units: none.",
+                    Selection("none|reversible|plastic"));
+  prm.add_parameter("Yield sharpness A", yield.sharpness,
+                    "The higher, the sooner the wall gives way: half of what it loses is lost at a stretch of 1 + 1/A. Units: 1.",
+                    Double(1e-3, 1e4));
+  prm.add_parameter("Yield drop B", yield.drop, "Share of the stiffness that is lost at large stretch. Units: 1.",
+                    Double(0., 1.));
+  prm.add_parameter("Critical stretch", walls.critical_stretch,
+                    "Length over length at rest (before inflation and flow) at which a bond of the wall breaks, for good; its cell "
+                    "has failed and loses its fluid. 0: walls do not break. Units: 1.",
+                    Double(0., 100.));
+  prm.add_parameter("Leak time", walls.leak_time,
+                    "Time in which the pressure of a failed cell falls to 1/e at constant volume. 0: at once. Units: s.",
+                    Double(0., 1e6));
+  prm.add_parameter("Residue", walls.residue,
+                    "Share of its fluid that cannot leave a failed cell and resists when the cell is pressed below that volume. "
+                    "Units: 1.",
+                    Double(0., 0.99));
+  prm.add_parameter("Broken bond stiffness", walls.broken_share,
+                    "Share of its stiffness that a broken bond keeps, so that loose ends of wall stay in place. Units: 1.",
+                    Double(1e-8, 0.1));
+  prm.leave_subsection();
   prm.enter_subsection("Cell");
   cell.add_parameters(prm);
   prm.leave_subsection();
@@ -77,7 +117,25 @@ void RveParameters::add_parameters(dealii::ParameterHandler &prm)
 void RveParameters::check() const
 {
   equilibrium_tolerance();
-  make_parenchyma(cell, columns, rows, true, true);
+  make_parenchyma(yielding_cell(), columns, rows, true, true);
+  const WallLimits limits = wall_limits();
+  limits.check(yield);
+  if (limits.failure() || yielding != "none")
+    {
+      if (fluid != "hydrostatic")
+        throw std::invalid_argument("Wall/Yielding = " + yielding + " and Wall/Critical stretch need 'RVE/Fluid = hydrostatic' "
+                                    "(it is " + fluid + ").");
+      if (limits.history() && rule != "elastic_equilibrium")
+        throw std::invalid_argument("RVE/Rule is " + rule + ", but walls that flow or break need elastic_equilibrium.");
+      const double lambda_0 = make_parenchyma(yielding_cell(), 1, 1, true, true).lambda_0;
+      if (limits.failure() && limits.critical_stretch <= lambda_0)
+        {
+          std::ostringstream text;
+          text << "Wall/Critical stretch is " << limits.critical_stretch << ", but turgor alone stretches the walls to " << lambda_0
+               << "; allowed is more than that, or 0 for walls that do not break.";
+          throw std::invalid_argument(text.str());
+        }
+    }
   if (fluid == "sph")
     check_sph_cell(cell, sph);
   else

@@ -1,8 +1,9 @@
-// The user's entries for an RVE: subsections "RVE" (rule, fluid, size, accuracy) and "Cell"
+// The user's entries for an RVE: subsections "RVE" (rule, fluid, size, accuracy), "Wall" (yielding and failure) and "Cell"
 // (micro/cells/parenchyma.h). Declared once, used by every scene that has RVEs.
 #pragma once
 
 #include "micro/cells/sph_parenchyma.h"
+#include "micro/cells/wall_history.h"
 
 #include <string>
 
@@ -25,6 +26,9 @@ struct RveParameters
   unsigned int bursts = 1;                  ///< bursts per call
   double step_fraction = 0.9;               ///< micro step over its stable limit
   unsigned int relax_steps = 2000;          ///< elastic_equilibrium with particles: damped steps of one call
+  std::string yielding = "none";            ///< none | reversible | plastic
+  WallYield yield = {15., 0.9};             ///< A, B of Eq. 3.8, where walls yield
+  WallLimits walls;                         ///< plastic is set by yielding
   SphParameters sph;                        ///< used with fluid = sph only
   ParenchymaParameters cell;
 
@@ -32,7 +36,11 @@ struct RveParameters
   /// can reach.
   double equilibrium_tolerance() const;
 
-  /// Declares subsections "RVE" and "Cell" in the current subsection of prm.
+  /// The cell with its yielding, and the limits of its walls, as entered.
+  ParenchymaParameters yielding_cell() const;
+  WallLimits wall_limits() const;
+
+  /// Declares subsections "RVE", "SPH", "Wall" and "Cell" in the current subsection of prm.
   void add_parameters(dealii::ParameterHandler &prm);
   /// Throws std::invalid_argument, entry and allowed range in one sentence.
   void check() const;

@@ -69,7 +69,7 @@ void RveResponse::check() const
 void RveResponse::run(RunContext &context)
 {
   const std::unique_ptr<Rve<2>> cells = make_rve(rve);
-  const FlatWallClosedForm closed(rve.cell);
+  const FlatWallClosedForm closed(rve.yielding_cell());
   const std::unique_ptr<Rve<2>::Workspace> workspace = cells->make_workspace();
 
   std::vector<std::pair<double, std::pair<Tensor2<2>, Tensor2<2>>>> todo; // time, F, F_dot

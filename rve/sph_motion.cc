@@ -84,7 +84,7 @@ bool SphMotion::bring(const RveState<2> &from, const Tensor2<2> &F, const Tensor
                                 + "; use a smaller RVE/Step fraction or a smaller change of F per call.";
           return false;
         }
-      on_the_way = {next, Tensor2<2>::Zero(), {}};
+      on_the_way = {next, Tensor2<2>::Zero(), {}, {}};
       store(cells, on_the_way.unknowns);
     }
   place(on_the_way, F, F_dot);

@@ -3,6 +3,7 @@
 #include "micro/terms/lamella_tie.h"
 #include "micro/terms/wall_bending.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -38,7 +39,9 @@ double polygon_area(const std::vector<double> &x, const WallRing &ring)
 
 HydrostaticNetwork::HydrostaticNetwork(ParenchymaPatch patch_, const double fluid_mass_)
   : geometry(std::move(patch_))
-  , wall(geometry.parameters.wall_stiffness, geometry.parameters.depth, geometry.parameters.wall_beta)
+  , wall(geometry.parameters.wall_stiffness, geometry.parameters.depth, geometry.parameters.wall_beta,
+         geometry.parameters.wall_yield)
+  , elastic(wall.elastic())
   , fluid{equation_of_state(geometry.parameters)}
   , mass(fluid_mass_)
   , hinge(geometry.bending_stiffness / geometry.spacing)
@@ -147,9 +150,105 @@ double HydrostaticNetwork::body_energy(const std::vector<double> &x, const doubl
   return -content * (mean + body.dot(origin));
 }
 
-void HydrostaticNetwork::evaluate(const std::vector<double> &x, const Tensor2<2> &H, const NetworkOrder order,
-                                  NetworkEvaluation &out) const
+HydrostaticNetwork::CellPressure HydrostaticNetwork::cell_pressure(const std::size_t cell, const double volume,
+                                                                   const WallHistory *history,
+                                                                   const bool with_energy) const
 {
+  if (held)
+    return {-*held * volume, *held, 0.};
+  const bool own_mass = history && !history->mass.empty(), failed = own_mass && history->failed[cell];
+  const double content = own_mass ? history->mass[cell] : fluid_mass(cell), theta = failed ? history->pressure_share : 1.;
+  CellPressure result = {0., 0., 0.};
+  if (with_energy)
+    result.energy = theta * fluid.energy(content, volume);
+  else
+    {
+      result.pressure = theta * fluid.pressure(content, volume);
+      result.stiffness = theta * fluid.stiffness(content, volume);
+    }
+  const double residue = failed ? limits.residue * fluid_mass(cell) : 0.;
+  if (residue > 0. && residue > fluid.fluid.reference_density() * volume)
+    {
+      if (with_energy)
+        result.energy += fluid.energy(residue, volume);
+      else
+        {
+          result.pressure += fluid.pressure(residue, volume);
+          result.stiffness += fluid.stiffness(residue, volume);
+        }
+    }
+  return result;
+}
+
+WallHistory HydrostaticNetwork::new_history(const std::vector<double> &x) const
+{
+  WallHistory history;
+  if (limits.plastic)
+    {
+      history.reached.assign(geometry.nodes.size(), 1.);
+      for (const WallRing &ring : geometry.rings)
+        for (std::size_t i = ring.first; i < ring.first + ring.count; ++i)
+          history.reached[i] = std::max(1., stretch(x, ring, i));
+      for (const double reached : history.reached)
+        history.permanent.push_back(WallHistory::permanent_at(wall, elastic, reached));
+    }
+  if (limits.failure())
+    {
+      history.broken.assign(geometry.nodes.size(), 0);
+      history.failed.assign(geometry.rings.size(), 0);
+      for (std::size_t c = 0; c < geometry.rings.size(); ++c)
+        history.mass.push_back(fluid_mass(c));
+    }
+  return history;
+}
+
+void HydrostaticNetwork::unpack(const std::vector<double> &numbers, WallHistory &history) const
+{
+  history.unpack(numbers, wall, elastic, geometry.rings.front().count);
+}
+
+double HydrostaticNetwork::stretch(const std::vector<double> &x, const WallRing &ring, const std::size_t bond) const
+{
+  const std::size_t after = bond + 1 == ring.first + ring.count ? ring.first : bond + 1;
+  return (at(x, after) - at(x, bond)).norm() / geometry.rest_length;
+}
+
+void HydrostaticNetwork::flow(const std::vector<double> &x, WallHistory &history) const
+{
+  if (history.reached.empty())
+    return;
+  for (const WallRing &ring : geometry.rings)
+    for (std::size_t i = ring.first; i < ring.first + ring.count; ++i)
+      history.flow_dissipated += geometry.rest_length * history.flow(wall, elastic, i, stretch(x, ring, i));
+}
+
+void HydrostaticNetwork::leak(const std::vector<double> &x, WallHistory &history) const
+{
+  for (std::size_t c = 0; c < history.mass.size(); ++c)
+    if (history.failed[c])
+      {
+        const double volume = depth() * polygon_area(x, geometry.rings[c]);
+        const double left = history.pressure_share * fluid.pressure(history.mass[c], volume);
+        history.mass[c] = volume * fluid.fluid.density_at(left);
+      }
+}
+
+double HydrostaticNetwork::stored_energy(const std::vector<double> &x, const Tensor2<2> &H,
+                                         const WallHistory &history) const
+{
+  WallHistory settled = history;
+  settled.pressure_share = 1.;
+  NetworkEvaluation e;
+  evaluate(x, H, NetworkOrder::energy, e, &settled);
+  return e.energy;
+}
+
+void HydrostaticNetwork::evaluate(const std::vector<double> &x, const Tensor2<2> &H, const NetworkOrder order,
+                                  NetworkEvaluation &out, const WallHistory *history) const
+{
+  if (history && history->empty())
+    history = nullptr;
+  const bool cracked = history && !history->broken.empty();
   const std::size_t n = geometry.nodes.size();
   const double z0 = depth(), l0 = geometry.rest_length, inverse_rest = 1. / l0;
   const bool with_energy = order == NetworkOrder::energy, with_hessian = order == NetworkOrder::hessian;
@@ -179,19 +278,33 @@ void HydrostaticNetwork::evaluate(const std::vector<double> &x, const Tensor2<2>
 
   if (with_energy)
     for (std::size_t i = 0; i < n; ++i)
-      out.energy += l0 * wall.energy(std::sqrt(out.ex[i] * out.ex[i] + out.ey[i] * out.ey[i]) * inverse_rest);
+      {
+        const double lambda = std::sqrt(out.ex[i] * out.ex[i] + out.ey[i] * out.ey[i]) * inverse_rest;
+        out.energy += l0 * (history ? history->potential(wall, elastic, limits.broken_share, i, lambda) : wall.energy(lambda));
+      }
   else
     for (std::size_t i = 0; i < n; ++i)
       {
         const double length = std::sqrt(out.ex[i] * out.ex[i] + out.ey[i] * out.ey[i]);
         double derivative;
-        out.tension[i] = wall.force(length * inverse_rest, derivative);
+        out.tension[i] = history ? history->force(wall, elastic, limits.broken_share, i, length * inverse_rest, derivative) :
+                                   wall.force(length * inverse_rest, derivative);
         out.slope[i] = derivative * inverse_rest;
         out.inverse_length[i] = 1. / length;
         const double s = out.inverse_length[i] * out.inverse_length[i];
         out.gx[i] = -s * out.ey[i];
         out.gy[i] = s * out.ex[i];
       }
+
+  out.hinge.clear();
+  if (cracked)
+    {
+      out.hinge.assign(n, hinge);
+      for (const WallRing &ring : geometry.rings)
+        for (std::size_t k = 0; k < ring.count; ++k)
+          if (history->broken[ring.first + k])
+            out.hinge[ring.first + k] = out.hinge[ring.first + (k + 1 == ring.count ? 0 : k + 1)] = limits.broken_share * hinge;
+    }
 
   for (std::size_t c = 0; c < geometry.rings.size(); ++c)
     {
@@ -205,8 +318,9 @@ void HydrostaticNetwork::evaluate(const std::vector<double> &x, const Tensor2<2>
             const std::size_t i = first + k, before = first + (k == 0 ? count - 1 : k - 1);
             const double angle =
               WallBending::angle({out.ex[before], out.ey[before]}, {out.ex[i], out.ey[i]}) - rest_angle[k];
-            out.moment[i] = hinge * angle;
-            bent += 0.5 * hinge * angle * angle;
+            const double B = cracked ? out.hinge[i] : hinge;
+            out.moment[i] = B * angle;
+            bent += 0.5 * B * angle * angle;
           }
       else
         for (std::size_t k = 0; k < count; ++k)
@@ -216,13 +330,14 @@ void HydrostaticNetwork::evaluate(const std::vector<double> &x, const Tensor2<2>
       out.volume[c] = z0 * area;
       if (with_energy)
         {
-          out.energy += bent + (held ? -*held * out.volume[c] : fluid.energy(fluid_mass(c), out.volume[c]));
+          out.energy += bent + cell_pressure(c, out.volume[c], history, true).energy;
           if (!body.isZero() && area > 0.)
             out.energy += body_energy(x, area, c, nullptr);
           continue;
         }
-      out.pressure[c] = held ? *held : fluid.pressure(fluid_mass(c), out.volume[c]);
-      out.stiffness[c] = held ? 0. : fluid.stiffness(fluid_mass(c), out.volume[c]);
+      const CellPressure content = cell_pressure(c, out.volume[c], history, false);
+      out.pressure[c] = content.pressure;
+      out.stiffness[c] = content.stiffness;
       out.virial.fluid.diagonal().array() -= out.pressure[c] * out.volume[c];
 
       // t_i = F e/|e| + (M_i - M_(i+1)) dphi/de: the hinge at node i adds +M to the angle of edge i, -M to edge i - 1
@@ -240,7 +355,7 @@ void HydrostaticNetwork::evaluate(const std::vector<double> &x, const Tensor2<2>
           if (with_hessian)
             {
               const double transverse = out.tension[i] * out.inverse_length[i], along = out.slope[i] - transverse;
-              const double pp = 2. * hinge;
+              const double pp = cracked ? out.hinge[i] + out.hinge[after] : 2. * hinge;
               // second derivative of the direction angle: symmetric, traceless, from u and 1/|e|^2
               const double s = M * out.inverse_length[i] * out.inverse_length[i];
               const double hxx = 2. * s * ux * uy, hxy = s * (uy * uy - ux * ux);
@@ -345,9 +460,10 @@ void HydrostaticNetwork::affine_response(const std::vector<double> &x, const Ten
           S << e.Sxx[i], e.Sxy[i], e.Sxy[i], e.Syy[i];
           const Vector<2> g(e.gx[i], e.gy[i]), g_before(e.gx[before], e.gy[before]),
             g_after(e.gx[after], e.gy[after]);
-          const Rows dt = S * de - hinge * g *
-                                     (g_before.transpose() * moved({e.ex[before], e.ey[before]}) +
-                                      g_after.transpose() * moved({e.ex[after], e.ey[after]}));
+          const Eigen::Matrix<double, 1, 4> turn_before = g_before.transpose() * moved({e.ex[before], e.ey[before]}),
+                                            turn_after = g_after.transpose() * moved({e.ex[after], e.ey[after]});
+          const Rows dt = e.hinge.empty() ? Rows(S * de - hinge * g * (turn_before + turn_after)) :
+                                            Rows(S * de - g * (e.hinge[i] * turn_before + e.hinge[after] * turn_after));
           curvature += de.transpose() * dt;
           add(i, -dt);
           add(after, dt);

@@ -14,11 +14,15 @@
 // (with a body acceleration the second derivative of the centroid is left out of the
 // Hessian: it is rho b L/(7 K), some 1e-5, of what is kept.)
 //
+// With a history (wall_history.h) bonds and pressures are those of walls that have flowed or broken and cells that have failed,
+// and E is the potential of the step under way; without one a yielding wall is reversible.
+//
 // In: x = node positions (m), x and y interleaved. Out: E in J, dE/dx in N, K in N/m,
 // Kirchhoff virial sum r (x) dE/dr in J (divide by the current volume for stress, Eq. 3.17).
 #pragma once
 
 #include "micro/cells/parenchyma.h"
+#include "micro/cells/wall_history.h"
 #include "micro/terms/hydrostatic_pressure.h"
 #include "micro/terms/neo_hookean_wall.h"
 
@@ -53,6 +57,7 @@ struct NetworkEvaluation
   std::vector<double> ex, ey;                  ///< m
   std::vector<double> inverse_length, tension, slope; ///< 1/m, N, dF/d|e| in N/m
   std::vector<double> moment;                  ///< N m, of the hinge at node i
+  std::vector<double> hinge;                   ///< N m, stiffness of the hinge at node i; empty: all alike
   std::vector<double> tx, ty;                  ///< N, dE/de
   std::vector<double> gx, gy;                  ///< 1/m, gradient of the edge's direction angle
   std::vector<double> Sxx, Sxy, Syy;           ///< N/m
@@ -84,8 +89,8 @@ public:
   void set_dead_forces(std::vector<double> forces);
 
   /// Throws nothing: where x is impossible (a cell turned inside out) the energy is infinite.
-  void evaluate(const std::vector<double> &x, const Tensor2<2> &H, NetworkOrder order,
-                NetworkEvaluation &out) const;
+  void evaluate(const std::vector<double> &x, const Tensor2<2> &H, NetworkOrder order, NetworkEvaluation &out,
+                const WallHistory *history = nullptr) const;
 
   /// Forces dE/dx (N) that an affine motion u = L x (no unit), H -> H + L H makes, and the second
   /// derivatives of E (J) along pairs of such motions. From an evaluation of order hessian.
@@ -95,6 +100,23 @@ public:
 
   /// dE/dx of the polygon area of the ring at local node k, m: half of (y_next - y_previous, x_previous - x_next).
   static Vector<2> area_gradient(const std::vector<double> &x, const WallRing &ring, std::uint32_t k);
+
+  void set_limits(const WallLimits &limits_) { limits = limits_; }
+  const WallLimits &wall_limits() const { return limits; }
+
+  /// Walls as they are at x, on the yield curve where they are stretched; cells whole.
+  WallHistory new_history(const std::vector<double> &x) const;
+  void unpack(const std::vector<double> &numbers, WallHistory &history) const;
+
+  /// Length over virgin rest length of the bond from node i to the next.
+  double stretch(const std::vector<double> &x, const WallRing &ring, std::size_t bond) const;
+
+  /// What the step has brought becomes history: bonds flow.
+  void flow(const std::vector<double> &x, WallHistory &history) const;
+  /// Failed cells keep the mass that has the pressure they have come to; without this a probe leaves no trace.
+  void leak(const std::vector<double> &x, WallHistory &history) const;
+  /// Elastic energy at x, J: of walls, hinges, ties and fluid, after flow() and leak().
+  double stored_energy(const std::vector<double> &x, const Tensor2<2> &H, const WallHistory &history) const;
 
   const ParenchymaPatch &patch() const { return geometry; }
   std::size_t unknowns() const { return 2 * geometry.nodes.size(); }
@@ -106,9 +128,15 @@ public:
 private:
   double body_energy(const std::vector<double> &x, double area, std::size_t cell,
                      std::vector<double> *gradient) const;
+  struct CellPressure
+  {
+    double energy, pressure, stiffness; // J, Pa, Pa/m^3
+  };
+  CellPressure cell_pressure(std::size_t cell, double volume, const WallHistory *history, bool with_energy) const;
 
   ParenchymaPatch geometry;
-  NeoHookeanWall wall;
+  NeoHookeanWall wall, elastic; ///< loaded, yielding included; without yielding
+  WallLimits limits;
   HydrostaticPressure fluid;
   double mass, hinge, scale;
   Vector<2> body = Vector<2>::Zero();

@@ -107,15 +107,17 @@ void NetworkEquilibrium::assemble(const double shift)
     {
       const std::size_t first = rings[c].first, count = rings[c].count;
       const double half_pressure = 0.5 * now.pressure[c] * z0, b = 0.5 * z0 * std::sqrt(now.stiffness[c]);
-      // C_i = -B/l g_i g_(i+1)^T couples edge i to the next one; carried along the ring
+      // C_i = -B/l g_i g_(i+1)^T, B of the hinge between them, couples edge i to the next one; carried along the ring
       const std::size_t last = first + count - 1;
-      double Pxx = -B * now.gx[last] * now.gx[first], Pxy = -B * now.gx[last] * now.gy[first],
-             Pyx = -B * now.gy[last] * now.gx[first], Pyy = -B * now.gy[last] * now.gy[first];
+      const double B_first = now.hinge.empty() ? B : now.hinge[first];
+      double Pxx = -B_first * now.gx[last] * now.gx[first], Pxy = -B_first * now.gx[last] * now.gy[first],
+             Pyx = -B_first * now.gy[last] * now.gx[first], Pyy = -B_first * now.gy[last] * now.gy[first];
       for (std::size_t k = 0; k < count; ++k)
         {
           const std::size_t i = first + k, before = k == 0 ? last : i - 1, after = i == last ? first : i + 1;
-          const double Cxx = -B * now.gx[i] * now.gx[after], Cxy = -B * now.gx[i] * now.gy[after],
-                       Cyx = -B * now.gy[i] * now.gx[after], Cyy = -B * now.gy[i] * now.gy[after];
+          const double B_after = now.hinge.empty() ? B : now.hinge[after];
+          const double Cxx = -B_after * now.gx[i] * now.gx[after], Cxy = -B_after * now.gx[i] * now.gy[after],
+                       Cyx = -B_after * now.gy[i] * now.gx[after], Cyy = -B_after * now.gy[i] * now.gy[after];
           const double xy = now.Sxy[before] + now.Sxy[i] - Pxy - Pyx;
           add(own[i], now.Sxx[before] + now.Sxx[i] - 2. * Pxx + shift, xy, xy,
               now.Syy[before] + now.Syy[i] - 2. * Pyy + shift);
@@ -130,7 +132,7 @@ void NetworkEquilibrium::assemble(const double shift)
 
 Eigen::SparseMatrix<double> NetworkEquilibrium::system(const std::vector<double> &x, const Tensor2<2> &H)
 {
-  network.evaluate(x, H, NetworkOrder::hessian, now);
+  evaluate(x, H, NetworkOrder::hessian, now);
   assemble(0.);
   return solver.matrix();
 }
@@ -181,14 +183,14 @@ bool NetworkEquilibrium::leave_saddle(std::vector<double> &x, const Tensor2<2> &
   const double amount = largest();
   if (!(amount > 0.) || !std::isfinite(amount))
     return false;
-  network.evaluate(x, H, NetworkOrder::energy, trial);
+  evaluate(x, H, NetworkOrder::energy, trial);
   const double here = trial.energy;
   for (double amplitude = 0.3 * network.patch().spacing; amplitude > 1e-7 * network.patch().spacing; amplitude *= 0.25)
     for (const double sign : {1., -1.})
       {
         for (std::size_t d = 0; d < x.size(); ++d)
           x_trial[d] = x[d] + (unknown[d] >= 0 ? sign * amplitude / amount * step[unknown[d]] : 0.);
-        network.evaluate(x_trial, H, NetworkOrder::energy, trial);
+        evaluate(x_trial, H, NetworkOrder::energy, trial);
         if (trial.energy < here)
           {
             x = x_trial;
@@ -212,7 +214,7 @@ EquilibriumReport NetworkEquilibrium::solve(std::vector<double> &x, const Tensor
   bool minimum = true; // the last Hessian was positive definite
   x_trial.resize(x.size());
 
-  network.evaluate(x, H, NetworkOrder::hessian, now);
+  evaluate(x, H, NetworkOrder::hessian, now);
   report.residual = residual(now);
   while (true)
     {
@@ -259,7 +261,7 @@ EquilibriumReport NetworkEquilibrium::solve(std::vector<double> &x, const Tensor
             }
           ++report.escapes;
           ++report.iterations;
-          network.evaluate(x, H, NetworkOrder::hessian, now);
+          evaluate(x, H, NetworkOrder::hessian, now);
           report.residual = residual(now);
           continue;
         }
@@ -302,7 +304,7 @@ EquilibriumReport NetworkEquilibrium::solve(std::vector<double> &x, const Tensor
         {
           for (std::size_t d = 0; d < x.size(); ++d)
             x_trial[d] = x[d] + length * moved(d);
-          network.evaluate(x_trial, H, NetworkOrder::hessian, trial);
+          evaluate(x_trial, H, NetworkOrder::hessian, trial);
           const double residual_there = residual(trial);
           bool inside_out = false;
           for (const double v : trial.volume)
@@ -316,10 +318,10 @@ EquilibriumReport NetworkEquilibrium::solve(std::vector<double> &x, const Tensor
               NetworkEvaluation &energy = energy_scratch;
               if (std::isnan(here))
                 {
-                  network.evaluate(x, H, NetworkOrder::energy, energy);
+                  evaluate(x, H, NetworkOrder::energy, energy);
                   here = energy.energy;
                 }
-              network.evaluate(x_trial, H, NetworkOrder::energy, energy);
+              evaluate(x_trial, H, NetworkOrder::energy, energy);
               ++report.energy_checks;
               const double wanted = 1e-4 * length * slope;
               accepted = energy.energy <= here + wanted ||
@@ -349,7 +351,7 @@ EquilibriumReport NetworkEquilibrium::solve(std::vector<double> &x, const Tensor
 bool NetworkEquilibrium::relaxed_curvature(const std::vector<double> &x, const Tensor2<2> &H,
                                            const std::array<Tensor2<2>, 4> &L, Tensor4<2> &curvature)
 {
-  network.evaluate(x, H, NetworkOrder::hessian, now);
+  evaluate(x, H, NetworkOrder::hessian, now);
   if (!factorise(0.))
     return false;
   std::array<std::vector<double>, 4> forces;

@@ -48,6 +48,9 @@ public:
   /// clamped: nodes that keep their position (empty: node 0, against translation).
   explicit NetworkEquilibrium(const HydrostaticNetwork &network, std::vector<std::uint32_t> clamped = {});
 
+  /// The history with which every later evaluation is made; has to live on. None: nullptr.
+  void set_history(const WallHistory *history_) { history = history_; }
+
   /// Moves x to equilibrium. last_evaluation() then belongs to x.
   EquilibriumReport solve(std::vector<double> &x, const Tensor2<2> &H, const EquilibriumSettings &settings);
 
@@ -70,7 +73,13 @@ private:
   double residual(const NetworkEvaluation &at) const;
   bool leave_saddle(std::vector<double> &x, const Tensor2<2> &H);
 
+  void evaluate(const std::vector<double> &x, const Tensor2<2> &H, const NetworkOrder order, NetworkEvaluation &out) const
+  {
+    network.evaluate(x, H, order, out, history);
+  }
+
   const HydrostaticNetwork &network;
+  const WallHistory *history = nullptr;
   std::vector<int> unknown; ///< per degree of freedom: index in the system, -1 where fixed
   int n_free = 0, n_cells = 0, size = 0;
   BlockLdlt solver;

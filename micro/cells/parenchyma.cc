@@ -98,7 +98,7 @@ ParenchymaPatch make_parenchyma(const ParenchymaParameters &parameters, const un
   patch.lattice << columns * L, 0., 0., rows * L;
   patch.spacing = L / n;
 
-  const NeoHookeanWall wall(parameters.wall_stiffness, parameters.depth, parameters.wall_beta);
+  const NeoHookeanWall wall(parameters.wall_stiffness, parameters.depth, parameters.wall_beta, parameters.wall_yield);
   patch.lambda_0 = wall.stretch_at(0.5 * parameters.turgor * L * parameters.depth);
   patch.rest_length = patch.spacing / patch.lambda_0;
   patch.node_mass =

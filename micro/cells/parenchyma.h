@@ -5,10 +5,11 @@
 // The builder makes the TURGID reference: cells are squares of the inflated period L,
 // wall springs carry the tension that balances turgor (errata, closed forms): every wall
 // edge has length spacing = L/nodes_per_side and rest length spacing/lambda_0, where
-// 2 F(lambda_0) / (L z0) = turgor (two wall layers per period).
+// 2 F(lambda_0) / (L z0) = turgor (two wall layers per period), F with its yielding where walls yield.
 #pragma once
 
 #include "micro/engine/tensor.h"
+#include "micro/terms/wall_yield.h"
 
 #include <array>
 #include <cstdint>
@@ -31,6 +32,7 @@ struct ParenchymaParameters
   double wall_thickness = 1e-6;     ///< m, t0
   double wall_density = 1300.;      ///< kg/m^3
   double wall_beta = 0.5;           ///< axial over hoop stress, Eq. 3.5
+  WallYield wall_yield = {};        ///< Eq. 3.8; no yielding unless a scene asks for it
   bool wall_bending = true;         ///< bending stiffness E t^3/12 of the wall, E = 4 G (plane strain, incompressible)
   double lamella_ratio = 5.;        ///< tie stiffness / tangent stiffness of one wall spring at rest
   double turgor = 200e3;            ///< Pa

@@ -100,7 +100,7 @@ std::unique_ptr<CellFluid<2>> make_cell_fluid(const ParenchymaParameters &p, con
       fluid.holding_force = p.turgor * dx * p.depth;
       const LennardJonesWall wall = LennardJonesWall::holding(p.turgor, dx, wall_spacing, p.depth,
                                                               sph.wall_range_ratio * dx, sph.wall_strength);
-      return std::make_unique<ThesisFluid>(fluid, eos, wall, mass);
+      return std::make_unique<ThesisFluid<2>>(fluid, eos, wall, mass);
     }
   SphFluidParameters fluid;
   fluid.support = sph.support_ratio * dx;

@@ -58,6 +58,17 @@ void ParticleSystem<dim>::forces_of_group(const std::size_t group)
 }
 
 template <int dim>
+void ParticleSystem<dim>::forces_of_group(const std::size_t group, const Pace pace)
+{
+  const Group &g = particles.groups[group];
+  for (int d = 0; d < dim; ++d)
+    std::fill(particles.f[d].begin() + g.begin, particles.f[d].begin() + g.end, 0.);
+  for (const auto &term : terms)
+    if (pace == Pace::all || term->fast() == (pace == Pace::fast))
+      term->add_forces(particles, box, group);
+}
+
+template <int dim>
 void ParticleSystem<dim>::compute_forces()
 {
   prepare();
@@ -120,11 +131,13 @@ Tensor2<dim> ParticleSystem<dim>::virial() const
 }
 
 template <int dim>
-double ParticleSystem<dim>::stable_time_step() const
+double ParticleSystem<dim>::stable_time_step(const Pace pace) const
 {
   Rates total;
   for (const auto &term : terms)
     {
+      if (pace != Pace::all && term->fast() != (pace == Pace::fast))
+        continue;
       const Rates own = term->rates(particles);
       total.wall += own.wall;
       total.fluid += own.fluid;

@@ -13,6 +13,14 @@
 
 namespace turgor
 {
+/// Which terms: all, those that are stepped within a step (Term::fast), or the others.
+enum class Pace
+{
+  all,
+  slow,
+  fast
+};
+
 template <int dim>
 class ParticleSystem
 {
@@ -43,8 +51,9 @@ public:
   /// Tells all terms that the group's positions have moved by dt times its velocities.
   void drift_of_group(std::size_t group, double dt);
 
-  /// f = sum of all terms, for one group.
+  /// f = sum of all terms, or of those of one pace, for one group.
   void forces_of_group(std::size_t group);
+  void forces_of_group(std::size_t group, Pace pace);
   void compute_forces();
 
   /// J, after compute_forces at the same positions.
@@ -57,8 +66,9 @@ public:
   /// over the particles instead of a second pair loop. Only for systems without external forces.
   Tensor2<dim> virial() const;
 
-  /// s; largest stable step of kick-drift-kick, from the sum of the terms' rates.
-  double stable_time_step() const;
+  /// s; largest stable step of kick-drift-kick, from the sum of the rates of all terms or of those of one pace.
+  double stable_time_step() const { return stable_time_step(Pace::all); }
+  double stable_time_step(Pace pace) const;
 
   std::vector<std::string> term_names() const;
 

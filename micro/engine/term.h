@@ -72,6 +72,9 @@ public:
     return Tensor2<dim>::Zero();
   }
 
+  /// Cheap, stiff and without drag: may be evaluated several times within a step of the others (respa.h).
+  virtual bool fast() const { return false; }
+
   /// Upper bounds, for the step that the program chooses by itself.
   virtual Rates rates(const Particles<dim> &) const { return {}; }
 

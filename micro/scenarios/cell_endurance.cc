@@ -3,7 +3,7 @@
 #include "micro/cells/sph_cell_entries.h"
 #include "micro/engine/binary.h"
 #include "micro/engine/counter_random.h"
-#include "micro/engine/kick_drift_kick.h"
+#include "micro/engine/watched_steps.h"
 #include "micro/scenarios/shared_entries.h"
 #include "micro/scenarios/stepping.h"
 
@@ -144,8 +144,9 @@ void CellEndurance::run(RunContext &context)
   Particles<2> &particles = system.particles;
   context.active(system.term_names(), particles.field_names());
 
+  WatchedSteps<2> integrator(system, step_fraction);
   Progress at;
-  at.dt = step_fraction * system.stable_time_step();
+  at.dt = integrator.safe_step();
   const std::uint64_t last = std::uint64_t(steps);
   const Tensor2<2> rate = matrix_from(F_dot);
   for (int k = 0; k <= 100; ++k)
@@ -153,10 +154,10 @@ void CellEndurance::run(RunContext &context)
       throw InputError("F_dot = " + F_dot + " over " + std::to_string(double(last) * at.dt)
                        + " s turns the cell inside out; use fewer Steps or a smaller F_dot.");
 
-  KickDriftKick<2> integrator(system);
   const bool resumed = context.load_checkpoint([&](std::istream &in) {
     read_binary(in, at);
     system.load(in);
+    integrator.load(in);
     at.list_builds -= double(wet->fluid->list_builds());
   });
   if (!resumed)
@@ -250,6 +251,7 @@ void CellEndurance::run(RunContext &context)
       saved.list_builds += double(wet->fluid->list_builds());
       write_binary(out, saved);
       system.save(out);
+      integrator.save(out);
     });
   };
   const StepCheckpoints keep(context, last, checkpoints, save,

@@ -2,6 +2,7 @@
 
 #include "micro/cells/sph_cell_entries.h"
 #include "micro/engine/binary.h"
+#include "micro/engine/watched_steps.h"
 #include "micro/io/cpu_clock.h"
 #include "micro/io/field_file.h"
 #include "micro/processes/osmosis.h"
@@ -178,23 +179,27 @@ void FullMicro::run(RunContext &context)
   Particles<2> &particles = system.particles;
   context.active(system.term_names(), particles.field_names());
 
+  WatchedSteps<2> integrator(system, step_fraction);
   Progress at;
-  at.dt = step_fraction * system.stable_time_step();
+  at.dt = integrator.safe_step();
   at.steps = std::uint64_t(std::ceil(end_time / at.dt));
   at.dt = end_time / double(at.steps);
   const std::uint64_t last = window > 0. ? std::max<std::uint64_t>(1, std::uint64_t(window * double(at.steps))) : at.steps;
   const double acceleration = -load / (block.density * block.width);
 
-  KickDriftKick<2> integrator(system);
   const bool resumed = context.load_checkpoint([&](std::istream &in) {
     at.load(in);
     system.load(in);
+    integrator.load(in);
     block.body_force->set({0., acceleration});
   });
   if (!resumed)
     {
       if (surfaces == "free" || surfaces == "osmosis")
-        relax(context, block, reference);
+        {
+          relax(context, block, reference);
+          integrator.begin_here();
+        }
       for (int d = 0; d < 2; ++d)
         at.x0[d] = particles.x[d];
       block.body_force->set({0., acceleration});
@@ -215,6 +220,7 @@ void FullMicro::run(RunContext &context)
     context.save_checkpoint([&](std::ostream &out) {
       at.save(out);
       system.save(out);
+      integrator.save(out);
     });
   };
   const StepCheckpoints keep(context, last, checkpoints, save,
@@ -270,6 +276,7 @@ void FullMicro::run(RunContext &context)
   context.result("probe_displacement_y", u[1], "m");
   context.result("steps", double(at.steps), "");
   context.result("time_step", at.dt, "s");
+  context.result("extra_steps", double(integrator.extra_steps()), "");
   context.result("particles", n, "");
   context.result("density", block.density, "kg/m^3");
   context.result("body_force", acceleration, "m/s^2");

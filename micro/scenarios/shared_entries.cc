@@ -1,5 +1,8 @@
 #include "micro/scenarios/shared_entries.h"
 
+#include "micro/cells/sph_parenchyma.h"
+#include "micro/io/run_context.h"
+
 #include <deal.II/base/parameter_handler.h>
 
 namespace turgor
@@ -26,6 +29,20 @@ void declare_step_fraction(dealii::ParameterHandler &prm, double &step_fraction)
 {
   prm.add_parameter("Step fraction", step_fraction,
                     "Time step over the stable limit that the terms state. Units: none.", Patterns::Double(0.01, 1.));
+}
+
+void declare_substeps(dealii::ParameterHandler &prm, unsigned int &substeps)
+{
+  prm.add_parameter("Substeps", substeps,
+                    "Steps of walls and lamella within one step of the fluid (r-RESPA); 1: the same step for all. Units: none.",
+                    Patterns::Integer(1, 1000));
+}
+
+void check_substeps(const unsigned int substeps, const SphParameters &sph)
+{
+  if (substeps > 1 && sph.formulation == "thesis")
+    throw InputError("Substeps is " + std::to_string(substeps) + ", but SPH/Formulation = thesis carries its density along with "
+                     "every move of a particle; it has to be 1.");
 }
 
 void declare_checkpoints(dealii::ParameterHandler &prm, unsigned int &checkpoints)

@@ -11,6 +11,8 @@ class ParameterHandler;
 
 namespace turgor
 {
+struct SphParameters;
+
 /// Columns, Rows (cells) and Load (Pa): the clamped block of full_micro and static_lattice.
 void declare_block(dealii::ParameterHandler &prm, unsigned int &columns, unsigned int &rows, double &load);
 
@@ -18,6 +20,10 @@ void declare_block(dealii::ParameterHandler &prm, unsigned int &columns, unsigne
 void declare_surfaces(dealii::ParameterHandler &prm, std::string &surfaces);
 
 void declare_step_fraction(dealii::ParameterHandler &prm, double &step_fraction);
+
+/// 1: one step for all; 0: automatic. check_substeps throws InputError for a fluid that cannot be split off.
+void declare_substeps(dealii::ParameterHandler &prm, unsigned int &substeps);
+void check_substeps(unsigned int substeps, const SphParameters &sph);
 
 void declare_checkpoints(dealii::ParameterHandler &prm, unsigned int &checkpoints);
 } // namespace turgor

@@ -2,7 +2,7 @@
 
 #include "micro/cells/sph_cell_entries.h"
 #include "micro/engine/binary.h"
-#include "micro/engine/kick_drift_kick.h"
+#include "micro/engine/watched_steps.h"
 #include "micro/io/field_file.h"
 #include "micro/processes/failure.h"
 #include "micro/processes/osmosis.h"
@@ -72,7 +72,6 @@ public:
     , context(context_)
     , tissue(make_brick_tissue(scene.cell, scene.sph, scene.brick))
     , system(tissue->system)
-    , integrator(system)
   {
     system.threads = context.threads();
     const double far = 10. * (scene.brick.rows + 2.) * scene.cell.period;
@@ -85,7 +84,8 @@ public:
       failure.emplace(*tissue->wall, tissue->damage, scene.brick.critical_stretch);
     if (tissue->flow)
       yielding.emplace(*tissue->wall, tissue->flow);
-    dt = scene.step_fraction * system.stable_time_step();
+    integrator.emplace(system, scene.step_fraction, 0.05);
+    dt = integrator->safe_step();
     inflation_steps = std::uint64_t(std::ceil(scene.inflation_time / dt));
     reach = 20. * std::max(scene.brick.columns, scene.brick.rows) * scene.cell.period;
     sound = tissue->fluid->equation_of_state().sound_speed(scene.cell.fluid_density);
@@ -133,6 +133,7 @@ private:
     if (tissue->flow)
       tissue->flow->save(out);
     system.save(out);
+    integrator->save(out);
   }
 
   void load(std::istream &in)
@@ -159,6 +160,7 @@ private:
     if (tissue->flow)
       tissue->flow->load(in);
     system.load(in);
+    integrator->load(in);
   }
 
   void require_finite(const std::string &where) const
@@ -190,7 +192,7 @@ private:
     const StepCheckpoints keep(context, inflation_steps, 0, [&] { checked_save(where()); }, where);
     while (step < inflation_steps)
       {
-        integrator.step(dt, scene.inflation_damping);
+        integrator->step(dt, scene.inflation_damping);
         ++step;
         if (yielding)
           yielding->apply(system);
@@ -317,7 +319,7 @@ private:
     const StepCheckpoints keep(context, load_steps, scene.checkpoints, [&] { checked_save(where()); }, where);
     while (step < load_steps)
       {
-        integrator.step(dt, scene.damping);
+        integrator->step(dt, scene.damping);
         ++step;
         processes();
         if (step % sample_every == 0)
@@ -450,7 +452,7 @@ private:
   RunContext &context;
   std::unique_ptr<BrickTissue> tissue;
   ParticleSystem<2> &system;
-  KickDriftKick<2> integrator;
+  std::optional<WatchedSteps<2>> integrator;
   Plates<2> *plates = nullptr;
   std::optional<Failure<2>> failure;
   std::optional<WallYielding<2>> yielding;

@@ -26,6 +26,7 @@ public:
   void add_forces(Particles<2> &particles, const Box<2> &box, std::size_t group) override;
   double energy(const Particles<2> &particles, const Box<2> &box, std::size_t group) const override;
   Tensor2<2> image_virial(const Particles<2> &particles, const Box<2> &box, std::size_t group) const override;
+  bool fast() const override { return true; }
   Rates rates(const Particles<2> &particles) const override;
   void save(std::ostream &out, const Particles<2> &particles) const override;
   void load(std::istream &in, Particles<2> &particles) override;

@@ -41,6 +41,7 @@ public:
   void advance(double dt) override;
   void add_forces(Particles<dim> &particles, const Box<dim> &box, std::size_t group) override;
   double energy(const Particles<dim> &particles, const Box<dim> &box, std::size_t group) const override;
+  bool fast() const override { return true; }
   Rates rates(const Particles<dim> &particles) const override;
   void save(std::ostream &out, const Particles<dim> &particles) const override;
   void load(std::istream &in, Particles<dim> &particles) override;

@@ -35,6 +35,7 @@ public:
   void declare(Particles<2> &) override {}
   void add_forces(Particles<2> &particles, const Box<2> &box, std::size_t group) override;
   double energy(const Particles<2> &particles, const Box<2> &box, std::size_t group) const override;
+  bool fast() const override { return true; }
   Rates rates(const Particles<2> &particles) const override;
 
   std::size_t bond_count(const Particles<2> &particles, std::size_t group) const override;

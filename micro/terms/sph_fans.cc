@@ -1,5 +1,5 @@
 // The triangles within reach of each fluid particle, with the quadrature that each needs.
-#include "micro/terms/bins.h"
+#include "micro/engine/bins.h"
 #include "micro/terms/sph_lists.h"
 
 #include <Eigen/Geometry>
@@ -42,7 +42,7 @@ void WallFans::clear(const std::uint32_t particles)
 }
 
 void WallFans::build(const ListOrigin<3> &origin, const std::uint32_t nw, const TriangleMesh &mesh, const double reach,
-                     const double slack, const std::vector<unsigned char> *gone)
+                     const double slack, const double near, const std::vector<unsigned char> *gone)
 {
   const std::uint32_t n = std::uint32_t(origin.size()) - nw;
   clear(n);
@@ -98,7 +98,7 @@ void WallFans::build(const ListOrigin<3> &origin, const std::uint32_t nw, const 
           return;
         const double distance = std::sqrt(d2) - slack;
         int q = sph::quadratures - 1;
-        while (q > 0 && distance < far_enough[q] * size[k])
+        while (q > 0 && (distance < far_enough[q] * size[k] || distance < near + size[k]))
           --q;
         found[q].push_back(face[k]);
       });

@@ -1,6 +1,7 @@
 #include "micro/terms/sph_fluid.h"
 
 #include "micro/engine/binary.h"
+#include "micro/terms/sph_barrier.h"
 #include "micro/terms/sph_wall_view.h"
 
 #include <algorithm>
@@ -131,7 +132,8 @@ void SphFluid<dim>::build(const Group &g, const std::size_t number)
   if constexpr (dim == 2)
     cell.lists.wall.build(cell.built_at, nw, reach, gone);
   else
-    cell.lists.wall.build(cell.built_at, nw, *mesh, reach, parameters.skin, gone);
+    cell.lists.wall.build(cell.built_at, nw, *mesh, reach, parameters.skin,
+                          parameters.barrier > 0. ? barrier_range * parameters.support : 0., gone);
 }
 
 template <int dim>
@@ -197,6 +199,9 @@ void SphFluid<dim>::add_forces(Particles<dim> &particles, const Box<dim> &, cons
   cell.scale = view.scale;
   cell.ordering_energy = view.ordering * view.volume * (1. - view.scale);
   wall.collect(view, view.mean_pressure - view.ordering, particles);
+  if (parameters.barrier > 0.)
+    cell.barrier_energy = add_barrier(cell.lists.wall, particles, g, barrier_range * parameters.support,
+                                      parameters.barrier * mass[group] / eos.reference_density());
 }
 
 template <int dim>
@@ -205,7 +210,7 @@ double SphFluid<dim>::energy(const Particles<dim> &particles, const Box<dim> &, 
   const Group &g = particles.groups[group];
   const std::vector<double> &rho = particles.field("density");
   const bool free = open(group);
-  double total = cells[group].ordering_energy;
+  double total = cells[group].ordering_energy + cells[group].barrier_energy;
   for (std::uint32_t i = g.fluid; i < g.end; ++i)
     if (!free || !(rho[i] <= eos.reference_density()))
       total += mass[group] * eos.energy(rho[i]);
@@ -233,6 +238,12 @@ Rates SphFluid<dim>::rates(const Particles<dim> &particles) const
   // All nodes together against the fluid's bulk modulus: B sum_k |dV/dx_k|^2 / (V m_node).
   if (parameters.exact_volume)
     bound.wall.frequency_squared = rho * c * c * wall.slopes_squared / wall.volume * lightest;
+  if (parameters.barrier > 0.)
+    { // Two faces at once (along an edge); a node has as many particles before it as spacings fit into its area.
+      const double range = barrier_range * R, stiffness = 4. * parameters.barrier / (range * range);
+      bound.fluid.frequency_squared += stiffness / rho;
+      bound.wall.frequency_squared += stiffness * wall.node_area * (R / 2.6) * lightest;
+    }
   // No slip drags the wall's light nodes: mu times a node's area over the least gap that counts, half a
   // spacing (doc/validation.md has the measured limit beside this bound).
   bound.wall.drag = parameters.viscosity * wall.node_area * lightest / (0.5 * R / 2.6);

@@ -28,6 +28,7 @@ struct SphFluidParameters
   double viscosity = 0.;  ///< Pa s
   bool exact_volume = true; ///< volumes of the particles fill the cell exactly; else as summed
   double ordering = 0.;     ///< Pa, p_0; with exact_volume
+  double barrier = 0.;      ///< Pa, P_b of sph_barrier.h, about K; walls that fail need it, or what is left of them leaks
 };
 
 template <int dim>
@@ -76,7 +77,7 @@ private:
     SphLists<dim> lists;
     ListOrigin<dim> built_at;
     bool built = false;              ///< lists are those of built_at
-    double ordering_energy = 0.;     ///< J
+    double ordering_energy = 0., barrier_energy = 0.; ///< J
     double scale = 1.;
     std::uint32_t crossed = 0;
     std::size_t builds = 0;

@@ -1,22 +1,24 @@
-// The kernel of the plain SPH sums: Wendland C2 in two dimensions (no pairing instability).
+// The kernel of the plain SPH sums: Wendland C2 (no pairing instability), in two and three dimensions.
 //
-//   W(r)      =    7/(pi R^2) (1 - q)^4 (1 + 4 q),   q = r/R < 1, zero beyond;   R = 2 h
-//   W'(r) / r = -140/(pi R^4) (1 - q)^3
+//   W(r)      =      C (1 - q)^4 (1 + 4 q),   q = r/R < 1, zero beyond;   R = 2 h
+//   W'(r) / r = -20 C (1 - q)^3 / R^2,        C = 7/(pi R^2) in 2D, 21/(2 pi R^3) in 3D
 //
-// In: r in m. Out: W in 1/m^2 (its integral over the plane is 1), W'/r in 1/m^4 (never positive).
+// In: r in m. Out: W in 1/m^dim (its integral is 1), W'/r in 1/m^(dim + 2) (never positive).
 #pragma once
 
 #include <numbers>
 
 namespace turgor
 {
+template <int dim>
 class WendlandC2
 {
 public:
   /// R, m.
   explicit WendlandC2(const double support)
     : inverse_support(1. / support)
-    , peak(7. / std::numbers::pi / (support * support))
+    , peak(dim == 2 ? 7. / std::numbers::pi / (support * support) :
+                      21. / (2. * std::numbers::pi) / (support * support * support))
   {}
 
   double value(const double r) const

@@ -1,6 +1,6 @@
 #include "micro/terms/sph_lists.h"
 
-#include "micro/terms/bins.h"
+#include "micro/engine/bins.h"
 
 #include <algorithm>
 #include <cmath>

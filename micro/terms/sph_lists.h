@@ -34,9 +34,10 @@ struct WallFans
   std::vector<std::uint16_t> nodes, corners;
   std::uint32_t largest = 0; ///< nodes of a fan
 
-  /// slack: how far a particle can come nearer to a face before the next build, m.
+  /// slack: how far a particle can come nearer to a face before the next build; near: faces that can come nearer than
+  /// this are in quadrature 0, m.
   void build(const ListOrigin<3> &origin, std::uint32_t wall_count, const TriangleMesh &mesh, double reach, double slack,
-             const std::vector<unsigned char> *gone);
+             double near, const std::vector<unsigned char> *gone);
   void clear(std::uint32_t particles);
   std::size_t memory_bytes() const
   {

@@ -4,19 +4,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace turgor
 {
-ThesisFluid::ThesisFluid(const ThesisFluidParameters &parameters_, const EquationOfState &eos_,
-                         const LennardJonesWall &wall, std::vector<double> mass_)
+template <int dim>
+ThesisFluid<dim>::ThesisFluid(const ThesisFluidParameters &parameters_, const EquationOfState &eos_,
+                              const LennardJonesWall &wall, std::vector<double> mass_,
+                              std::vector<std::array<std::uint16_t, 3>> faces_)
   : parameters(parameters_)
   , eos(eos_)
   , wall_law(wall)
   , kernel(parameters_.support)
   , mass(std::move(mass_))
+  , faces(std::move(faces_))
 {}
 
-std::string ThesisFluid::name() const
+template <int dim>
+std::string ThesisFluid<dim>::name() const
 {
   const std::string viscous = parameters.viscosity <= 0.                   ? "" :
                               parameters.law == ViscosityLaw::monaghan ? "+monaghan_viscosity" :
@@ -24,7 +29,8 @@ std::string ThesisFluid::name() const
   return "thesis_fluid+lennard_jones_wall" + viscous;
 }
 
-void ThesisFluid::declare(Particles<2> &particles)
+template <int dim>
+void ThesisFluid<dim>::declare(Particles<dim> &particles)
 {
   particles.declare("density");
   particles.declare("pressure");
@@ -34,7 +40,8 @@ void ThesisFluid::declare(Particles<2> &particles)
     std::fill(rho.begin() + g.fluid, rho.begin() + g.end, parameters.initial_density);
 }
 
-void ThesisFluid::set_particle_mass(Particles<2> &particles, const std::size_t group, const double value)
+template <int dim>
+void ThesisFluid<dim>::set_particle_mass(Particles<dim> &particles, const std::size_t group, const double value)
 {
   const Group &g = particles.groups[group];
   std::vector<double> &rho = particles.field("density");
@@ -47,7 +54,8 @@ void ThesisFluid::set_particle_mass(Particles<2> &particles, const std::size_t g
   mass[group] = value;
 }
 
-void ThesisFluid::update_lists(const Particles<2> &particles, const std::size_t group)
+template <int dim>
+void ThesisFluid<dim>::update_lists(const Particles<dim> &particles, const std::size_t group)
 {
   const Group &g = particles.groups[group];
   Cell &cell = cells[group];
@@ -57,128 +65,211 @@ void ThesisFluid::update_lists(const Particles<2> &particles, const std::size_t 
   build(g, cell);
 }
 
-void ThesisFluid::build(const Group &g, Cell &cell) const
+template <int dim>
+void ThesisFluid<dim>::build(const Group &g, Cell &cell) const
 {
   const std::uint32_t nw = g.wall_count(), n = g.fluid_count();
-  const double *wx = cell.built_at[0], *wy = cell.built_at[1], *x = wx + nw, *y = wy + nw;
   ++cell.builds;
   cell.fluid.clear();
   cell.wall.clear();
   cell.first_fluid.assign(n + 1, 0);
   cell.first_wall.assign(n + 1, 0);
   cell.crossed = 0;
-  double lo[2] = {HUGE_VAL, HUGE_VAL}, hi[2] = {-HUGE_VAL, -HUGE_VAL}, check = 0.;
-  for (std::uint32_t k = 0; k < nw + n; ++k)
-    {
-      lo[0] = std::min(lo[0], wx[k]);
-      hi[0] = std::max(hi[0], wx[k]);
-      lo[1] = std::min(lo[1], wy[k]);
-      hi[1] = std::max(hi[1], wy[k]);
-      check += wx[k] + wy[k];
-    }
-  if (n == 0 || !std::isfinite(check))
+  if (n == 0 || !cell.built_at.finite())
     return; // no pairs: the scene sees the positions themselves and says that it diverged
 
-  // Fluid in bins as wide as the larger reach.
+  // Fluid and nodes in bins as wide as the larger reach.
   const double reach = parameters.support + parameters.skin, wall_reach = wall_law.range() + parameters.skin;
   const double width = std::max(reach, wall_reach);
-  const int nx = std::clamp(int(std::min((hi[0] - lo[0]) / width, 1e6)) + 1, 1, 512);
-  const int ny = std::clamp(int(std::min((hi[1] - lo[1]) / width, 1e6)) + 1, 1, 512);
-  const auto bin = [&](const double value, const int d) {
-    return std::clamp(int(std::min((value - lo[d]) / width, 1e6)), 0, (d == 0 ? nx : ny) - 1);
+  std::array<const double *, dim> wall, fluid;
+  std::array<double, dim> low;
+  std::array<int, dim> bins;
+  std::size_t all = 1;
+  for (int d = 0; d < dim; ++d)
+    {
+      wall[d] = cell.built_at[d];
+      fluid[d] = wall[d] + nw;
+      const auto [least, most] = std::minmax_element(wall[d], wall[d] + nw + n);
+      low[d] = *least;
+      bins[d] = std::clamp(int(std::min((*most - *least) / width, 1e6)) + 1, 1, dim == 2 ? 512 : 64);
+      all *= std::size_t(bins[d]);
+    }
+  const auto bin = [&](const std::array<const double *, dim> &x, const std::uint32_t k, const int d) {
+    return std::clamp(int(std::min((x[d][k] - low[d]) / width, 1e6)), 0, bins[d] - 1);
   };
-  const auto sorted = [&](const double *px, const double *py, const std::uint32_t count) {
-    std::vector<std::vector<std::uint32_t>> bins(std::size_t(nx) * ny);
+  const auto sorted = [&](const std::array<const double *, dim> &x, const std::uint32_t count) {
+    std::vector<std::vector<std::uint32_t>> result(all);
     for (std::uint32_t k = 0; k < count; ++k)
-      bins[std::size_t(bin(py[k], 1)) * nx + bin(px[k], 0)].push_back(k);
-    return bins;
+      {
+        std::size_t at = 0;
+        for (int d = dim - 1; d >= 0; --d)
+          at = at * std::size_t(bins[d]) + std::size_t(bin(x, k, d));
+        result[at].push_back(k);
+      }
+    return result;
   };
-  const auto fluid_bins = sorted(x, y, n), wall_bins = sorted(wx, wy, nw);
+  const auto distance = [&](const std::array<const double *, dim> &x, const std::uint32_t k, const std::uint32_t i) {
+    double r2 = 0.;
+    for (int d = 0; d < dim; ++d)
+      r2 += (x[d][k] - fluid[d][i]) * (x[d][k] - fluid[d][i]);
+    return std::sqrt(r2);
+  };
+  const auto fluid_bins = sorted(fluid, n), wall_bins = sorted(wall, nw);
   for (std::uint32_t i = 0; i < n; ++i)
     {
-      const int bx = bin(x[i], 0), by = bin(y[i], 1);
-      for (int cy = std::max(by - 1, 0); cy <= std::min(by + 1, ny - 1); ++cy)
-        for (int cx = std::max(bx - 1, 0); cx <= std::min(bx + 1, nx - 1); ++cx)
+      std::array<int, dim> from, to;
+      for (int d = 0; d < dim; ++d)
+        {
+          const int own = bin(fluid, i, d);
+          from[d] = std::max(own - 1, 0);
+          to[d] = std::min(own + 1, bins[d] - 1);
+        }
+      const auto visit = [&](const std::size_t row) {
+        for (int c = from[0]; c <= to[0]; ++c)
           {
-            const std::size_t b = std::size_t(cy) * nx + cx;
-            for (const std::uint32_t j : fluid_bins[b])
-              if (j > i && std::hypot(x[j] - x[i], y[j] - y[i]) < reach)
+            const std::size_t at = row * std::size_t(bins[0]) + std::size_t(c);
+            for (const std::uint32_t j : fluid_bins[at])
+              if (j > i && distance(fluid, j, i) < reach)
                 cell.fluid.push_back(j);
-            for (const std::uint32_t k : wall_bins[b])
-              if (std::hypot(wx[k] - x[i], wy[k] - y[i]) < wall_reach)
+            for (const std::uint32_t k : wall_bins[at])
+              if (distance(wall, k, i) < wall_reach)
                 cell.wall.push_back(k);
           }
+      };
+      if constexpr (dim == 2)
+        for (int cy = from[1]; cy <= to[1]; ++cy)
+          visit(std::size_t(cy));
+      else
+        for (int cz = from[2]; cz <= to[2]; ++cz)
+          for (int cy = from[1]; cy <= to[1]; ++cy)
+            visit(std::size_t(cz) * std::size_t(bins[1]) + std::size_t(cy));
       cell.first_fluid[i + 1] = std::uint32_t(cell.fluid.size());
       cell.first_wall[i + 1] = std::uint32_t(cell.wall.size());
-      // Even number of walls on a ray to the right: outside.
-      bool inside = false;
-      for (std::uint32_t k = 0; k < nw; ++k)
-        {
-          const std::uint32_t b = k + 1 < nw ? k + 1 : 0;
-          if ((wy[k] > y[i]) != (wy[b] > y[i])
-              && x[i] < wx[k] + (y[i] - wy[k]) / (wy[b] - wy[k]) * (wx[b] - wx[k]))
-            inside = !inside;
-        }
-      cell.crossed += !inside;
     }
+  cell.crossed = count_outside(g, cell);
 }
 
-/// visit(i, j, dx, dy, W'/r / z_0) for each pair once; i, j count the fluid of the group; d = x_j - x_i.
+/// A ray in x from a particle inside crosses the wall an odd number of times.
+template <int dim>
+std::size_t ThesisFluid<dim>::count_outside(const Group &g, const Cell &cell) const
+{
+  const std::uint32_t nw = g.wall_count(), n = g.fluid_count();
+  const ListOrigin<dim> &at = cell.built_at;
+  std::vector<unsigned char> inside(n, 0);
+  if constexpr (dim == 2)
+    for (std::uint32_t i = 0; i < n; ++i)
+      {
+        const double x = at[0][nw + i], y = at[1][nw + i];
+        for (std::uint32_t k = 0; k < nw; ++k)
+          {
+            const std::uint32_t b = k + 1 < nw ? k + 1 : 0;
+            if ((at[1][k] > y) != (at[1][b] > y)
+                && x < at[0][k] + (y - at[1][k]) / (at[1][b] - at[1][k]) * (at[0][b] - at[0][k]))
+              inside[i] ^= 1;
+          }
+      }
+  else
+    {
+      if (faces.empty())
+        return 0;
+      std::vector<std::uint32_t> by_height(n);
+      std::iota(by_height.begin(), by_height.end(), 0u);
+      const double *z = at[2] + nw;
+      std::sort(by_height.begin(), by_height.end(), [&](std::uint32_t a, std::uint32_t b) { return z[a] < z[b]; });
+      for (const auto &[a, b, c] : faces)
+        {
+          const double low = std::min({at[2][a], at[2][b], at[2][c]}), high = std::max({at[2][a], at[2][b], at[2][c]});
+          const double u[2] = {at[1][b] - at[1][a], at[2][b] - at[2][a]}, v[2] = {at[1][c] - at[1][a], at[2][c] - at[2][a]};
+          const double area = u[0] * v[1] - u[1] * v[0];
+          auto i = std::lower_bound(by_height.begin(), by_height.end(), low,
+                                    [&](std::uint32_t k, double value) { return z[k] < value; });
+          for (; i != by_height.end() && z[*i] <= high; ++i)
+            {
+              const double y = at[1][nw + *i] - at[1][a], h = z[*i] - at[2][a];
+              const double s = (y * v[1] - h * v[0]) / area, t = (u[0] * h - u[1] * y) / area;
+              if (s >= 0. && t >= 0. && s + t <= 1.
+                  && at[0][nw + *i] < at[0][a] + s * (at[0][b] - at[0][a]) + t * (at[0][c] - at[0][a]))
+                inside[*i] ^= 1;
+            }
+        }
+    }
+  return std::size_t(std::count(inside.begin(), inside.end(), 0));
+}
+
+/// visit(i, j, r, r.r, W'/r / z_0) for each pair once; i, j count the fluid of the group; r = x_j - x_i.
+template <int dim>
 template <class Visit>
-void ThesisFluid::for_fluid_pairs(const Group &g, const Cell &cell, const double *x, const double *y,
-                                  Visit &&visit) const
+void ThesisFluid<dim>::for_fluid_pairs(const Group &g, const Cell &cell, const std::array<const double *, dim> &x,
+                                       Visit &&visit) const
 {
   const double reach2 = parameters.support * parameters.support, inverse_depth = 1. / parameters.depth;
   for (std::uint32_t i = 0; i < g.fluid_count(); ++i)
     for (std::uint32_t k = cell.first_fluid[i]; k < cell.first_fluid[i + 1]; ++k)
       {
         const std::uint32_t j = cell.fluid[k];
-        const double dx = x[j] - x[i], dy = y[j] - y[i], r2 = dx * dx + dy * dy;
+        std::array<double, dim> r;
+        double r2 = 0.;
+        for (int d = 0; d < dim; ++d)
+          {
+            r[d] = x[d][j] - x[d][i];
+            r2 += r[d] * r[d];
+          }
         if (r2 < reach2)
-          visit(i, j, dx, dy, kernel.slope_over_r(std::sqrt(r2)) * inverse_depth);
+          visit(i, j, r, r2, kernel.slope_over_r(std::sqrt(r2)) * inverse_depth);
       }
 }
 
-void ThesisFluid::drift(Particles<2> &particles, const std::size_t group, const double dt)
+template <int dim>
+void ThesisFluid<dim>::drift(Particles<dim> &particles, const std::size_t group, const double dt)
 {
   update_lists(particles, group);
   const Group &g = particles.groups[group];
   const std::uint32_t n = g.fluid_count();
-  thread_local std::vector<double> middle[2], change;
+  thread_local std::vector<double> middle[dim], change;
   change.assign(n, 0.);
-  for (int d = 0; d < 2; ++d)
+  for (int d = 0; d < dim; ++d)
     {
       middle[d].resize(n);
       for (std::uint32_t i = 0; i < n; ++i)
         middle[d][i] = particles.x[d][g.fluid + i] - 0.5 * dt * particles.v[d][g.fluid + i];
     }
-  const double *vx = particles.v[0].data() + g.fluid, *vy = particles.v[1].data() + g.fluid;
-  for_fluid_pairs(g, cells[group], middle[0].data(), middle[1].data(),
-                  [&](std::uint32_t i, std::uint32_t j, double dx, double dy, double w) {
-                    const double rate = w * ((vx[j] - vx[i]) * dx + (vy[j] - vy[i]) * dy);
-                    change[i] += rate;
-                    change[j] += rate;
-                  });
+  std::array<const double *, dim> x, v;
+  for (int d = 0; d < dim; ++d)
+    {
+      x[d] = middle[d].data();
+      v[d] = particles.v[d].data() + g.fluid;
+    }
+  for_fluid_pairs(g, cells[group], x, [&](std::uint32_t i, std::uint32_t j, const auto &r, double, double w) {
+    double approach = 0.;
+    for (int d = 0; d < dim; ++d)
+      approach += (v[d][j] - v[d][i]) * r[d];
+    const double rate = w * approach;
+    change[i] += rate;
+    change[j] += rate;
+  });
   double *rho = particles.field("density").data() + g.fluid;
   for (std::uint32_t i = 0; i < n; ++i)
     rho[i] += dt * mass[group] * change[i];
 }
 
-void ThesisFluid::jumped(Particles<2> &particles, const Particles<2>::Components &before)
+template <int dim>
+void ThesisFluid<dim>::jumped(Particles<dim> &particles, const typename Particles<dim>::Components &before)
 {
   for (std::size_t group = 0; group < cells.size(); ++group)
     {
       const Group &g = particles.groups[group];
       Cell &cell = cells[group];
       double *rho = particles.field("density").data() + g.fluid;
-      for (const auto *positions : {&before, &static_cast<const Particles<2>::Components &>(particles.x)})
+      for (const auto *positions : {&before, &static_cast<const typename Particles<dim>::Components &>(particles.x)})
         {
           cell.built_at.take(*positions, g);
           build(g, cell);
-          const double *x = (*positions)[0].data() + g.fluid, *y = (*positions)[1].data() + g.fluid;
+          std::array<const double *, dim> x;
+          for (int d = 0; d < dim; ++d)
+            x[d] = (*positions)[d].data() + g.fluid;
           const double share = (positions == &before ? -1. : 1.) * mass[group] / parameters.depth;
-          for_fluid_pairs(g, cell, x, y, [&](std::uint32_t i, std::uint32_t j, double dx, double dy, double) {
-            const double change = share * kernel.value(std::hypot(dx, dy));
+          for_fluid_pairs(g, cell, x, [&](std::uint32_t i, std::uint32_t j, const auto &, double r2, double) {
+            const double change = share * kernel.value(std::sqrt(r2));
             rho[i] += change;
             rho[j] += change;
           });
@@ -186,7 +277,8 @@ void ThesisFluid::jumped(Particles<2> &particles, const Particles<2>::Components
     }
 }
 
-void ThesisFluid::add_forces(Particles<2> &particles, const Box<2> &, const std::size_t group)
+template <int dim>
+void ThesisFluid<dim>::add_forces(Particles<dim> &particles, const Box<dim> &, const std::size_t group)
 {
   update_lists(particles, group);
   const Group &g = particles.groups[group];
@@ -201,51 +293,62 @@ void ThesisFluid::add_forces(Particles<2> &particles, const Box<2> &, const std:
       pressure[i] = eos.pressure(rho[i]);
       share[i] = pressure[i] / (rho[i] * rho[i]);
     }
-  const double *x = particles.x[0].data() + g.fluid, *y = particles.x[1].data() + g.fluid;
-  const double *vx = particles.v[0].data() + g.fluid, *vy = particles.v[1].data() + g.fluid;
-  double *fx = particles.f[0].data() + g.fluid, *fy = particles.f[1].data() + g.fluid;
+  std::array<const double *, dim> x, v, wall_x;
+  std::array<double *, dim> f, wall_f;
+  for (int d = 0; d < dim; ++d)
+    {
+      wall_x[d] = particles.x[d].data() + g.begin;
+      wall_f[d] = particles.f[d].data() + g.begin;
+      x[d] = particles.x[d].data() + g.fluid;
+      v[d] = particles.v[d].data() + g.fluid;
+      f[d] = particles.f[d].data() + g.fluid;
+    }
   const double m2 = mass[group] * mass[group];
   const bool viscous = parameters.viscosity > 0., central = parameters.law == ViscosityLaw::monaghan;
-  for_fluid_pairs(g, cell, x, y, [&](std::uint32_t i, std::uint32_t j, double dx, double dy, double w) {
+  for_fluid_pairs(g, cell, x, [&](std::uint32_t i, std::uint32_t j, const auto &r, double r2, double w) {
     const double p = m2 * (share[i] + share[j]) * w;
-    double pair_x = p * dx, pair_y = p * dy; // on i; w < 0: away from j
+    std::array<double, dim> pair; // on i; w < 0: away from j
+    for (int d = 0; d < dim; ++d)
+      pair[d] = p * r[d];
     if (viscous)
       {
-        const double ux = vx[j] - vx[i], uy = vy[j] - vy[i], c = -parameters.viscosity * m2 / (rho[i] * rho[j]) * w;
-        if (central)
-          {
-            const double along = 8. * c * (ux * dx + uy * dy) / (dx * dx + dy * dy);
-            pair_x += along * dx;
-            pair_y += along * dy;
-          }
-        else
-          {
-            pair_x += 2. * c * ux;
-            pair_y += 2. * c * uy;
-          }
+        const double c = -parameters.viscosity * m2 / (rho[i] * rho[j]) * w;
+        double approach = 0.;
+        for (int d = 0; d < dim; ++d)
+          approach += (v[d][j] - v[d][i]) * r[d];
+        const double along = half_chi * c * approach / r2;
+        for (int d = 0; d < dim; ++d)
+          pair[d] += central ? along * r[d] : 2. * c * (v[d][j] - v[d][i]);
       }
-    fx[i] += pair_x;
-    fy[i] += pair_y;
-    fx[j] -= pair_x;
-    fy[j] -= pair_y;
+    for (int d = 0; d < dim; ++d)
+      {
+        f[d][i] += pair[d];
+        f[d][j] -= pair[d];
+      }
   });
 
-  const double *wx = particles.x[0].data() + g.begin, *wy = particles.x[1].data() + g.begin;
-  double *wall_fx = particles.f[0].data() + g.begin, *wall_fy = particles.f[1].data() + g.begin;
   for (std::uint32_t i = 0; i < n; ++i)
     for (std::uint32_t l = cell.first_wall[i]; l < cell.first_wall[i + 1]; ++l)
       {
         const std::uint32_t k = cell.wall[l];
-        const double dx = x[i] - wx[k], dy = y[i] - wy[k];
-        const double f = wall_law.force_over_r(std::sqrt(dx * dx + dy * dy));
-        fx[i] += f * dx;
-        fy[i] += f * dy;
-        wall_fx[k] -= f * dx;
-        wall_fy[k] -= f * dy;
+        std::array<double, dim> r;
+        double r2 = 0.;
+        for (int d = 0; d < dim; ++d)
+          {
+            r[d] = x[d][i] - wall_x[d][k];
+            r2 += r[d] * r[d];
+          }
+        const double push = wall_law.force_over_r(std::sqrt(r2));
+        for (int d = 0; d < dim; ++d)
+          {
+            f[d][i] += push * r[d];
+            wall_f[d][k] -= push * r[d];
+          }
       }
 }
 
-double ThesisFluid::energy(const Particles<2> &particles, const Box<2> &, const std::size_t group) const
+template <int dim>
+double ThesisFluid<dim>::energy(const Particles<dim> &particles, const Box<dim> &, const std::size_t group) const
 {
   const Group &g = particles.groups[group];
   const Cell &cell = cells[group];
@@ -259,14 +362,18 @@ double ThesisFluid::energy(const Particles<2> &particles, const Box<2> &, const 
   return total;
 }
 
-Rates ThesisFluid::rates(const Particles<2> &particles) const
+template <int dim>
+Rates ThesisFluid<dim>::rates(const Particles<dim> &particles) const
 {
   Rates bound;
   const double R = parameters.support, rho = eos.reference_density(), c = eos.sound_speed(1.05 * rho);
   // As of the corrected sums (sph_fluid.cc): wave number about 6.5 / R.
   bound.fluid.frequency_squared = 6.5 * 6.5 * c * c / (R * R);
   if (parameters.viscosity > 0.)
-    bound.fluid.drag = (parameters.law == ViscosityLaw::monaghan ? 112. : 56.) * parameters.viscosity / (rho * R * R);
+    // sum V |W'|/r = 14/R^2 in the continuous limit, in 2D and 3D; the central drag takes 1/dim of it in one direction,
+    // and the highest mode moves neighbours oppositely
+    bound.fluid.drag = 2. * 14. * (parameters.law == ViscosityLaw::monaghan ? half_chi / dim : 2.) * parameters.viscosity
+                       / (rho * R * R);
   // The repulsion has no upper bound; the step is for up to five times the force that holds turgor, on
   // one pair, both sides of it moving.
   const double stiffness = 2. * wall_law.stiffness_at(5. * parameters.holding_force);
@@ -282,13 +389,15 @@ Rates ThesisFluid::rates(const Particles<2> &particles) const
   return bound;
 }
 
-void ThesisFluid::forget_lists()
+template <int dim>
+void ThesisFluid<dim>::forget_lists()
 {
   for (Cell &cell : cells)
     cell.built_at.forget();
 }
 
-std::size_t ThesisFluid::crossed() const
+template <int dim>
+std::size_t ThesisFluid<dim>::crossed() const
 {
   std::size_t total = 0;
   for (const Cell &cell : cells)
@@ -296,7 +405,8 @@ std::size_t ThesisFluid::crossed() const
   return total;
 }
 
-std::size_t ThesisFluid::list_builds() const
+template <int dim>
+std::size_t ThesisFluid<dim>::list_builds() const
 {
   std::size_t total = 0;
   for (const Cell &cell : cells)
@@ -304,21 +414,26 @@ std::size_t ThesisFluid::list_builds() const
   return total;
 }
 
-double ThesisFluid::mean_neighbours(const Particles<2> &particles) const
+template <int dim>
+double ThesisFluid<dim>::mean_neighbours(const Particles<dim> &particles) const
 {
   std::size_t pairs = 0, n = 0;
   for (std::size_t group = 0; group < cells.size(); ++group)
     {
       const Group &g = particles.groups[group];
       n += g.fluid_count();
+      std::array<const double *, dim> x;
+      for (int d = 0; d < dim; ++d)
+        x[d] = particles.x[d].data() + g.fluid;
       if (!cells[group].first_fluid.empty())
-        for_fluid_pairs(g, cells[group], particles.x[0].data() + g.fluid, particles.x[1].data() + g.fluid,
-                        [&](std::uint32_t, std::uint32_t, double, double, double) { pairs += 2; });
+        for_fluid_pairs(g, cells[group], x,
+                        [&](std::uint32_t, std::uint32_t, const auto &, double, double) { pairs += 2; });
     }
   return n > 0 ? double(pairs) / double(n) : 0.;
 }
 
-std::size_t ThesisFluid::memory_bytes() const
+template <int dim>
+std::size_t ThesisFluid<dim>::memory_bytes() const
 {
   std::size_t bytes = 0;
   for (const Cell &cell : cells)
@@ -327,7 +442,8 @@ std::size_t ThesisFluid::memory_bytes() const
   return bytes;
 }
 
-void ThesisFluid::save(std::ostream &out, const Particles<2> &particles) const
+template <int dim>
+void ThesisFluid<dim>::save(std::ostream &out, const Particles<dim> &particles) const
 {
   write_binary(out, mass);
   write_binary(out, particles.field("density"));
@@ -335,7 +451,8 @@ void ThesisFluid::save(std::ostream &out, const Particles<2> &particles) const
     cell.built_at.save(out);
 }
 
-void ThesisFluid::load(std::istream &in, Particles<2> &particles)
+template <int dim>
+void ThesisFluid<dim>::load(std::istream &in, Particles<dim> &particles)
 {
   read_binary(in, mass);
   std::vector<double> &rho = particles.field("density");
@@ -353,4 +470,7 @@ void ThesisFluid::load(std::istream &in, Particles<2> &particles)
         build(g, cell);
     }
 }
+
+template class ThesisFluid<2>;
+template class ThesisFluid<3>;
 } // namespace turgor

@@ -3,11 +3,11 @@
 //   d rho_i/dt = sum_j m_j (v_i - v_j) . grad_i W_ij + (rho_i/m_i) dm_i/dt              Eq. 2.26, 2.27
 //   p_i        = EOS(rho_i)                                                             Eq. 2.22
 //   pressure     f_i = -m_i sum_j m_j (p_i/rho_i^2 + p_j/rho_j^2) grad_i W_ij           Eq. A.8
-//   Monaghan     f_i = -sum_j 8 mu m_i m_j/(rho_i rho_j) (W'/r) (v_ij . e_ij) e_ij      Eq. 2.25 (corrected), chi = 16
+//   Monaghan     f_i = -sum_j chi/2 mu m_i m_j/(rho_i rho_j) (W'/r) (v_ij . e_ij) e_ij      Eq. 2.25 (corrected), chi = 4 (d + 2)
 //   Morris       f_i = -sum_j 2 mu m_i m_j/(rho_i rho_j) (W'/r) v_ij                    Eq. 2.24 (corrected)
 //   wall         lennard_jones_wall.h                                                   Eq. 3.7 (corrected)
 //
-// with v_ij = v_j - v_i and W = W_2D/z_0 of a slab. j runs over the fluid of the same cell; the kernel is
+// with v_ij = v_j - v_i, and W = W_2D/z_0 of a slab in 2D. j runs over the fluid of the same cell; the kernel is
 // cut off at the wall and nothing makes up for it, which is the scheme's largest error.
 //
 // Two sweeps a step: after the drift the density follows from the velocities of the half step at the positions
@@ -23,6 +23,9 @@
 #include "micro/terms/list_origin.h"
 #include "micro/terms/sph_kernel.h"
 
+#include <array>
+#include <cstdint>
+
 namespace turgor
 {
 enum class ViscosityLaw
@@ -35,63 +38,72 @@ struct ThesisFluidParameters
 {
   double support = 0.;         ///< m, radius of the kernel (2 h)
   double skin = 0.;            ///< m
-  double depth = 1.;           ///< m, z_0
+  double depth = 1.;           ///< m, z_0; 1 (no unit) in 3D
   double viscosity = 0.;       ///< Pa s
   ViscosityLaw law = ViscosityLaw::monaghan;
   double initial_density = 0.; ///< kg/m^3, of every particle
   double holding_force = 0.;   ///< N, of the wall on one fluid particle at turgor; for the time step
 };
 
-class ThesisFluid final : public CellFluid<2>
+template <int dim>
+class ThesisFluid final : public CellFluid<dim>
 {
 public:
-  /// mass: kg of one fluid particle, per group.
+  /// mass: kg of one fluid particle, per group; faces: of a cell's wall in 3D, node indices within the
+  /// group, only to count who is outside (crossed); may be empty.
   ThesisFluid(const ThesisFluidParameters &parameters, const EquationOfState &eos, const LennardJonesWall &wall,
-              std::vector<double> mass);
+              std::vector<double> mass, std::vector<std::array<std::uint16_t, 3>> faces = {});
 
   std::string name() const override;
-  void declare(Particles<2> &particles) override;
-  void drift(Particles<2> &particles, std::size_t group, double dt) override;
-  void add_forces(Particles<2> &particles, const Box<2> &box, std::size_t group) override;
+  void declare(Particles<dim> &particles) override;
+  void drift(Particles<dim> &particles, std::size_t group, double dt) override;
+  void add_forces(Particles<dim> &particles, const Box<dim> &box, std::size_t group) override;
   /// sum_i m_i e(rho_i) and the wall's repulsion.
-  double energy(const Particles<2> &particles, const Box<2> &box, std::size_t group) const override;
-  Rates rates(const Particles<2> &particles) const override;
-  void save(std::ostream &out, const Particles<2> &particles) const override;
-  void load(std::istream &in, Particles<2> &particles) override;
+  double energy(const Particles<dim> &particles, const Box<dim> &box, std::size_t group) const override;
+  Rates rates(const Particles<dim> &particles) const override;
+  void save(std::ostream &out, const Particles<dim> &particles) const override;
+  void load(std::istream &in, Particles<dim> &particles) override;
 
   const std::vector<double> &particle_mass() const override { return mass; }
   /// Density follows: (rho/m) dm, Eq. 2.27.
-  void set_particle_mass(Particles<2> &particles, std::size_t group, double value) override;
+  void set_particle_mass(Particles<dim> &particles, std::size_t group, double value) override;
   const EquationOfState &equation_of_state() const override { return eos; }
   double support() const override { return parameters.support; }
   std::vector<std::string> history() const override { return {"density"}; }
-  void jumped(Particles<2> &particles, const Particles<2>::Components &before) override;
+  void jumped(Particles<dim> &particles, const typename Particles<dim>::Components &before) override;
   void forget_lists() override;
   /// As of the last time the lists were built: at most half a skin ago.
   std::size_t crossed() const override;
   std::size_t list_builds() const override;
-  double mean_neighbours(const Particles<2> &particles) const override;
+  double mean_neighbours(const Particles<dim> &particles) const override;
   std::size_t memory_bytes() const override;
 
 private:
+  static constexpr double half_chi = 2. * (dim + 2); ///< of Eq. 2.25
+
   /// Each pair once: fluid with fluid (j > i), and fluid with wall nodes. Indices within the group.
   struct Cell
   {
     std::vector<std::uint32_t> fluid, wall, first_fluid, first_wall;
-    ListOrigin<2> built_at;
+    ListOrigin<dim> built_at;
     std::size_t crossed = 0, builds = 0;
   };
 
-  void update_lists(const Particles<2> &particles, std::size_t group);
+  void update_lists(const Particles<dim> &particles, std::size_t group);
   void build(const Group &group, Cell &cell) const; ///< from built_at
   template <class Visit>
-  void for_fluid_pairs(const Group &group, const Cell &cell, const double *x, const double *y, Visit &&visit) const;
+  void for_fluid_pairs(const Group &group, const Cell &cell, const std::array<const double *, dim> &x, Visit &&visit) const;
+  std::size_t count_outside(const Group &group, const Cell &cell) const;
 
   ThesisFluidParameters parameters;
   EquationOfState eos;
   LennardJonesWall wall_law;
-  WendlandC2 kernel;
+  WendlandC2<dim> kernel;
   std::vector<double> mass;
   std::vector<Cell> cells;
+  std::vector<std::array<std::uint16_t, 3>> faces;
 };
+
+extern template class ThesisFluid<2>;
+extern template class ThesisFluid<3>;
 } // namespace turgor

@@ -1,10 +1,12 @@
 // An RVE on paper: P = 2 G (F - I) + eta F_dot, energy G |F - I|^2, and a history that counts:
 // unknowns[0] of the trial is that of the committed state + 1, unknowns[1] = 10 * that of the
-// committed state + F_00. It can be told to fail or throw where F_00 exceeds a bound.
+// committed state + F_00. It can be told to fail or throw where F_00 exceeds a bound, and to remember the largest F_00 it was
+// committed at as a history, of which its condition tells.
 #pragma once
 
 #include "rve/rve.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -24,7 +26,10 @@ public:
   double nan_above = std::numeric_limits<double>::infinity();
   double fails_longer_than = std::numeric_limits<double>::infinity(); // s since commit
   double shear_fails_above = std::numeric_limits<double>::infinity();  // |F_10|
+  bool remembers = false;
   mutable std::atomic<int> calls{0};
+
+  bool has_history() const override { return remembers; }
 
   std::unique_ptr<typename Rve<dim>::Workspace> make_workspace() const override
   {
@@ -35,6 +40,8 @@ public:
   {
     RveState<dim> s;
     s.unknowns = {0., 0.};
+    if (remembers)
+      s.history = {1., 0.};
     return s;
   }
 
@@ -55,6 +62,12 @@ public:
     a.trial.F = F;
     a.trial.F_dot = F_dot;
     a.trial.unknowns = {committed.unknowns[0] + 1., 10. * committed.unknowns[1] + F(0, 0)};
+    if (remembers)
+    {
+      a.trial.history = {std::max(committed.history.at(0), F(0, 0)), committed.history.at(1) + 1.};
+      a.condition.permanent = a.trial.history[0];
+      a.condition.failed = a.trial.history[0] > 2. ? 1. : 0.;
+    }
     a.diagnostics.iterations = 3;
     a.diagnostics.cpu_seconds = 1e-6 * std::exp(3. * F(0, 0)); // uneven
     if (F(0, 0) > fails_above || request.time_since_commit > fails_longer_than || std::abs(F(1, 0)) > shear_fails_above)

@@ -28,6 +28,7 @@ std::string history_bytes(std::uint64_t &rebalances, const std::string &resume_f
 {
   const auto rve = std::make_shared<FakeRve<2>>();
   rve->fails_above = 2.9;
+  rve->remembers = true;
   RveLawSettings settings;
   settings.rebalance_every = 2;
   RveLaw<2> law(rve, settings);
@@ -78,7 +79,11 @@ std::string history_bytes(std::uint64_t &rebalances, const std::string &resume_f
     all[p] = p;
   for (const RveState<2> &s : law.states(all))
     out.write(reinterpret_cast<const char *>(s.unknowns.data()),
-              static_cast<std::streamsize>(s.unknowns.size() * sizeof(double)));
+              static_cast<std::streamsize>(s.unknowns.size() * sizeof(double)))
+      .write(reinterpret_cast<const char *>(s.history.data()),
+             static_cast<std::streamsize>(s.history.size() * sizeof(double)));
+  for (const RveCondition &c : law.condition())
+    out.write(reinterpret_cast<const char *>(&c), sizeof(c));
   rebalances = law.statistics().rebalances;
   BOOST_TEST(law.shares().imbalance(std::vector<double>(n_points, 1.), law.shares().owners()) < 1.5);
   return out.str();

@@ -26,7 +26,7 @@ struct Fixture : test::SmallPatch
 template <typename Weight>
 double lattice_sum(const double support, const Weight &weight)
 {
-  const WendlandC2 kernel(support);
+  const WendlandC2<2> kernel(support);
   const int reach = int(support);
   double sum = 0.;
   for (int x = -reach; x <= reach; ++x)
@@ -54,7 +54,7 @@ BOOST_FIXTURE_TEST_SUITE(thesis_fluid, Fixture)
 BOOST_AUTO_TEST_CASE(kernel_is_normalised_and_its_slope_is_its_derivative)
 {
   const double R = 3.;
-  const WendlandC2 kernel(R);
+  const WendlandC2<2> kernel(R);
   double integral = 0.;
   const int n = 20000;
   for (int k = 0; k < n; ++k)

@@ -2,7 +2,7 @@
 // points keep their order.
 //
 // In: positions (m), width of a bin (m), the box that the bins cover; what lies outside counts to the bins at its rim, so that
-// a point far away costs no memory.
+// a point far away costs no memory; the most bins in one direction.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,8 @@ template <int dim>
 class Bins
 {
 public:
-  Bins(const double *const x[dim], const std::uint32_t n, const double width_, const double *lo_, const double *hi_)
+  Bins(const double *const x[dim], const std::uint32_t n, const double width_, const double *lo_, const double *hi_,
+       const double most = dim == 2 ? 256. : 64.)
     : width(width_)
     , order(n)
   {
@@ -64,8 +65,6 @@ public:
   }
 
 private:
-  static constexpr double most = dim == 2 ? 256. : 64.; ///< bins in one direction
-
   int index(const double value, const int d) const { return int(std::clamp((value - lo[d]) / width, 0., count[d] - 1.)); }
 
   double width, lo[dim];

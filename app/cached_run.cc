@@ -1,0 +1,60 @@
+#include "app/cached_run.h"
+
+#include "app/child_process.h"
+#include "micro/io/atomic_file.h"
+#include "micro/io/checksum.h"
+
+#include <nlohmann/json.hpp>
+
+namespace turgor
+{
+CachedRun cached_run(const std::string &stem, const std::string &key, const bool fresh)
+{
+  CachedRun run;
+  run.directory = std::filesystem::path("runs") / "cache" / (stem + "_" + hexadecimal(fnv1a(key)));
+  if (read_summary(run) && !fresh)
+    run.status = "finished";
+  else if (run.status != "finished" && std::filesystem::exists(run.directory / "checkpoint.0"))
+    run.status = "partly";
+  else if (fresh)
+    run.status = "waiting";
+  return run;
+}
+
+bool read_summary(CachedRun &run)
+{
+  const std::filesystem::path file = run.directory / "summary.json";
+  if (!std::filesystem::exists(file))
+    return false;
+  const auto json = nlohmann::json::parse(read_whole(file), nullptr, false);
+  if (json.is_discarded())
+    return false;
+  run.status = json.value("status", "failed");
+  run.message = json.value("message", "");
+  run.use = {json.value("wall_time_s", 0.), json.value("cpu_time_s", 0.), json.value("peak_memory_bytes", std::uint64_t(0))};
+  return run.status == "finished";
+}
+
+void compute(CachedRun &run, const RunRequest &request, const bool fresh)
+{
+  std::filesystem::create_directories(run.directory.parent_path());
+  const std::string log = run.directory.string() + ".log";
+  std::filesystem::remove(log);
+  std::vector<std::string> words = {this_program(), "run", request.input.string(), "-o", run.directory.string(), "--quiet",
+                                    "--threads", std::to_string(request.threads)};
+  for (const std::string &value : request.overrides)
+    words.insert(words.end(), {"--set", value});
+  std::vector<std::string> resumed = words;
+  resumed.push_back("--resume");
+  ChildEnd end = run_child(fresh ? words : resumed, log);
+  if (end.code == 2 && !fresh) // a damaged checkpoint: this cache is ours to overwrite
+    end = run_child(words, log);
+  run.status.clear();
+  if (!read_summary(run) && run.status.empty())
+    {
+      run.status = end.code == 130 ? "stopped" : "failed";
+      run.message = "It ended with code " + std::to_string(end.code) + "; " + log + " has its last words.";
+      run.use = end.use;
+    }
+}
+} // namespace turgor

@@ -1,0 +1,38 @@
+// A run that somebody else keeps: a child process in a directory named by what it was asked to do,
+// so that the same question is computed once and a stopped one is taken up again.
+// Used by studies (`turgor study`) and by the validation (`turgor validate`).
+#pragma once
+
+#include "micro/io/resource_use.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace turgor
+{
+/// What to run.
+struct RunRequest
+{
+  std::filesystem::path input;
+  std::vector<std::string> overrides; ///< Section/Name=value
+  unsigned int threads = 1;
+};
+
+struct CachedRun
+{
+  std::filesystem::path directory;
+  std::string status = "waiting"; ///< waiting, partly, finished, failed, stopped
+  std::string message;
+  ResourceUse use; ///< a resumed run's cost is that of all its parts
+};
+
+/// Where the run of this key is kept: runs/cache/<stem>_<hash>; status from what is already there (fresh: nothing is).
+CachedRun cached_run(const std::string &stem, const std::string &key, bool fresh);
+
+/// Status, message and cost from the run's own summary; true when it has finished.
+bool read_summary(CachedRun &run);
+
+/// Runs it, from its last checkpoint unless fresh.
+void compute(CachedRun &run, const RunRequest &request, bool fresh);
+} // namespace turgor

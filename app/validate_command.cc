@@ -1,0 +1,178 @@
+#include "app/validate_command.h"
+
+#include "app/child_process.h"
+#include "app/nearest_name.h"
+#include "app/run_command.h"
+#include "app/validation_table.h"
+#include "micro/io/atomic_file.h"
+#include "micro/io/checksum.h"
+#include "micro/io/progress_bar.h"
+#include "micro/io/run_context.h"
+#include "micro/io/stop_flag.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+
+namespace turgor
+{
+namespace
+{
+/// The runs of one validation, by label; the inputs are checked here.
+std::map<std::string, CachedRun> planned(const Validation &validation, const bool fresh, const ScenarioRegistry &registry)
+{
+  // The program itself is part of the question: a row must never show what another program computed.
+  static const std::string program = hexadecimal(fnv1a(read_whole(this_program())));
+  std::map<std::string, CachedRun> runs;
+  for (const auto &[label, request] : validation.runs)
+    {
+      const Input input = load_input(request.input, request.overrides, registry);
+      runs[label] = cached_run(request.input.stem().string(), input.hash + " " + program + " " + std::to_string(request.threads), fresh);
+    }
+  return runs;
+}
+
+/// Runs what is not there yet; false when one did not finish.
+bool run_all(const Validation &validation, std::map<std::string, CachedRun> &runs, const bool fresh)
+{
+  bool finished = true;
+  for (auto &[label, run] : runs)
+    {
+      if (run.status != "finished" && !stop_was_requested())
+        {
+          std::cout << "  running " << validation.runs.at(label).input.filename().string() << (label.empty() ? "" : " (" + label + ")")
+                    << " ..." << std::endl;
+          compute(run, validation.runs.at(label), fresh);
+          std::cout << "    " << run.status << " after " << ProgressBar::in_words(run.use.wall_time)
+                    << (run.message.empty() ? "" : ": " + run.message) << std::endl;
+        }
+      finished = finished && run.status == "finished";
+    }
+  return finished;
+}
+
+std::vector<ValidationResult> measured(const Validation &validation, const std::map<std::string, CachedRun> &runs)
+{
+  std::map<std::string, std::filesystem::path> directories;
+  double cpu = 0.;
+  for (const auto &[label, run] : runs)
+    {
+      directories[label] = run.directory;
+      cpu += run.use.cpu_time;
+    }
+  char seconds[40];
+  std::snprintf(seconds, sizeof seconds, cpu < 10. ? "%.1f" : "%.0f", cpu);
+  std::vector<ValidationResult> results;
+  for (const ValidationRow &row : validation.rows)
+    {
+      ValidationResult &result = results.emplace_back();
+      result = {validation.name, row.quantity, "", row.unit, seconds, "failed"};
+      try
+        {
+          const double value = value_of(row, directories);
+          char digits[40];
+          std::snprintf(digits, sizeof digits, "%.4g", value);
+          result.value = digits;
+          result.verdict = verdict_of(row, value);
+        }
+      catch (const std::exception &problem)
+        {
+          std::cout << "  " << problem.what() << std::endl;
+        }
+    }
+  return results;
+}
+
+/// Takes the new results of a validation into the table; the sentences of what was met and no longer is.
+std::vector<std::string> update(std::vector<ValidationResult> &table, const std::vector<ValidationResult> &now)
+{
+  std::vector<std::string> lost;
+  for (const ValidationResult &result : now)
+    {
+      const auto before = std::find_if(table.begin(), table.end(), [&](const ValidationResult &old) {
+        return old.name == result.name && old.quantity == result.quantity;
+      });
+      if (before == table.end())
+        table.push_back(result);
+      else
+        {
+          if (before->verdict == "met" && result.verdict != "met")
+            lost.push_back(result.name + ", " + result.quantity + ": it was met with " + before->value + " " + before->unit +
+                           ", now it is " + result.verdict + (result.value.empty() ? "" : " with " + result.value + " " + result.unit) + ".");
+          *before = result;
+        }
+    }
+  return lost;
+}
+
+/// In the order of the files and their rows; rows that are in no file any more are dropped.
+std::vector<ValidationResult> in_order(const std::vector<Validation> &validations, const std::vector<ValidationResult> &table)
+{
+  std::vector<ValidationResult> ordered;
+  for (const Validation &validation : validations)
+    for (const ValidationRow &row : validation.rows)
+      for (const ValidationResult &result : table)
+        if (result.name == validation.name && result.quantity == row.quantity)
+          ordered.push_back(result);
+  return ordered;
+}
+} // namespace
+
+int validate_command(const ValidateOptions &options, const ScenarioRegistry &registry)
+{
+  const std::filesystem::path root = options.root.empty() ? std::filesystem::path(TURGOR_ROOT) : options.root;
+  const std::vector<Validation> validations = load_validations(root / "inputs" / "validation");
+  std::vector<std::string> names;
+  for (const Validation &validation : validations)
+    names.push_back(validation.name);
+  for (const std::string &wanted : options.names)
+    if (std::find(names.begin(), names.end(), wanted) == names.end())
+      throw InputError("There is no validation '" + wanted + "'." + suggestion(wanted, names));
+
+  // All inputs are checked before the first run starts.
+  std::vector<std::pair<const Validation *, std::map<std::string, CachedRun>>> wanted;
+  for (const Validation &validation : validations)
+    if (options.names.empty() || std::find(options.names.begin(), options.names.end(), validation.name) != options.names.end())
+      wanted.emplace_back(&validation, planned(validation, options.fresh, registry));
+  if (options.list_only)
+    {
+      for (const auto &[validation, runs] : wanted)
+        for (const auto &[label, run] : runs)
+          std::printf("%-28s %-12s %-10s %s\n", validation->name.c_str(), label.c_str(), run.status.c_str(), run.directory.c_str());
+      return 0;
+    }
+
+  install_stop_handler();
+  const std::filesystem::path table_file = root / "doc" / "results" / "validation.csv", document = root / "doc" / "validation.md";
+  std::vector<ValidationResult> table = read_results(table_file);
+  std::vector<std::string> lost;
+  bool failed = false;
+  for (std::size_t k = 0; k < wanted.size() && !stop_was_requested(); ++k)
+    {
+      auto &[validation, runs] = wanted[k];
+      std::cout << "[" << k + 1 << "/" << wanted.size() << "] " << validation->name << std::endl;
+      const bool finished = run_all(*validation, runs, options.fresh);
+      if (stop_was_requested())
+        break;
+      failed = failed || !finished;
+      const std::vector<ValidationResult> now = measured(*validation, runs);
+      for (const ValidationResult &result : now)
+        std::cout << "  " << result.verdict << ": " << result.quantity << ": " << result.value << " " << result.unit << std::endl;
+      for (const std::string &sentence : update(table, now))
+        lost.push_back(sentence);
+      table = in_order(validations, table);
+      write_results(table_file, table);
+      if (std::filesystem::exists(document))
+        write_atomically(document, with_table(read_whole(document), markdown(validations, table)));
+    }
+  if (stop_was_requested())
+    {
+      std::cerr << "turgor: stopped; the same command continues the validation." << std::endl;
+      return 130;
+    }
+  for (const std::string &sentence : lost)
+    std::cerr << "turgor: " << sentence << std::endl;
+  std::cout << "The table is in " << (std::filesystem::exists(document) ? document : table_file).string() << "." << std::endl;
+  return failed || !lost.empty() ? 1 : 0;
+}
+} // namespace turgor

@@ -1,0 +1,102 @@
+#include "app/validation_input.h"
+
+#include "app/nearest_name.h"
+#include "micro/io/atomic_file.h"
+#include "micro/io/run_context.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace turgor
+{
+namespace
+{
+using Json = nlohmann::json;
+
+void require_keys(const Json &json, const std::vector<std::string> &known, const std::string &where)
+{
+  if (!json.is_object())
+    throw InputError(where + ": an object { ... } is needed here.");
+  for (const auto &item : json.items())
+    if (std::find(known.begin(), known.end(), item.key()) == known.end())
+      throw InputError(where + ": there is no entry '" + item.key() + "'." + suggestion(item.key(), known));
+}
+
+std::string text_of(const Json &json, const std::string &key, const std::string &where)
+{
+  if (!json.contains(key) || !json[key].is_string() || json[key].get<std::string>().empty())
+    throw InputError(where + ": '" + key + "' is missing; a text is needed.");
+  return json[key];
+}
+
+RunRequest run_of(const Json &json, const std::filesystem::path &base, const std::string &where)
+{
+  require_keys(json, {"input", "overrides", "threads"}, where);
+  RunRequest run;
+  run.input = base / text_of(json, "input", where);
+  run.overrides = json.value("overrides", std::vector<std::string>());
+  run.threads = json.value("threads", 1u);
+  if (run.threads < 1 || run.threads > 1024)
+    throw InputError(where + ": 'threads' has to be a number from 1 to 1024.");
+  return run;
+}
+
+ValidationRow row_of(const Json &json, const std::string &where)
+{
+  require_keys(json, {"quantity", "source", "thesis", "result", "relative_to", "scale", "unit", "least", "most"}, where);
+  ValidationRow row;
+  row.quantity = text_of(json, "quantity", where);
+  row.source = text_of(json, "source", where);
+  row.thesis = json.value("thesis", "");
+  row.result = text_of(json, "result", where);
+  if (json.contains("relative_to"))
+    row.relative_to = json["relative_to"].is_string() ? json["relative_to"].get<std::string>() : json["relative_to"].dump();
+  if (!row.relative_to.empty() && (json.contains("scale") || json.contains("unit")))
+    throw InputError(where + ": a row with 'relative_to' is in %; it has neither 'scale' nor 'unit'.");
+  row.scale = json.value("scale", 1.);
+  row.unit = row.relative_to.empty() ? json.value("unit", "") : "%";
+  for (const auto &[key, place] : {std::pair{"least", &row.least}, std::pair{"most", &row.most}})
+    if (json.contains(key))
+      *place = json[key].get<double>();
+  if (row.least && row.most && *row.least > *row.most)
+    throw InputError(where + ": 'least' is larger than 'most'.");
+  return row;
+}
+} // namespace
+
+std::vector<Validation> load_validations(const std::filesystem::path &directory)
+{
+  if (!std::filesystem::is_directory(directory))
+    throw InputError("There is no directory " + directory.string() + " of validations.");
+  std::vector<std::filesystem::path> files;
+  for (const auto &entry : std::filesystem::directory_iterator(directory))
+    if (entry.path().extension() == ".json")
+      files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+
+  std::vector<Validation> validations;
+  for (const auto &file : files)
+    {
+      Validation &validation = validations.emplace_back();
+      validation.name = file.stem().string();
+      try
+        {
+          const Json json = Json::parse(read_whole(file));
+          require_keys(json, {"runs", "rows"}, file.string());
+          const Json runs = json.value("runs", Json::object()), rows = json.value("rows", Json::array());
+          for (const auto &item : runs.items())
+            validation.runs[item.key()] = run_of(item.value(), directory, file.string() + ", run '" + item.key() + "'");
+          for (const Json &row : rows)
+            validation.rows.push_back(row_of(row, file.string() + ", row " + std::to_string(validation.rows.size() + 1)));
+        }
+      catch (const Json::exception &problem)
+        {
+          throw InputError(file.string() + ": " + problem.what());
+        }
+      if (validation.runs.empty() || validation.rows.empty())
+        throw InputError(file.string() + ": it needs at least one of 'runs' and one of 'rows'.");
+    }
+  return validations;
+}
+} // namespace turgor

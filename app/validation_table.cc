@@ -1,0 +1,160 @@
+#include "app/validation_table.h"
+
+#include "app/csv_table.h"
+#include "micro/io/atomic_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+#include <stdexcept>
+
+namespace turgor
+{
+namespace
+{
+const std::string mark_begin = "<!-- turgor validate: begin -->", mark_end = "<!-- turgor validate: end -->";
+
+std::string digits(const double value)
+{
+  char text[40];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+/// A result by NAME or LABEL:NAME, or the number itself.
+double look_up(const std::string &reference, const std::map<std::string, std::filesystem::path> &directories)
+{
+  double number = 0.;
+  const auto [end, problem] = std::from_chars(reference.data(), reference.data() + reference.size(), number);
+  if (problem == std::errc() && end == reference.data() + reference.size())
+    return number;
+  const std::size_t colon = reference.find(':');
+  const std::string label = colon == std::string::npos ? "" : reference.substr(0, colon);
+  const std::string name = colon == std::string::npos ? reference : reference.substr(colon + 1);
+  const auto found = directories.find(label);
+  if (found == directories.end())
+    throw std::runtime_error("'" + reference + "': there is no run with the label '" + label + "'.");
+  const auto json = nlohmann::json::parse(read_whole(found->second / "summary.json"));
+  if (!json.contains("results") || !json["results"].contains(name))
+    throw std::runtime_error("'" + name + "' is no result of " + (found->second / "summary.json").string() + ".");
+  return json["results"][name]["value"];
+}
+
+/// One line of a CSV whose fields may be quoted.
+std::vector<std::string> fields_of(const std::string &line)
+{
+  std::vector<std::string> fields(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i)
+    if (line[i] == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"')
+      fields.back() += line[i++];
+    else if (line[i] == '"')
+      quoted = !quoted;
+    else if (line[i] == ',' && !quoted)
+      fields.emplace_back();
+    else
+      fields.back() += line[i];
+  return fields;
+}
+
+std::string in_cell(const std::string &text)
+{
+  std::string escaped;
+  for (const char c : text)
+    escaped += c == '|' ? "\\|" : c == '\n' ? " " : std::string(1, c);
+  return escaped;
+}
+} // namespace
+
+double value_of(const ValidationRow &row, const std::map<std::string, std::filesystem::path> &directories)
+{
+  const double result = look_up(row.result, directories);
+  const double value = row.relative_to.empty() ? row.scale * result : 100. * (result / look_up(row.relative_to, directories) - 1.);
+  if (!std::isfinite(value))
+    throw std::runtime_error("'" + row.quantity + "' is not a finite number.");
+  return value;
+}
+
+std::string verdict_of(const ValidationRow &row, const double value)
+{
+  if (!row.least && !row.most)
+    return "reported";
+  const bool met = row.least ? value >= *row.least && (!row.most || value <= *row.most) : std::abs(value) <= *row.most;
+  return met ? "met" : "missed";
+}
+
+std::string target_of(const ValidationRow &row)
+{
+  const std::string unit = row.unit.empty() ? "" : " " + row.unit;
+  if (row.least && row.most)
+    return digits(*row.least) + " to " + digits(*row.most) + unit;
+  if (row.least)
+    return "at least " + digits(*row.least) + unit;
+  return row.most ? "at most " + digits(*row.most) + unit : "";
+}
+
+std::vector<ValidationResult> read_results(const std::filesystem::path &file)
+{
+  std::vector<ValidationResult> results;
+  if (!std::filesystem::exists(file))
+    return results;
+  std::istringstream in(read_whole(file));
+  std::string line;
+  std::getline(in, line);
+  for (unsigned int number = 2; std::getline(in, line); ++number)
+    {
+      const std::vector<std::string> f = fields_of(line);
+      if (f.size() != 6)
+        throw std::runtime_error(file.string() + ", line " + std::to_string(number) + ": six fields are needed.");
+      results.push_back({f[0], f[1], f[2], f[3], f[4], f[5]});
+    }
+  return results;
+}
+
+void write_results(const std::filesystem::path &file, const std::vector<ValidationResult> &results)
+{
+  std::ostringstream out;
+  out << "name,quantity,value,unit,cpu_time_s,verdict\n";
+  for (const ValidationResult &r : results)
+    out << csv_field(r.name) << ',' << csv_field(r.quantity) << ',' << r.value << ',' << csv_field(r.unit) << ',' << r.cpu_time
+        << ',' << r.verdict << '\n';
+  std::filesystem::create_directories(file.parent_path());
+  write_atomically(file, out.str());
+}
+
+std::string markdown(const std::vector<Validation> &validations, const std::vector<ValidationResult> &results)
+{
+  std::ostringstream out;
+  out << "| scene | quantity | compared with | error of the thesis | target | ours | CPU time, s | verdict |\n"
+      << "|---|---|---|---|---|---|---|---|\n";
+  for (const Validation &validation : validations)
+    for (const ValidationRow &row : validation.rows)
+      {
+        const ValidationResult *found = nullptr;
+        for (const ValidationResult &result : results)
+          if (result.name == validation.name && result.quantity == row.quantity)
+            found = &result;
+        out << "| " << validation.name << " | " << in_cell(row.quantity) << " | " << in_cell(row.source) << " | "
+            << in_cell(row.thesis) << " | " << target_of(row) << " | ";
+        if (found == nullptr)
+          out << " | | not run |\n";
+        else
+          out << found->value << (found->value.empty() || found->unit.empty() ? "" : " " + found->unit) << " | " << found->cpu_time
+              << " | " << (found->verdict == "missed" || found->verdict == "failed" ? "**" + found->verdict + "**" : found->verdict)
+              << " |\n";
+      }
+  return out.str();
+}
+
+std::string with_table(const std::string &document, const std::string &table)
+{
+  const std::string block = mark_begin + "\n" + table + mark_end;
+  const std::size_t begin = document.find(mark_begin), end = document.find(mark_end);
+  if (begin == std::string::npos || end == std::string::npos || end < begin)
+    return document + "\n## All scenes: `./turgor validate`\n\n" + block + "\n";
+  return document.substr(0, begin) + block + document.substr(end + mark_end.size());
+}
+} // namespace turgor

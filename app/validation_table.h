@@ -1,0 +1,37 @@
+// The table of `turgor validate`: what is kept of every row between calls (doc/results/validation.csv),
+// its value from the runs' summaries, and the same as a table of doc/validation.md between two marks.
+#pragma once
+
+#include "app/validation_input.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace turgor
+{
+/// Verdicts: met, missed, reported (no target), failed (a run gave no value).
+struct ValidationResult
+{
+  std::string name, quantity, value, unit, cpu_time, verdict; ///< value in digits; empty when failed
+};
+
+/// The row's value from the directories of its runs (by label); throws std::runtime_error naming what is missing.
+double value_of(const ValidationRow &row, const std::map<std::string, std::filesystem::path> &directories);
+
+std::string verdict_of(const ValidationRow &row, double value);
+
+/// "at most 1 %", "0.98 to 1.02", ...; empty without a target.
+std::string target_of(const ValidationRow &row);
+
+/// Empty when there is no such file.
+std::vector<ValidationResult> read_results(const std::filesystem::path &file);
+void write_results(const std::filesystem::path &file, const std::vector<ValidationResult> &results);
+
+/// The rows of all validations in their order; those without a result say "not run".
+std::string markdown(const std::vector<Validation> &validations, const std::vector<ValidationResult> &results);
+
+/// Replaces what stands between the marks; without marks they are appended under a heading.
+std::string with_table(const std::string &document, const std::string &table);
+} // namespace turgor

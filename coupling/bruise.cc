@@ -1,0 +1,122 @@
+#include "coupling/bruise.h"
+
+#include "macro/binary.h"
+
+#include <algorithm>
+
+namespace turgor
+{
+Bruise::Bruise(const TissueParameters<2> &parameters)
+  : tool(parameters.tool)
+  , width(parameters.size[0])
+{}
+
+void Bruise::open(RunContext &context, const Tissue<2> &)
+{
+  impact = context.series("impact", {{"time", "s"},
+                                     {"travel", "m"},
+                                     {"force", "N/m"},
+                                     {"transmitted_force", "N/m"},
+                                     {"tool_work", "J/m"},
+                                     {"failed_share", "1"},
+                                     {"permanent_stretch_mean", "1"},
+                                     {"dissipated_by_flow", "J/m"},
+                                     {"dissipated_by_failure", "J/m"}});
+  points = context.series("rve_points", {{"time", "s"},
+                                         {"x", "m"},
+                                         {"y", "m"},
+                                         {"failed", "1"},
+                                         {"permanent_stretch", "1"},
+                                         {"pressure", "Pa"},
+                                         {"F_xx", "1"},
+                                         {"F_yy", "1"}});
+}
+
+Bruise::Sum Bruise::sum(const Tissue<2> &tissue, const RveLaw<2> &law) const
+{
+  Sum s;
+  const std::vector<RveCondition> &condition = law.condition();
+  for (std::size_t q = 0; q < condition.size(); ++q)
+  {
+    const double area = tissue.mesh().gauss_weight[q];
+    s.failed += area * condition[q].failed;
+    s.permanent += area * condition[q].permanent;
+    s.by_flow += area * condition[q].flow_dissipated;
+    s.by_failure += area * condition[q].failure_dissipated;
+    if (condition[q].failed > 0.)
+      s.depth = std::max(s.depth, width - tissue.quadrature_points()[q][0]);
+  }
+  return s;
+}
+
+void Bruise::row(const Tissue<2> &tissue, const RveLaw<2> &law)
+{
+  const TissueState<2> &state = tissue.state();
+  const double area = tissue.size()[0] * tissue.size()[1], time = tissue.time(), force = state.tool.force;
+  const Sum s = sum(tissue, law);
+  impact->add_row({time, tool.travel(time), force, state.tool.support, state.tool_work, s.failed / area, s.permanent / area,
+                   s.by_flow, s.by_failure});
+  if (force > memory.peak_force)
+  {
+    memory.peak_force = force;
+    memory.peak_time = time;
+  }
+  memory.peak_support = std::max(memory.peak_support, state.tool.support);
+  if (memory.first_failure_time < 0. && s.failed > 0.)
+  {
+    memory.first_failure_time = time;
+    memory.first_failure_travel = tool.travel(time);
+  }
+  memory.impulse += 0.5 * (force + memory.last_force) * (time - memory.last_time);
+  memory.last_time = time;
+  memory.last_force = force;
+  for (const RveCondition &c : law.condition())
+    memory.largest_permanent = std::max(memory.largest_permanent, c.permanent);
+}
+
+void Bruise::frame(const Tissue<2> &tissue, const RveLaw<2> &law)
+{
+  const std::vector<dealii::Point<2>> &at = tissue.quadrature_points();
+  const std::vector<dealii::Tensor<1, 2>> u = tissue.displacement_at(at);
+  for (std::size_t q = 0; q < at.size(); ++q)
+  {
+    const RveCondition c = law.condition().empty() ? RveCondition() : law.condition()[q];
+    points->add_row({tissue.time(), at[q][0] + u[q][0], at[q][1] + u[q][1], c.failed, c.permanent, law.pressure()[q],
+                     tissue.deformation()[q][0][0], tissue.deformation()[q][1][1]});
+  }
+}
+
+void Bruise::results(RunContext &context, const Tissue<2> &tissue, const RveLaw<2> &law)
+{
+  const Sum s = sum(tissue, law);
+  const double area = tissue.size()[0] * tissue.size()[1];
+  context.result("bruised_share", s.failed / area, "1");
+  context.result("bruised_area", s.failed, "m^2");
+  context.result("bruise_depth", s.depth, "m");
+  context.result("peak_force", memory.peak_force, "N/m");
+  context.result("time_of_peak_force", memory.peak_time, "s");
+  context.result("peak_transmitted_force", memory.peak_support, "N/m");
+  context.result("impulse", memory.impulse, "N s/m");
+  if (memory.first_failure_time >= 0.)
+  {
+    context.result("time_of_first_failure", memory.first_failure_time, "s");
+    context.result("strain_at_first_failure", memory.first_failure_travel / width, "1"); // travel over width
+  }
+  context.result("permanent_stretch_max", memory.largest_permanent, "1");
+  context.result("permanent_stretch_mean", s.permanent / area, "1");
+  context.result("tool_work", tissue.state().tool_work, "J/m");
+  context.result("energy_dissipated_by_flow", s.by_flow, "J/m");
+  context.result("energy_dissipated_by_failure", s.by_failure, "J/m");
+}
+
+void Bruise::save(std::ostream &out) const { write_binary(out, memory); }
+
+void Bruise::load(std::istream &in) { read_binary(in, memory); }
+
+std::vector<std::array<double, 2>> Bruise::places() const
+{
+  // under the tool first, then down, then aside
+  return {{{0.97, 0.50}}, {{0.80, 0.50}}, {{0.97, 0.70}}, {{0.55, 0.50}}, {{0.80, 0.72}},
+          {{0.10, 0.50}}, {{0.97, 0.95}}, {{0.97, 0.30}}, {{0.50, 0.95}}};
+}
+} // namespace turgor

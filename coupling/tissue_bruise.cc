@@ -1,0 +1,86 @@
+#include "coupling/tissue_bruise.h"
+
+#include "coupling/bruise.h"
+#include "rve/make_rve.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace turgor
+{
+namespace Patterns = dealii::Patterns;
+
+TissueBruise::TissueBruise()
+{
+  settings.tissue.size = {{1.5e-3, 3e-3}};
+  settings.tissue.elements = {{10, 20}};
+  settings.tissue.end_time = 0.3e-3;
+  settings.tissue.output_interval = 1e-5;
+  settings.tissue.estimate_every = 20; // what is hit changes fast
+  settings.tissue.tool.shape = "cylinder";
+  settings.tissue.tool.radius = 1.5e-3;
+  settings.tissue.tool.depth = 0.35e-3;
+  rve_parameters.cell.fluid_viscosity = 1.;
+  rve_parameters.yielding = "plastic";
+  rve_parameters.walls.critical_stretch = 1.25;
+  rve_parameters.walls.leak_time = 1e-4;
+}
+
+std::string TissueBruise::description() const
+{
+  return "A block of plant tissue is hit by a rigid plate or cylinder at 5 m/s and bruised: finite elements whose stress comes from RVEs "
+         "of cells with walls that yield and break (thesis 3.2, 3.3.3).";
+}
+
+void TissueBruise::declare_parameters(dealii::ParameterHandler &prm)
+{
+  prm.enter_subsection("Impact");
+  settings.tissue.tool.declare(prm);
+  prm.add_parameter("Support", settings.tissue.left,
+                    "What holds the side x = 0: clamped, or a frictionless plate on which the tissue lies loosely. Units: none.",
+                    Patterns::Selection("clamped|plate"));
+  prm.add_parameter("Outlined RVEs", settings.outlined_rves,
+                    "RVEs whose cells are written for the picture. Units: 1.", Patterns::Integer(0, 9));
+  prm.add_parameter("Steps between rebalances", settings.law.rebalance_every,
+                    "With several MPI ranks: steps between two looks at which rank computes which RVE; 0 = never. "
+                    "The results do not depend on it. Units: 1.",
+                    Patterns::Integer(0, 1000000));
+  prm.leave_subsection();
+  settings.tissue.declare(prm);
+  rve_parameters.add_parameters(prm);
+}
+
+void TissueBruise::check() const
+{
+  try
+  {
+    settings.tissue.check();
+  }
+  catch (const std::invalid_argument &e)
+  {
+    throw InputError(e.what());
+  }
+  (void)make_rve(rve_parameters);
+}
+
+void TissueBruise::run(RunContext &context)
+{
+  const std::shared_ptr<const Rve<2>> rve = make_rve(rve_parameters);
+  settings.period = rve_parameters.cell.period;
+  settings.law.threads = context.threads();
+  context.result("density", rve->density(), "kg/m^3");
+  context.note("rve", rve_parameters.rule + ", " + rve_parameters.fluid + " fluid, " +
+                        std::to_string(rve_parameters.columns) + " x " + std::to_string(rve_parameters.rows) + " cells, yielding " +
+                        rve_parameters.yielding);
+  const ToolParameters &tool = settings.tissue.tool;
+  context.note("tool", tool.shape + ", " + tool.motion);
+  if (tool.shape == "cylinder")
+    context.result("tool_radius", tool.radius, "m");
+  Bruise bruise(settings.tissue);
+  run_tissue(context, settings, rve, bruise);
+}
+
+std::unique_ptr<Scenario> make_tissue_bruise()
+{
+  return std::make_unique<TissueBruise>();
+}
+} // namespace turgor

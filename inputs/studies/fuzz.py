@@ -1,0 +1,275 @@
+#!/usr/bin/python3
+"""Random scenes drawn by seed inside the allowed ranges of the entries, each run through the program: no crash, no
+hang, no NaN in any file, no wrong input without a sentence, no energy from nothing.
+
+    /usr/bin/python3 inputs/studies/fuzz.py -n 1000 -o doc/results/fuzz          all scenes of `turgor list`, in turn
+    /usr/bin/python3 inputs/studies/fuzz.py --repeat 417                         one again, with what it was given and said
+
+Drawn: one to four entries over their whole range (logarithmically where it spans decades), a third of the others
+within a factor of three of their default. The tables SMALL and DRAWN size the scenes down and know entries that are texts.
+
+Verdicts: ok, refused (exit code 2, a sentence, nothing written), failed (1, a sentence), long (alive after --time seconds of CPU, then stopped
+cleanly when asked), and the bad ones: crash, hang, nan, silent (no sentence), energy.
+"""
+import argparse
+import collections
+import concurrent.futures
+import csv
+import json
+import math
+import os
+import random
+import re
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+BAD = ("crash", "hang", "nan", "silent", "energy")
+
+# Entries of every scene that only decide how long it takes: (least, most) to draw from, or a fixed value. "Section/" of any depth.
+SMALL = {"Cell/Nodes per side": (3, 10), "SPH/Particles per side": (6, 10), "SPH/Anneal steps": (200, 20000), "Samples": (10, 50),
+         "Frames": (0, 2), "Checkpoints": (0, 3), "Columns": (1, 2), "Rows": (1, 2), "RVE/Columns": 1, "RVE/Rows": 1,
+         "RVE/Relax steps": (50, 1000), "Relax steps": (0, 2000), "Steps": (100, 20000)}
+SMALL_TISSUE = {"Columns": (1, 3), "Rows": (1, 3), "End strain": 0.1, "Speed": (5, 20), "Inflation time": 5e-6}
+SMALL_ROUND = {"Cell/Frequency": (3, 6), "Cell/Fluid particles": (100, 600), "Cell/Anneal steps": (100, 2000)}
+SCENES = {
+    "full_micro": {"End time": 1e-6},
+    "stability": {"Hold steps": (100, 500), "Bisections": 2},
+    "static_lattice": {"Columns": (1, 4), "Rows": (1, 4)},
+    "rve_response": {"Path/Points": (2, 4)},
+    "tissue_gravity": {"Tissue gravity/Cells": (1, 4), "Tissue/Elements": (1, 2), "Tissue/Degree": 1, "Time/End time": 2e-5,
+                       "Tissue gravity/Outlined RVEs": (0, 2)},
+    "tissue_compression": SMALL_TISSUE,
+    "tissue_impact": SMALL_TISSUE,
+    "tissue_failure": SMALL_TISSUE,
+    "wall_uniaxial": {},
+    "laplace": SMALL_ROUND,
+    "shell_oscillation": dict(SMALL_ROUND, Periods=2),
+    "cell_compression": dict(SMALL_ROUND, Speed=(20, 50), Deformation=0.1),
+    "cell_impact": dict(SMALL_ROUND, Speed=(20, 50), Deformation=0.1),
+    "cell_failure": dict(SMALL_ROUND, Speed=(20, 50), Deformation=0.1),
+    "tissue_bruise": {"Impact/Depth": 1e-5, "Tissue/Elements": (1, 2), "Tissue/Degree": 1},
+    "tissue_statics": {"Tissue statics/Cells": (1, 4), "Tissue statics/Elements": (1, 2), "Tissue statics/Degree": 1},
+}
+
+
+def matrix(rng, centre, size):
+    return "%.6g, %.6g; %.6g, %.6g" % tuple((centre if k in (0, 3) else 0) + rng.uniform(-size, size) for k in range(4))
+
+
+# Entries that are texts.
+DRAWN = {"F": lambda rng: matrix(rng, 1, rng.choice([0.02, 0.3, 1])), "Path/F": lambda rng: matrix(rng, 1, rng.choice([0.02, 0.3, 1])),
+         "F_dot": lambda rng: matrix(rng, 0, 10 ** rng.uniform(1, 4)), "Path/F_dot": lambda rng: matrix(rng, 0, 10 ** rng.uniform(1, 5))}
+
+
+def entries_of(program, scene):
+    """[(Section/Name, default, allowed in words)] from `turgor parameters`."""
+    text = subprocess.run([program, "parameters", scene], capture_output=True, text=True, check=True).stdout
+    entries, sections, comment = [], [], ""
+    for line in (one.strip() for one in text.splitlines()):
+        if line.startswith("#"):
+            comment += " " + line[1:].strip()
+        elif line.startswith("subsection "):
+            sections.append(line[len("subsection "):])
+        elif line == "end":
+            sections.pop()
+        elif line.startswith("set "):
+            name, value = (part.strip() for part in line[4:].split("=", 1))
+            if name != "Scenario":
+                entries.append(("/".join(sections + [name]), value, comment.rpartition("Allowed: ")[2].rstrip(".")))
+            comment = ""
+        elif not line:
+            comment = ""
+    return entries
+
+
+def within(rng, low, high, default, wild):
+    """A number of the range: near the default, or anywhere."""
+    if not wild and default:
+        return min(high, max(low, default * 10 ** rng.uniform(-0.5, 0.5)))
+    if low > 0 and high / low > 100:
+        return math.exp(rng.uniform(math.log(low), math.log(high)))
+    if high > 1000 and low <= 0:
+        size = 10 ** rng.uniform(-6, math.log10(high))
+        return max(low, rng.choice([0, size, -size]) if low < 0 else rng.choice([0, size, size, size]))
+    return rng.uniform(low, high)
+
+
+def draw(rng, scene, entries):
+    chosen, small = {}, dict(SMALL, **SCENES.get(scene, {}))
+    wild = set(rng.sample([name for name, _, _ in entries], min(len(entries), rng.randint(1, 4))))
+    for name, default, allowed in entries:
+        size = small.get(name)
+        if size is not None:
+            chosen[name] = rng.randint(*size) if isinstance(size, tuple) else size
+            continue
+        if name not in wild and rng.random() > 0.33:
+            continue
+        numbers = re.match(r"a (finite|whole) number from (\S+) to (\S+)", allowed)
+        if name in DRAWN:
+            chosen[name] = DRAWN[name](rng)
+        elif numbers:
+            value = within(rng, float(numbers[2]), float(numbers[3]), float(default), name in wild)
+            chosen[name] = int(round(value)) if numbers[1] == "whole" else "%.6g" % value
+        elif allowed.startswith("one of "):
+            chosen[name] = rng.choice(allowed[len("one of "):].split(", "))
+        elif allowed == "true or false":
+            chosen[name] = rng.choice(["true", "false"])
+    return chosen
+
+
+def energy_gain(directory):
+    """The most that potential + kinetic energy rises above an earlier value, over the largest energy; None without energy.csv.
+
+    Only for full_micro: loads that are switched on before t = 0, whose potential is in the sum.
+    """
+    path = os.path.join(directory, "energy.csv")
+    if not os.path.exists(path):
+        return None
+    with open(path, newline="", encoding="utf-8") as file:
+        rows = [{name.split(" [")[0]: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
+    if len(rows) < 2 or not {"potential", "kinetic"} <= set(rows[0]):
+        return None
+    size = max(abs(row["potential"]) + row["kinetic"] for row in rows) or 1.0
+    least, gain = math.inf, 0.0
+    for row in rows:
+        total = row["potential"] + row["kinetic"]
+        least = min(least, total)
+        gain = max(gain, total - least)
+    return gain / size
+
+
+def not_finite(directory):
+    """The first text file with a number that is none, or None."""
+    for folder, _, files in os.walk(directory):
+        for name in files:
+            if name.endswith((".csv", ".json")):
+                with open(os.path.join(folder, name), encoding="utf-8", errors="replace") as file:
+                    if re.search(r"(?i)(?<![a-z])[-+]?(nan|inf|infinity)(?![a-z])", re.sub(r'"message":.*', "", file.read())):
+                        return name
+    return None
+
+
+def ended(process, seconds):
+    """Waits until the process has ended or used so many seconds of CPU (ten times as long where it uses none)."""
+    start, tick = time.monotonic(), os.sysconf("SC_CLK_TCK")
+    while process.poll() is None:
+        with open(f"/proc/{process.pid}/stat", encoding="utf-8") as file:
+            used = sum(int(x) for x in file.read().rpartition(")")[2].split()[11:13]) / tick
+        if used > seconds or time.monotonic() - start > 60.0 + 10.0 * seconds:
+            return False
+        time.sleep(0.02)
+    return True
+
+
+def run_one(program, scene, entries, seed, seconds):
+    """(seed, scene, verdict, sentence, settings)"""
+    settings = draw(random.Random(seed), scene, entries)
+    with tempfile.TemporaryDirectory() as directory:
+        source, out = os.path.join(directory, "scene.prm"), os.path.join(directory, "out")
+        with open(source, "w", encoding="utf-8") as file:
+            file.write(f"set Scenario = {scene}\n")
+        command = [program, "run", source, "-o", out, "--quiet", "--threads", "1"]
+        for name, value in settings.items():
+            command += ["--set", f"{name}={value}"]
+        said_to = os.path.join(directory, "stderr")
+        with open(said_to, "w", encoding="utf-8") as said:
+            process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=said, stdin=subprocess.DEVNULL, cwd=directory)
+        late = not ended(process, seconds)
+        if late:
+            process.terminate()
+            if not ended(process, seconds + 20.0):
+                process.kill()
+                process.wait()
+                return seed, scene, "hang", "does not stop when asked", settings
+        with open(said_to, encoding="utf-8", errors="replace") as file:
+            words = file.read()
+        code, bad_file = process.returncode, not_finite(out)
+        said = words.strip().splitlines()
+        sentence = said[0] if said else ""
+        if code < 0 or code >= 132:
+            verdict, sentence = "crash", f"signal {-code if code < 0 else code - 128}: {sentence}"
+        elif bad_file:
+            verdict, sentence = "nan", f"{bad_file}: {sentence}"
+        elif late and code in (0, 130):
+            verdict, sentence = "long", ""
+        elif code == 0:
+            gain = energy_gain(out)
+            verdict = "energy" if gain is not None and gain > 1e-2 else "ok"
+            sentence = f"gained {gain:.2g} of the largest energy" if verdict == "energy" else ""
+            if not os.path.exists(os.path.join(out, "summary.json")):
+                verdict, sentence = "silent", "exit code 0 without a summary"
+        elif not sentence.startswith("turgor: ") or len(sentence) < 30:
+            verdict = "silent"
+        elif code == 2:
+            verdict = "refused" if not os.path.exists(os.path.join(out, "summary.json")) else "failed"
+        else:
+            verdict = "failed"
+        return seed, scene, verdict, sentence, settings
+
+
+def kind_of(sentence):
+    """Sentences that differ in their numbers only are of one kind."""
+    sentence = re.sub(r"\S*/scene\.prm: ", "", sentence)
+    return re.sub(r"[-+]?\d[\d.e+-]*", "#", sentence)[:140]
+
+
+def write(directory, counts, example, bad):
+    os.makedirs(directory, exist_ok=True)
+    for name, head, rows in (("verdicts.csv", ("scene", "verdict", "count", "first_seed", "sentence"),
+                              [(s, v, n, example[s, v, k], k) for (s, v, k), n in sorted(counts.items())]),
+                             ("bad.csv", ("seed", "scene", "verdict", "sentence", "settings"), bad)):
+        with open(os.path.join(directory, name), "w", newline="", encoding="utf-8") as file:
+            csv.writer(file, lineterminator="\n").writerows([head] + rows)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("-n", type=int, default=1000, help="how many scenes")
+    parser.add_argument("--seed", type=int, default=1, help="of the first; the others follow")
+    parser.add_argument("--time", type=float, default=10.0, help="CPU seconds before a scene is asked to stop")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--scenes", help="names, separated by commas (default: all)")
+    parser.add_argument("-o", "--output", help="directory for verdicts.csv and bad.csv")
+    parser.add_argument("--repeat", type=int, help="one seed, in full")
+    parser.add_argument("--program", default=os.path.join(ROOT, "build", "app", "turgor"))
+    options = parser.parse_args()
+    listed = subprocess.run([options.program, "list"], capture_output=True, text=True, check=True).stdout
+    names = [line for line in listed.splitlines() if line and not line.startswith(" ")]
+    if options.scenes:
+        names = options.scenes.split(",")
+    entries = {name: entries_of(options.program, name) for name in names}
+
+    def one(seed):
+        scene = names[seed % len(names)]
+        return run_one(options.program, scene, entries[scene], seed, options.time)
+
+    if options.repeat is not None:
+        seed, scene, verdict, sentence, settings = one(options.repeat)
+        print(f"{scene}: {verdict}\n{sentence}\n" + " ".join(f"--set '{name}={value}'" for name, value in settings.items()))
+        return 0
+    counts, bad, example = collections.Counter(), [], {}
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        for done, result in enumerate(pool.map(one, range(options.seed, options.seed + options.n)), 1):
+            seed, scene, verdict, sentence, settings = result
+            key = (scene, verdict, kind_of(sentence))
+            counts[key] += 1
+            example.setdefault(key, seed)
+            if verdict in BAD:
+                bad.append((seed, scene, verdict, kind_of(sentence), json.dumps(settings)))
+                print(f"seed {seed}: {scene}: {verdict}: {sentence}", flush=True)
+            if done % 50 == 0:
+                print(f"{done} of {options.n}", file=sys.stderr, flush=True)
+            if options.output and (done % 50 == 0 or done == options.n):
+                write(options.output, counts, example, bad)
+    total = collections.Counter()
+    for (_, verdict, _), n in counts.items():
+        total[verdict] += n
+    print(", ".join(f"{n} {verdict}" for verdict, n in total.most_common()))
+    return 1 if bad else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

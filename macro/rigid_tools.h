@@ -1,0 +1,51 @@
+// Rigid, frictionless tools that press on the tissue: a plate or a cylinder driven into the side x = Width, and, in place of
+// the clamp, a plate at rest under the side x = 0. Penalty at the nodes of the side.
+//
+//   g = (X + u)_x - x_tool             plate            g = R - |X + u - c|         cylinder, c = (x_tool + R, middle of the side)
+//   f = -kappa A g n  for g > 0, 0 otherwise;   n: outward normal of the tissue at the contact, A: the node's share of the side
+//   kappa = factor * stiffness bound of the law / distance of nodes,   energy kappa A g^2/2
+//   x_tool(t) = Width - s(t):  s = v t up to the depth d, then at rest    ("steady")
+//                              s = d sin(v t/d) until it is back, then away ("rebound": what a mass does on a spring)
+//
+// In 2D forces are per metre of depth. In: u (m), t (s). Out: N, J. The penetration of a node under the pressure p is p/kappa.
+// The oscillation of a node on its penalty has omega^2 = kappa A/m, which the stable step adds to the tissue's own.
+#pragma once
+
+#include "macro/tissue_mesh.h"
+#include "macro/tool_parameters.h"
+
+namespace turgor
+{
+struct ToolReading
+{
+  double force = 0.;   ///< N, of the tool on the tissue in -x, positive when pressing
+  double support = 0.; ///< N, of the plate below, in +x; 0 with a clamp
+  double energy = 0.;  ///< J, in the penalty
+};
+
+template <int dim>
+class RigidTools
+{
+public:
+  /// stiffness: Pa/m, kappa.
+  RigidTools(const TissueMesh<dim> &mesh, const TissueParameters<dim> &parameters, double stiffness);
+
+  /// Adds the forces on the nodes.
+  void add_forces(double time, const std::vector<double> &u, std::vector<double> &force) const;
+  ToolReading read(double time, const std::vector<double> &u) const;
+
+  double travel(double time) const { return tool.travel(time); } ///< m, s(t)
+
+  /// 1/s^2: largest kappa A/m over the nodes that may touch a tool.
+  double frequency2(const std::vector<double> &mass) const;
+
+private:
+  template <class Each>
+  void for_contacts(double time, const std::vector<double> &u, const Each &each) const;
+
+  const TissueMesh<dim> &mesh;
+  const ToolParameters tool;
+  bool plate_below;
+  double kappa, width, middle;
+};
+} // namespace turgor

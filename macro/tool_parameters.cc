@@ -1,0 +1,58 @@
+#include "macro/tool_parameters.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+#include <stdexcept>
+
+namespace turgor
+{
+double ToolParameters::travel(const double time) const
+{
+  if (motion == "steady")
+    return std::min(speed * time, depth);
+  const double phase = speed * time / depth;
+  // back at the surface it goes on as it came
+  return phase < std::numbers::pi ? depth * std::sin(phase) : -(speed * time - std::numbers::pi * depth);
+}
+
+void ToolParameters::declare(dealii::ParameterHandler &prm)
+{
+  namespace Patterns = dealii::Patterns;
+  prm.add_parameter("Tool", shape, "What hits the side x = Width: a plate or a cylinder. Units: none.",
+                    Patterns::Selection("plate|cylinder"));
+  prm.add_parameter("Radius", radius, "Of the cylinder. Units: m.", Patterns::Double(1e-9, 1e3));
+  prm.add_parameter("Motion", motion,
+                    "steady: at constant speed to the depth, then at rest; rebound: half a sine to the depth and back, as a mass "
+                    "moves on a spring. Units: none.",
+                    Patterns::Selection("steady|rebound"));
+  prm.add_parameter("Speed", speed, "Of the tool at first contact, at t = 0. Units: m/s.", Patterns::Double(1e-9, 1e3));
+  prm.add_parameter("Depth", depth, "How far the tool goes in. Units: m.", Patterns::Double(1e-12, 1e3));
+  prm.add_parameter("Contact stiffness", stiffness,
+                    "Penalty of the contact, over the stiffness bound of the tissue per distance of nodes. A node sinks in by "
+                    "pressure over that; the stable step shrinks as it grows. Units: 1.",
+                    Patterns::Double(1e-3, 1e3));
+}
+
+void ToolParameters::check(const double width) const
+{
+  const auto wrong = [](const char *entry, const double value, const std::string &allowed) {
+    std::ostringstream text;
+    text << "Impact/" << entry << " is " << value << "; allowed is " << allowed << ".";
+    throw std::invalid_argument(text.str());
+  };
+  if (!active())
+    return;
+  if (!(speed > 0.))
+    wrong("Speed", speed, "a positive speed (m/s)");
+  if (!(depth > 0. && depth < 0.9 * width))
+    wrong("Depth", depth, "more than 0 and less than nine tenths of the tissue's width, " + std::to_string(width * 1e3) + " mm (m)");
+  if (shape == "cylinder" && !(radius > 0.))
+    wrong("Radius", radius, "a positive radius (m)");
+  if (!(stiffness > 0.))
+    wrong("Contact stiffness", stiffness, "a positive number");
+}
+} // namespace turgor

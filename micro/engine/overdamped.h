@@ -1,0 +1,66 @@
+// Over-damped motion of a population of cells, x_dot = v with Gamma v = F(x) (thesis Eq. 2.3): three ways to step, the
+// step chosen by an error tolerance.
+//
+//   euler     x += dt v(x)                                           first order, one solve
+//   heun      x += dt/2 (v(x) + v(x + dt v))                         second order, two solves
+//   implicit  x += dt w, (Gamma + dt K) w = F, K = -dF/dx            first order, one solve, no limit of stability
+//
+// Error of a step: dt/2 |v - v_before|, the largest of all cells, against tolerance times the mean radius; v_before is the
+// velocity of the last step (heun: that of its own first stage). A step that errs more is
+// taken back and repeated with a shorter one. The next step: dt 0.9 sqrt(allowed/error), within [1/5, 2] of the last.
+#pragma once
+
+#include "micro/terms/cell_friction.h"
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+
+namespace turgor
+{
+enum class OverdampedMethod
+{
+  euler,
+  heun,
+  implicit
+};
+
+struct OverdampedParameters
+{
+  OverdampedMethod method = OverdampedMethod::heun;
+  double tolerance = 1e-3;   ///< of a step, over the mean radius
+  double first_step = 1.;    ///< s
+  double least_step = 1e-9;  ///< s; shorter: the step fails with a sentence
+  double longest_step = 1e9; ///< s
+};
+
+class Overdamped
+{
+public:
+  /// outer: adds forces from outside (N) to particles.f; gamma: N s/m, per cell, filled in by the caller.
+  Overdamped(const OverdampedParameters &parameters, SphereContacts &contacts, Friction &friction,
+             std::function<void(Particles<3> &)> outer, unsigned int threads);
+
+  /// One accepted step of at most `limit` (s); its length. gamma: N s/m. Throws std::runtime_error when the step would
+  /// become shorter than the least one.
+  double step(Particles<3> &particles, const std::vector<double> &gamma, double limit);
+
+  std::uint64_t rejected() const { return rejections; }
+  double next_step() const { return dt; }
+
+  void save(std::ostream &out) const;
+  void load(std::istream &in);
+
+private:
+  void evaluate(Particles<3> &particles, const std::vector<double> &gamma, double implicit_step, bool trial);
+
+  OverdampedParameters parameters;
+  SphereContacts &contacts;
+  Friction &friction;
+  std::function<void(Particles<3> &)> outer;
+  unsigned int threads;
+  double dt;
+  std::uint64_t rejections = 0;
+  std::vector<double> x_before[3], v_before[3]; ///< v_before: empty before the first step
+};
+} // namespace turgor

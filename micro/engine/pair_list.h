@@ -1,0 +1,54 @@
+// Pairs of spheres that touch or may soon do so: a Verlet list, each pair once (i < j), and for every sphere the pairs it is
+// in. Pairs are computed once, in parallel over pairs; then every sphere gathers from its own: no two threads
+// write to one place, and every sum has one order.
+//
+// A pair is listed when its distance is below R_i + R_j + skin; the list is good while nothing has moved or grown
+// by half a skin together (moved + grown <= skin/2).
+#pragma once
+
+#include "micro/engine/bins.h"
+#include "micro/engine/particles.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace turgor
+{
+struct Pair
+{
+  std::uint32_t i = 0, j = 0;
+};
+
+template <int dim>
+class PairList
+{
+public:
+  /// m
+  explicit PairList(double skin);
+
+  bool stale(const Particles<dim> &particles, const std::vector<double> &radius) const;
+
+  /// touching: history of the pairs, kept for those that stay (false for new ones); same order as pairs().
+  void build(const Particles<dim> &particles, const std::vector<double> &radius, std::vector<unsigned char> &touching);
+
+  const std::vector<Pair> &pairs() const { return list; }
+  /// Pairs of sphere i: entries [first[i], first[i + 1]) of own(); the other sphere is in other().
+  const std::vector<std::uint32_t> &first() const { return first_of; }
+  const std::vector<std::uint32_t> &own() const { return pair_of; }
+  const std::vector<std::uint32_t> &other() const { return other_of; }
+
+  void forget() { built_radius.clear(); }
+  std::size_t builds() const { return build_count; }
+  std::size_t memory_bytes() const;
+
+private:
+  double skin;
+  std::vector<Pair> list;
+  std::vector<std::uint32_t> first_of, pair_of, other_of, first_pair;
+  std::vector<double> built_at[dim], built_radius;
+  std::size_t build_count = 0;
+};
+
+extern template class PairList<2>;
+extern template class PairList<3>;
+} // namespace turgor

@@ -1,0 +1,130 @@
+#include "micro/engine/step_control.h"
+
+#include "micro/engine/binary.h"
+#include "micro/engine/measured_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace turgor
+{
+namespace
+{
+constexpr std::uint64_t steps_between_looks = 100;
+}
+
+template <int dim>
+StepControl<dim>::StepControl(ParticleSystem<dim> &system_, const double fraction_, const double spacings_a_step_)
+  : system(&system_)
+  , fraction(fraction_)
+  , spacings_a_step(spacings_a_step_)
+{
+  const double bound = system->stable_time_step();
+  step = fraction * std::min(bound, measure_stable_step(*system, bound).dt);
+  // Of the first cell: its box shared out among its particles.
+  const Particles<dim> &p = system->particles;
+  if (!p.groups.empty())
+    {
+      const Group &g = p.groups.front();
+      double volume = 1.;
+      for (int d = 0; d < dim; ++d)
+        {
+          const auto [low, high] = std::minmax_element(p.x[d].begin() + g.begin, p.x[d].begin() + g.end);
+          volume *= *high - *low;
+        }
+      spacing = std::pow(volume / double(g.end - g.begin), 1. / dim);
+    }
+  step = std::min(step, step_of_speed());
+  remember();
+}
+
+template <int dim>
+double StepControl<dim>::step_of_speed() const
+{
+  const Particles<dim> &p = system->particles;
+  double fastest = 0.; // squared
+  for (const Group &g : p.groups)
+    {
+      double mean[dim]{};
+      for (int d = 0; d < dim; ++d)
+        {
+          for (std::uint32_t i = g.begin; i < g.end; ++i)
+            mean[d] += p.v[d][i];
+          mean[d] /= g.end - g.begin;
+        }
+      for (std::uint32_t i = g.begin; i < g.end; ++i)
+        {
+          double square = 0.;
+          for (int d = 0; d < dim; ++d)
+            square += (p.v[d][i] - mean[d]) * (p.v[d][i] - mean[d]);
+          fastest = std::max(fastest, square);
+        }
+    }
+  return fastest > 0. ? spacings_a_step * spacing / std::sqrt(fastest) : HUGE_VAL;
+}
+
+template <int dim>
+void StepControl<dim>::remember()
+{
+  looked_at = system->particles.x;
+}
+
+template <int dim>
+bool StepControl<dim>::moved() const
+{
+  const Particles<dim> &p = system->particles;
+  for (const Group &g : p.groups)
+    for (int d = 0; d < dim; ++d)
+      {
+        double mean = 0., low = HUGE_VAL, high = -HUGE_VAL;
+        for (std::uint32_t i = g.begin; i < g.end; ++i)
+          {
+            const double move = p.x[d][i] - looked_at[d][i];
+            mean += move;
+            low = std::min(low, move);
+            high = std::max(high, move);
+          }
+        mean /= g.end - g.begin;
+        if (!(high - mean < spacing && mean - low < spacing)) // also where something is not finite
+          return true;
+      }
+  return false;
+}
+
+template <int dim>
+bool StepControl<dim>::after_step(const std::uint64_t count)
+{
+  if (count % steps_between_looks != 0)
+    return false;
+  const double before = step, allowed = step_of_speed();
+  if (allowed > 0.) // a speed that is not finite is for the scene's own checks
+    step = std::min(step, allowed);
+  if (moved())
+    {
+      remember();
+      // Stable still, at dt / fraction?
+      if (step_eigenvalue(*system, step / fraction) > 4.)
+        step = std::min(step, fraction * measure_stable_step(*system, step / fraction).dt);
+    }
+  return step < before;
+}
+
+template <int dim>
+void StepControl<dim>::save(std::ostream &out) const
+{
+  write_binary(out, step);
+  for (const auto &x : looked_at)
+    write_binary(out, x);
+}
+
+template <int dim>
+void StepControl<dim>::load(std::istream &in)
+{
+  read_binary(in, step);
+  for (auto &x : looked_at)
+    read_binary(in, x);
+}
+
+template class StepControl<2>;
+template class StepControl<3>;
+} // namespace turgor

@@ -1,0 +1,61 @@
+// cell_impact: a plate comes down on a cell at impact speed; where it deforms, what force is transmitted, whether it
+// oscillates. Thesis 3.3.3, Fig. 3.4.
+#include "micro/io/run_context.h"
+#include "micro/scenarios/squeezed_cell.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace turgor
+{
+namespace
+{
+class CellImpact final : public SqueezedCell
+{
+public:
+  std::string description() const override
+  {
+    return "A plate comes down on a cell at impact speed: where the cell deforms, and the force that reaches the other side.";
+  }
+
+protected:
+  void report(RunContext &context, const std::vector<Row> &rows) const override
+  {
+    result_at(context, rows, "force_upper", &Row::force_upper, "N");
+    result_at(context, rows, "force_transmitted", &Row::force_lower, "N");
+    result_at(context, rows, "height_share_upper", &Row::height_share, "1");
+    result_at(context, rows, "contact_upper", &Row::contact_upper, "m");
+    result_at(context, rows, "contact_lower", &Row::contact_lower, "m");
+    result_at(context, rows, "mean_stretch_upper", &Row::mean_upper, "1");
+    result_at(context, rows, "mean_stretch_lower", &Row::mean_lower, "1");
+    // Turning points of the transmitted force: reversals by more than 3 % of its largest value.
+    double largest = 0.;
+    for (const Row &row : rows)
+      largest = std::max(largest, row.force_lower);
+    double extreme = rows.front().force_lower;
+    int direction = 1, reversals = 0;
+    for (const Row &row : rows)
+      if (direction * (row.force_lower - extreme) > 0.)
+        extreme = row.force_lower;
+      else if (std::abs(row.force_lower - extreme) > 0.03 * largest)
+        {
+          ++reversals;
+          direction = -direction;
+          extreme = row.force_lower;
+        }
+    context.result("transmitted_largest", largest, "N");
+    context.result("transmitted_reversals", reversals, "");
+    double most_upper = 1., most_lower = 1.;
+    for (const Row &row : rows)
+      {
+        most_upper = std::max(most_upper, row.largest_upper);
+        most_lower = std::max(most_lower, row.largest_lower);
+      }
+    context.result("largest_stretch_upper", most_upper, "1");
+    context.result("largest_stretch_lower", most_lower, "1");
+  }
+};
+} // namespace
+
+std::unique_ptr<Scenario> make_cell_impact() { return std::make_unique<CellImpact>(); }
+} // namespace turgor

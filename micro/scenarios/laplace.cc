@@ -1,0 +1,111 @@
+#include "micro/scenarios/laplace.h"
+
+#include "micro/io/run_context.h"
+#include "micro/scenarios/round_cell_fields.h"
+#include "micro/scenarios/stepping.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <cmath>
+
+namespace turgor
+{
+std::string Laplace::description() const
+{
+  return "A round cell, 2D or 3D, inflated by osmosis: tension of the wall against pressure times radius (Laplace).";
+}
+
+void Laplace::declare_parameters(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  prm.add_parameter("Dimension", dimension, "2: slab, 3: sphere. Units: none.", Integer(2, 3));
+  prm.add_parameter("Samples", samples, "Rows of laplace.csv. Units: none.", Integer(2, 100000));
+  prm.enter_subsection("Cell");
+  cell.add_parameters(prm);
+  prm.leave_subsection();
+}
+
+void Laplace::check() const
+{
+  cell.check(int(dimension));
+  if (!(cell.turgor > 0.))
+    throw std::invalid_argument("Cell/Turgor is 0, but has to be positive (Pa): without pressure there is no tension to compare.");
+}
+
+void Laplace::run(RunContext &context)
+{
+  if (dimension == 2)
+    run_in<2>(context);
+  else
+    run_in<3>(context);
+}
+
+template <int dim>
+void Laplace::run_in(RunContext &context) const
+{
+  const auto made = make_round_cell<dim>(cell, false);
+  RoundCell<dim> &round = *made;
+  context.active(round.system.term_names(), round.system.particles.field_names());
+  const auto table = context.series("laplace", {{"time", "s"},
+                                                {"radius", "m"},
+                                                {"pressure_eos", "Pa"},
+                                                {"pressure_virial", "Pa"},
+                                                {"pressure_from_cut_tension", "Pa"},
+                                                {"pressure_from_virial_tension", "Pa"}});
+  // tension of the wall (per length in 3D, per slab in 2D) as the pressure it balances
+  const auto balances = [&](const double tension) {
+    return dim == 3 ? 2. * tension / round.mean_radius() : tension / (round.mean_radius() * cell.depth);
+  };
+  double deviation = 0.;
+  const unsigned int every = unsigned(steps_between(cell.anneal_steps, samples));
+  const double residual = [&] {
+    try
+      {
+        return bring_to_turgor<dim>(round, [&](const unsigned int step, const unsigned int steps, const double dt) {
+          if (step % every == 0 && round.finite())
+            table->add_row({step * dt, round.mean_radius(), round.pressure(), round.virial_pressure(),
+                            balances(round.cut_tension(deviation)), balances(round.virial_tension())});
+          if (step % 64 == 0)
+            context.progress(double(step) / steps, "inflating");
+          if (context.stop_requested())
+            throw RunStopped("stopped while the cell was inflated");
+        });
+      }
+    catch (const std::runtime_error &error)
+      {
+        if (dynamic_cast<const RunStopped *>(&error) || dynamic_cast<const RunFailed *>(&error))
+          throw;
+        throw RunFailed(error.what());
+      }
+  }();
+
+  const double cut = round.cut_tension(deviation), virial = round.virial_tension();
+  const double eos = round.pressure(), fluid_virial = round.virial_pressure();
+  const char *unit = dim == 3 ? "N/m" : "N";
+  context.result("wall_nodes", round.group().wall_count(), "");
+  context.result("fluid_particles", round.group().fluid_count(), "");
+  context.result("radius", round.mean_radius(), "m");
+  context.result("wall_stretch", round.mean_radius() / round.rest_radius, "1");
+  context.result("residual", residual, "1");
+  context.result("tension_cut", cut, unit);
+  context.result("tension_cut_deviation", deviation, unit);
+  context.result("tension_virial", virial, unit);
+  context.result("pressure_eos", eos, "Pa");
+  context.result("pressure_virial", fluid_virial, "Pa");
+  context.result("laplace_eos", eos * round.mean_radius() * (dim == 3 ? 0.5 : cell.depth), unit);
+  context.result("laplace_virial", fluid_virial * round.mean_radius() * (dim == 3 ? 0.5 : cell.depth), unit);
+  context.result("deviation_cut_eos", 100. * (balances(cut) / eos - 1.), "%");
+  context.result("deviation_cut_virial", 100. * (balances(cut) / fluid_virial - 1.), "%");
+  context.result("deviation_virial_eos", 100. * (balances(virial) / eos - 1.), "%");
+  context.result("deviation_virial_virial", 100. * (balances(virial) / fluid_virial - 1.), "%");
+  if (round.sph)
+    {
+      context.result("mean_neighbours", round.sph->mean_neighbours(round.system.particles), "");
+      context.result("crossed", double(round.sph->crossed()), "");
+    }
+  RoundCellFields<dim> fields(context, false);
+  fields.write(round, 0.);
+}
+
+std::unique_ptr<Scenario> make_laplace() { return std::make_unique<Laplace>(); }
+} // namespace turgor

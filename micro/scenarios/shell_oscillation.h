@@ -1,0 +1,40 @@
+// Breathing of a thin spherical shell, empty or filled with a liquid (thesis A.1).
+//
+//   empty    omega = sqrt(4 E/rho_s)/R                                                    Eq. A.3 (nu = 1/2); thesis 1 %
+//   filled   j0(q)/j1(q) - q rho_s t/(rho R) + 4 E t/(q rho c^2 R) = 0,  q = omega R/c     Eq. A.2; thesis 5-10 %
+//
+// E = 3 G. Both closed forms are linear about a stress-free shell with a liquid at rest pressure 0, and that is the start here:
+// turgor 0; the wall gets a small inward radial velocity. The frequencies found are the maxima of the mean radius's spectrum
+// (Hann window, evaluated at any frequency), each compared with the root nearest to it. K follows from c: c = sqrt(7 K/rho).
+#pragma once
+
+#include "micro/cells/round_cell.h"
+#include "micro/scenarios/scenario.h"
+
+#include <vector>
+
+namespace turgor
+{
+class ShellOscillation final : public Scenario
+{
+public:
+  std::string description() const override;
+  void declare_parameters(dealii::ParameterHandler &prm) override;
+  void check() const override;
+  void run(RunContext &context) override;
+
+  /// rad/s, the first `count` roots of A.2 (rising), or the one of A.3 without fluid.
+  static std::vector<double> closed_form(const RoundCellParameters &cell, double radius, double sound_speed,
+                                         unsigned int count);
+
+private:
+  RoundCellParameters shell() const; ///< cell with K from c and no turgor
+
+  double sound_speed = 50., speed = 0.01, periods = 20., step_fraction = 0.5;
+  unsigned int samples_per_period = 400, modes = 4;
+  bool filled = true;
+  RoundCellParameters cell;
+};
+
+std::unique_ptr<Scenario> make_shell_oscillation();
+} // namespace turgor

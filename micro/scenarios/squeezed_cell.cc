@@ -1,0 +1,367 @@
+#include "micro/scenarios/squeezed_cell.h"
+
+#include "micro/engine/binary.h"
+#include "micro/engine/watched_steps.h"
+#include "micro/io/run_context.h"
+#include "micro/processes/failure.h"
+#include "micro/scenarios/round_cell_fields.h"
+#include "micro/scenarios/shared_entries.h"
+#include "micro/scenarios/stepping.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace turgor
+{
+namespace
+{
+/// What a resumed run needs beside the particles.
+struct Progress
+{
+  std::uint64_t step = 0;
+  double dt = 0., height = 0., radius = 0., start_energy = 0., start_pressure = 0., residual = 0.;
+  double first_angle = -1., first_deformation = -1., angle_sum = 0.; ///< degrees, 1, degrees
+};
+
+/// Share of the full angle under which a closed wall, broken faces included, is seen: 1 inside, 0 outside.
+template <int dim>
+double winding(const RoundCell<dim> &cell, const Vector<dim> &x)
+{
+  const Particles<dim> &p = cell.system.particles;
+  double total = 0.;
+  if constexpr (dim == 3)
+    for (const auto &face : cell.mesh->faces)
+      {
+        const Vector<3> a = p.position(face[0]) - x, b = p.position(face[1]) - x, c = p.position(face[2]) - x;
+        const double la = a.norm(), lb = b.norm(), lc = c.norm();
+        total += std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+      }
+  else
+    for (std::size_t k = 0; k < cell.bonds(); ++k)
+      {
+        const Vector<2> a = p.position(cell.ends(k).first) - x, b = p.position(cell.ends(k).second) - x;
+        total += std::atan2(a[0] * b[1] - a[1] * b[0], a.dot(b));
+      }
+  return total / (2. * std::numbers::pi);
+}
+} // namespace
+
+void SqueezedCell::declare_parameters(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  prm.add_parameter("Dimension", dimension, "2: slab, 3: sphere. Units: none.", Integer(2, 3));
+  prm.add_parameter("Speed", speed, "Of approach of the plates. Units: m/s.", Double(1e-4, 1000.));
+  prm.add_parameter("Both plates move", both_move,
+                    "Each at half the speed; else the upper one alone. Units: true or false.", Bool());
+  prm.add_parameter("Damping", damping,
+                    "Rate at which all velocities decay, for quasi-static loading; 0: none. Units: 1/s.", Double(0., 1e12));
+  prm.add_parameter("Deformation", deformation, "Approach of the plates over 2 R at the end. Units: none.",
+                    Double(0.001, 0.9));
+  prm.add_parameter("Plate stiffness", plate_stiffness, "Penalty of a wall node behind a plate. Units: N/m.",
+                    Double(1e-6, 1e9));
+  prm.add_parameter("Critical stretch", critical_stretch,
+                    "lambda_c at which a bond of the wall breaks, above 1; 0: walls do not fail. Units: none.",
+                    Double(0., 100.));
+  prm.add_parameter("Samples", samples, "Rows of force.csv. Units: none.", Integer(2, 1000000));
+  prm.add_parameter("Frames", frames, "Frames of wall.xdmf and fluid.xdmf. Units: none.", Integer(0, 100000));
+  declare_step_fraction(prm, step_fraction);
+  declare_checkpoints(prm, checkpoints);
+  prm.enter_subsection("Cell");
+  cell.add_parameters(prm);
+  prm.leave_subsection();
+}
+
+void SqueezedCell::check() const
+{
+  cell.check(int(dimension));
+  if (critical_stretch != 0. && !(critical_stretch > cell.turgid_stretch(int(dimension))))
+    throw InputError("Critical stretch is " + std::to_string(critical_stretch)
+                     + ", but has to be 0 or larger than the stretch of the turgid wall, "
+                     + std::to_string(cell.turgid_stretch(int(dimension))) + ".");
+}
+
+double SqueezedCell::at(const std::vector<Row> &rows, double Row::*quantity, const double where)
+{
+  for (std::size_t k = 1; k < rows.size(); ++k)
+    if (rows[k].deformation >= where)
+      {
+        const Row &a = rows[k - 1], &b = rows[k];
+        return a.*quantity + (where - a.deformation) / (b.deformation - a.deformation) * (b.*quantity - a.*quantity);
+      }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+double SqueezedCell::slope(const std::vector<Row> &rows, const double from, const double to)
+{
+  return (at(rows, &Row::force_lower, to) + at(rows, &Row::force_upper, to) - at(rows, &Row::force_lower, from)
+          - at(rows, &Row::force_upper, from))
+         / (2. * (to - from));
+}
+
+void SqueezedCell::result_at(RunContext &context, const std::vector<Row> &rows, const std::string &name,
+                             double Row::*quantity, const std::string &unit)
+{
+  for (const int percent : {5, 10, 15, 20, 25, 30})
+    if (const double value = at(rows, quantity, 0.01 * percent - 1e-9); std::isfinite(value))
+      context.result(name + "_at_" + (percent < 10 ? "0" : "") + std::to_string(percent), value, unit);
+}
+
+void SqueezedCell::run(RunContext &context)
+{
+  if (dimension == 2)
+    run_in<2>(context);
+  else
+    run_in<3>(context);
+}
+
+template <int dim>
+void SqueezedCell::run_in(RunContext &context)
+{
+  constexpr int axis = dim - 1;
+  const auto made = make_round_cell<dim>(cell, critical_stretch > 0.);
+  RoundCell<dim> &round = *made;
+  ParticleSystem<dim> &system = round.system;
+  Particles<dim> &particles = system.particles;
+  const std::uint32_t nw = round.group().wall_count();
+  std::vector<Plate> two(2);
+  two[0].axis = two[1].axis = axis;
+  two[0].side = 1;  // below the cell
+  two[1].side = -1; // above
+  two[0].position = -1e3; // far away until the cell is turgid
+  two[1].position = 1e3;
+  Plates<dim> &plates = system.add(std::make_unique<Plates<dim>>(two, plate_stiffness));
+  context.active(system.term_names(), particles.field_names());
+
+  Progress at_step;
+  std::vector<Row> rows;
+  std::vector<double> polar(nw); // cosine of the polar angle of each node in the turgid cell
+  WatchedSteps<dim> integrator(system, step_fraction, 0.05);
+  const bool resumed = context.load_checkpoint([&](std::istream &in) {
+    read_binary(in, at_step);
+    read_binary(in, rows);
+    read_binary(in, polar);
+    if (round.damage)
+      round.damage->load(in);
+    system.load(in);
+    integrator.load(in);
+  });
+  if (!resumed)
+    {
+      try
+        {
+          at_step.residual = bring_to_turgor<dim>(round, [&](const unsigned int step, const unsigned int steps, double) {
+            if (step % 64 == 0)
+              context.progress(0.2 * step / steps, "inflating");
+            if (context.stop_requested())
+              throw RunStopped("stopped while the cell was inflated");
+          });
+        }
+      catch (const RunStopped &)
+        {
+          throw;
+        }
+      catch (const std::runtime_error &error)
+        {
+          throw RunFailed(error.what());
+        }
+      at_step.radius = round.mean_radius();
+      at_step.start_pressure = cell.fluid == "none" ? 0. : round.virial_pressure();
+      double low = HUGE_VAL, high = -HUGE_VAL, middle = 0.;
+      for (std::uint32_t i = 0; i < nw; ++i)
+        {
+          low = std::min(low, particles.x[axis][i]);
+          high = std::max(high, particles.x[axis][i]);
+          middle += particles.x[axis][i] / nw;
+        }
+      for (std::uint32_t i = 0; i < nw; ++i)
+        polar[i] = (particles.x[axis][i] - middle) / at_step.radius;
+      at_step.height = high - low;
+      plates.set_position(0, low);
+      plates.set_position(1, high);
+      plates.set_velocity(0, both_move ? 0.5 * speed : 0.);
+      plates.set_velocity(1, both_move ? -0.5 * speed : -speed);
+      system.compute_forces();
+      integrator.begin_here();
+      at_step.dt = integrator.safe_step();
+      at_step.start_energy = system.potential_energy();
+    }
+  radius = at_step.radius;
+  rest_radius = round.rest_radius;
+  start_pressure = at_step.start_pressure;
+
+  const double span = deformation * at_step.height / speed;
+  const std::uint64_t last = std::max<std::uint64_t>(1, std::uint64_t(std::ceil(span / at_step.dt)));
+  const std::uint64_t sample_every = steps_between(last, samples), frame_every = steps_between(last, frames);
+  const auto table = context.series("force", {{"time", "s"},
+                                              {"deformation", "1"},
+                                              {"force_upper", "N"},
+                                              {"force_lower", "N"},
+                                              {"pressure", "Pa"},
+                                              {"volume", "m^3"},
+                                              {"contact_upper", "m"},
+                                              {"contact_lower", "m"},
+                                              {"largest_stretch_upper", "1"},
+                                              {"largest_stretch_lower", "1"},
+                                              {"mean_stretch_upper", "1"},
+                                              {"mean_stretch_lower", "1"},
+                                              {"height_share_upper", "1"},
+                                              {"kinetic", "J"},
+                                              {"energy", "J"},
+                                              {"work", "J"},
+                                              {"broken", ""}});
+  std::unique_ptr<RoundCellFields<dim>> fields;
+  if (frames > 0)
+    fields = std::make_unique<RoundCellFields<dim>>(context, resumed);
+
+  const auto diverged = [&](const std::string &how) {
+    return RunFailed(how + " before t = " + std::to_string(1e6 * double(at_step.step) * at_step.dt) + " us (step "
+                     + std::to_string(at_step.step)
+                     + "): a checkpoint, where there is one, holds the last good state; use a smaller Step fraction (now "
+                     + std::to_string(step_fraction) + ")" + (speed > 20. ? " or Speed." : "."));
+  };
+  const auto measure = [&] {
+    if (!round.finite())
+      throw diverged("the cell diverged");
+    Row row;
+    row.time = double(at_step.step) * at_step.dt;
+    row.deformation = 1. - (plates[1].position - plates[0].position) / at_step.height;
+    row.force_lower = plates.force(0);
+    row.force_upper = plates.force(1);
+    row.pressure = round.pressure();
+    row.volume = round.volume();
+    Vector<dim> middle = Vector<dim>::Zero();
+    for (std::uint32_t i = 0; i < nw; ++i)
+      middle += particles.position(i) / nw;
+    double equator = 0., equator_count = 0.;
+    for (std::uint32_t i = 0; i < nw; ++i)
+      {
+        Vector<dim> across = particles.position(i) - middle;
+        across[axis] = 0.;
+        if (particles.x[axis][i] >= plates[1].position)
+          row.contact_upper = std::max(row.contact_upper, across.norm());
+        if (particles.x[axis][i] <= plates[0].position)
+          row.contact_lower = std::max(row.contact_lower, across.norm());
+        if (std::abs(polar[i]) < 0.1)
+          {
+            equator += particles.x[axis][i];
+            equator_count += 1.;
+          }
+      }
+    if (equator_count > 0.)
+      row.height_share = (plates[1].position - equator / equator_count) / (plates[1].position - plates[0].position);
+    double count[2]{}, sum[2]{}, most[2]{1., 1.};
+    for (std::size_t k = 0; k < round.bonds(); ++k)
+      {
+        const auto [a, b] = round.ends(k);
+        if (polar[a] * polar[b] <= 0. || (round.damage && round.damage->cells[0].bond_broken[k]))
+          continue;
+        const int half = polar[a] > 0. ? 0 : 1;
+        const double stretch = round.wall->stretch(particles, 0, k);
+        count[half] += 1.;
+        sum[half] += stretch;
+        most[half] = std::max(most[half], stretch);
+      }
+    row.largest_upper = most[0];
+    row.largest_lower = most[1];
+    row.mean_upper = count[0] > 0. ? sum[0] / count[0] : 1.;
+    row.mean_lower = count[1] > 0. ? sum[1] / count[1] : 1.;
+    row.kinetic = system.kinetic_energy();
+    row.energy = row.kinetic + system.potential_energy() - at_step.start_energy;
+    row.work = plates.work();
+    row.broken = round.damage ? round.damage->cells[0].broken : 0.;
+    // Nobody but the plates does work; what they have done is known to the step's own error.
+    if (row.broken == 0. && row.energy > row.work + 0.02 * std::abs(row.work) + 1e-3 * std::abs(at_step.start_energy))
+      throw diverged("energy appeared from nothing");
+    return row;
+  };
+  const auto record = [&] {
+    const Row row = measure();
+    rows.push_back(row);
+    table->add_row({row.time, row.deformation, row.force_upper, row.force_lower, row.pressure, row.volume, row.contact_upper,
+                    row.contact_lower, row.largest_upper, row.largest_lower, row.mean_upper, row.mean_lower, row.height_share,
+                    row.kinetic, row.energy, row.work, row.broken});
+  };
+  if (!resumed)
+    {
+      record();
+      if (fields)
+        fields->write(round, 0.);
+    }
+
+  const StepCheckpoints keep(
+    context, last, checkpoints,
+    [&] {
+      measure();
+      context.save_checkpoint([&](std::ostream &out) {
+        write_binary(out, at_step);
+        write_binary(out, rows);
+        write_binary(out, polar);
+        if (round.damage)
+          round.damage->save(out);
+        system.save(out);
+        integrator.save(out);
+      });
+    },
+    [&] { return "at a deformation of " + std::to_string(rows.empty() ? 0. : rows.back().deformation); });
+  std::unique_ptr<Failure<dim>> failure;
+  if (round.damage)
+    failure = std::make_unique<Failure<dim>>(*round.wall, round.damage, critical_stretch);
+  while (at_step.step < last)
+    {
+      integrator.step(at_step.dt, damping);
+      ++at_step.step;
+      if (failure)
+        for (const auto &[group, bond] : failure->apply(system, round.sph))
+          {
+            const auto [a, b] = round.ends(bond);
+            const double angle =
+              std::acos(std::clamp(0.5 * (polar[a] + polar[b]), -1., 1.)) * 180. / std::numbers::pi;
+            at_step.angle_sum += angle;
+            if (at_step.first_angle < 0.)
+              {
+                at_step.first_angle = angle;
+                at_step.first_deformation = 1. - (plates[1].position - plates[0].position) / at_step.height;
+              }
+          }
+      if (at_step.step % sample_every == 0 || at_step.step == last)
+        record();
+      if (fields && at_step.step % frame_every == 0)
+        fields->write(round, double(at_step.step) * at_step.dt);
+      if (at_step.step % 64 == 0)
+        context.progress(0.2 + 0.8 * double(at_step.step) / double(last), "squeezing");
+      keep.after_step(at_step.step);
+    }
+
+  context.result("radius", radius, "m");
+  context.result("turgor_eos", rows.front().pressure, "Pa");
+  context.result("turgor_virial", start_pressure, "Pa");
+  context.result("residual", at_step.residual, "1");
+  context.result("time_step", at_step.dt, "s");
+  context.result("steps", double(last), "");
+  context.result("volume_change", rows.back().volume / rows.front().volume - 1., "1");
+  if (round.sph)
+    context.result("crossed", double(round.sph->crossed()), "");
+  if (round.damage)
+    {
+      const double broken = round.damage->cells[0].broken;
+      context.result("broken_bonds", broken, "");
+      context.result("bonds", double(round.bonds()), "");
+      if (broken > 0.)
+        {
+          context.result("first_break_angle", at_step.first_angle, "degrees");
+          context.result("first_break_deformation", at_step.first_deformation, "1");
+          context.result("mean_break_angle", at_step.angle_sum / broken, "degrees");
+        }
+      double escaped = 0.;
+      for (std::uint32_t i = round.group().fluid; i < round.group().end; ++i)
+        escaped += winding(round, particles.position(i)) < 0.5;
+      if (round.group().fluid_count() > 0)
+        context.result("escaped_fluid", escaped / round.group().fluid_count(), "1");
+    }
+  report(context, rows);
+}
+} // namespace turgor

@@ -1,0 +1,160 @@
+#include "micro/scenarios/two_cells.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace turgor
+{
+namespace
+{
+constexpr double pi = std::numbers::pi;
+}
+
+std::string TwoCells::description() const
+{
+  return "Two centre-based cells brought together and drawn apart: contact law, hysteresis, pull-off force.";
+}
+
+void TwoCells::declare_parameters(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  prm.add_parameter("Law", law, "hertz (Eq. 2.5), extended_hertz (2.7) or jkr (2.8, 2.9). Units: none.",
+                    Selection("hertz|extended_hertz|jkr"));
+  prm.add_parameter("Radius", radius, "Of both cells. Units: m.", Double(1e-9, 1.));
+  prm.add_parameter("Modulus", modulus, "Young's modulus of both cells. Units: Pa.", Double(1e-3, 1e12));
+  prm.add_parameter("Poisson ratio", poisson, "Of both cells. Units: none.", Double(0., 0.5));
+  prm.add_parameter("Adhesion", adhesion, "Energy of adhesion W. Units: J/m^2.", Double(0., 1e3));
+  prm.add_parameter("Medium friction", gamma, "Force over velocity of one cell in the medium. Units: N s/m.",
+                    Double(1e-12, 1e12));
+  prm.add_parameter("Cell friction", friction, "Between the cells, along and across their line. Units: N s/m^3.",
+                    Double(0., 1e20));
+  prm.add_parameter("Deepest overlap", deepest, "Of the approach, over the radius. Units: none.", Double(1e-6, 1.));
+  prm.add_parameter("Samples", samples, "Rows of approach.csv each way. Units: none.", Integer(10, 1000000));
+  prm.add_parameter("Accuracy", accuracy, "Of the pull-off force, relative. Units: none.", Double(1e-12, 0.1));
+}
+
+void TwoCells::check() const
+{
+  if (law == "jkr" && !(adhesion > 0.))
+    throw InputError("Adhesion is 0, but Law = jkr needs it positive (J/m^2): without adhesion JKR is Law = hertz.");
+  if (adhesion > 0.1 * modulus * radius)
+    throw InputError("Adhesion is " + std::to_string(adhesion) + " J/m^2, but it has to be at most a tenth of Modulus times Radius ("
+                     + std::to_string(0.1 * modulus * radius) + "): the contact would be as wide as the cells.");
+}
+
+ContactLaw TwoCells::contact_law() const
+{
+  if (law == "hertz")
+    return HertzContact();
+  if (law == "jkr")
+    return JkrContact{adhesion};
+  return ExtendedHertzContact{adhesion};
+}
+
+Particles<3> TwoCells::pair(const double overlap) const
+{
+  Particles<3> p;
+  p.resize(2);
+  p.groups = {{0, 0, 2}};
+  p.declare("radius");
+  p.declare("modulus");
+  p.field("radius") = {radius, radius};
+  p.field("modulus").assign(2, modulus / (1. - poisson * poisson));
+  p.x[0] = {0., 2. * radius - overlap};
+  return p;
+}
+
+double TwoCells::pull_off_closed_form() const
+{
+  const double R = 0.5 * radius;
+  return law == "jkr" ? 1.5 * pi * adhesion * R : law == "hertz" ? 0. : pi * adhesion * R;
+}
+
+bool TwoCells::holds(const double force) const
+{
+  Particles<3> p = pair(0.05 * radius); // in contact
+  SphereContacts contacts(contact_law(), 0.2 * radius);
+  Friction solver({.normal = friction, .tangential = friction, .tolerance = 1e-12});
+  const std::vector<double> medium(2, gamma);
+  Overdamped motion({.method = OverdampedMethod::heun, .tolerance = 1e-5, .first_step = 1e-3, .least_step = 1e-15},
+                    contacts, solver,
+                    [&](Particles<3> &q) {
+                      q.f[0][0] -= force;
+                      q.f[0][1] += force;
+                    },
+                    1);
+  // At rest where the net force is a hundredth of the accuracy asked for, or free.
+  for (int step = 0; step < 1000000; ++step)
+    {
+      motion.step(p, medium, HUGE_VAL);
+      const double speed = p.v[0][1] - p.v[0][0], gap = p.x[0][1] - p.x[0][0];
+      if (gap > 2.2 * radius)
+        return false;
+      if (step > 3 && std::abs(speed) * gamma < 0.01 * accuracy * force)
+        return true;
+    }
+  throw RunFailed("the pair neither came to rest nor separated within a million steps: use a larger Accuracy.");
+}
+
+void TwoCells::run(RunContext &context)
+{
+  context.active({SphereContacts::name(contact_law()), friction > 0. ? "cell_friction" : "medium_friction"},
+                 pair(0.).field_names());
+  const auto table = context.series("approach", {{"overlap", "m"}, {"force", "N"}, {"area", "m^2"}, {"energy", "J"}});
+  Particles<3> p = pair(0.);
+  SphereContacts contacts(contact_law(), 0.2 * radius);
+  const double top = deepest * radius, R = 0.5 * radius, E = 0.5 * modulus / (1. - poisson * poisson);
+  const double bottom = law == "jkr" ? 1.2 * JkrContact{adhesion}.release(R, E) : -0.05 * top;
+  double imbalance = 0., largest = 0., work = 0., before = 0., overlap_before = bottom, hertz_error = 0., least = 0.;
+  const auto measure = [&](const double overlap) {
+    p.x[0][1] = 2. * radius - overlap;
+    for (auto &f : p.f)
+      f = {0., 0.};
+    contacts.add_forces(p, 1);
+    const PairContact c = contacts.contacts().empty() ? PairContact() : contacts.contacts()[0];
+    const double force = p.f[0][1];
+    imbalance = std::max(imbalance, std::abs(p.f[0][0] + p.f[0][1]));
+    largest = std::max(largest, std::abs(force));
+    least = std::min(least, force);
+    work += 0.5 * (force + before) * (overlap - overlap_before);
+    before = force;
+    overlap_before = overlap;
+    if (law == "hertz" && overlap > 0.)
+      hertz_error = std::max(hertz_error, std::abs(force / (4. / 3. * E * std::sqrt(R) * std::pow(overlap, 1.5)) - 1.));
+    table->add_row({overlap, force, c.area, c.energy});
+  };
+  for (unsigned int k = 0; k <= samples; ++k)
+    measure(bottom + (top - bottom) * k / samples);
+  for (unsigned int k = 1; k <= samples; ++k)
+    measure(top + (bottom - top) * k / samples);
+
+  context.result("largest_force", largest, "N");
+  context.result("momentum_imbalance", imbalance / largest, "1");
+  context.result("hysteresis_work", work, "J");
+  if (law == "hertz")
+    {
+      context.result("hertz_force_error", hertz_error, "1");
+      return;
+    }
+  const double expected = pull_off_closed_form();
+  context.result("largest_pull_of_the_curve", -least, "N");
+  double low = 0.5 * expected, high = 1.5 * expected;
+  const double total = std::log2(expected / (accuracy * expected));
+  for (int k = 0; high - low > accuracy * expected; ++k)
+    {
+      if (context.stop_requested())
+        throw RunStopped("stopped during the search for the pull-off force");
+      context.progress(std::min(1., k / total), "pull-off force by bisection");
+      const double middle = 0.5 * (low + high);
+      (holds(middle) ? low : high) = middle;
+    }
+  const double pull_off = 0.5 * (low + high);
+  context.result("pull_off", pull_off, "N");
+  context.result("pull_off_closed_form", expected, "N");
+  context.result("pull_off_error", pull_off / expected - 1., "1");
+}
+
+std::unique_ptr<Scenario> make_two_cells() { return std::make_unique<TwoCells>(); }
+} // namespace turgor

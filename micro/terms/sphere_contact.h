@@ -1,0 +1,111 @@
+// What two spheres that touch do to each other along their line of centres: interchangeable laws of centre-based cells.
+//
+//   R = (1/R_i + 1/R_j)^-1,  E = ((1 - nu_i^2)/E_i + (1 - nu_j^2)/E_j)^-1                    thesis Eq. 2.6
+//   delta = R_i + R_j - distance (overlap), F > 0 pushes apart
+//
+//   Hertz           F = 4/3 E sqrt(R) delta^(3/2),                  a^2 = R delta               Eq. 2.5
+//   extended Hertz  F = Hertz - pi W R,                             a^2 = R delta               Eq. 2.7
+//   JKR             F = 4 E a^3/(3 R) - sqrt(8 pi W E a^3)          (the total force)           Eq. 2.8 (corrected)
+//                   delta = a^2/R - sqrt(2 pi W a/E)                                            Eq. 2.9 (corrected)
+//
+// JKR has hysteresis: spheres that come closer feel nothing before they touch (delta = 0) and then snap to a contact of finite
+// radius; when drawn apart they hold on to delta_off = -(3/4) (pi^2 W^2 R/E^2)^(1/3), where a^3 = pi W R^2/(8 E). The largest
+// pull is 3/2 pi W R. Whether a pair was in contact is therefore history, kept by the caller.
+// U (J) is the energy along the branch in contact, dU/d(delta) = F, zero for a = 0; with c = sqrt(2 pi W/E)
+//   U = 8 E a^5/(15 R^2) - 4 E c a^(7/2)/(3 R) + pi W a^2.
+//
+// In: R (m), E (Pa), W (J/m^2), delta (m). Out: force (N), stiffness dF/d(delta) (N/m), area pi a^2 (m^2), energy (J).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace turgor
+{
+struct SphereContact
+{
+  double force = 0., stiffness = 0., area = 0., energy = 0.;
+};
+
+/// R of two radii; the same form serves E of two moduli that carry their own 1 - nu^2.
+inline double in_series(const double a, const double b) { return a * b / (a + b); }
+
+struct HertzContact
+{
+  static constexpr bool has_history = false;
+
+  bool touching(double, double, const double delta, bool) const { return delta > 0.; }
+
+  SphereContact operator()(const double R, const double E, const double delta) const
+  {
+    const double a = std::sqrt(R * delta); // E sqrt(R) delta^(3/2) = E a delta
+    return {4. / 3. * E * a * delta, 2. * E * a, std::numbers::pi * R * delta, 8. / 15. * E * a * delta * delta};
+  }
+};
+
+struct ExtendedHertzContact
+{
+  static constexpr bool has_history = false;
+  double W = 0.; ///< J/m^2
+
+  bool touching(double, double, const double delta, bool) const { return delta > 0.; }
+
+  SphereContact operator()(const double R, const double E, const double delta) const
+  {
+    SphereContact contact = HertzContact()(R, E, delta);
+    const double pull = std::numbers::pi * W * R;
+    contact.force -= pull;
+    contact.energy -= pull * delta;
+    return contact;
+  }
+};
+
+struct JkrContact
+{
+  static constexpr bool has_history = true;
+  double W = 0.; ///< J/m^2
+
+  /// Overlap at which a contact that is drawn apart lets go (negative), m.
+  double release(const double R, const double E) const
+  {
+    const double s = std::numbers::pi * W / E;
+    return -0.75 * std::cbrt(s * s * R);
+  }
+
+  bool touching(const double R, const double E, const double delta, const bool before) const
+  {
+    return delta >= 0. || (before && delta > release(R, E));
+  }
+
+  /// Contact radius of the stable branch, m; delta >= release().
+  double radius(const double R, const double E, const double delta) const
+  {
+    // u = sqrt(a): f = u^4/R - c u - delta is convex; from above Newton's steps only descend, to the largest root.
+    const double c = std::sqrt(2. * std::numbers::pi * W / E);
+    double u = std::sqrt(std::sqrt(R * std::max(delta, 0.))) + std::cbrt(R * c);
+    const double least = std::cbrt(0.25 * R * c); // where df/du = 0: the release
+    for (int k = 0; k < 60; ++k)
+      {
+        const double u3 = u * u * u, slope = 4. * u3 / R - c;
+        if (!(slope > 0.))
+          return least * least;
+        const double next = u - (u * u3 / R - c * u - delta) / slope;
+        if (!(next < u))
+          break;
+        u = std::max(next, least);
+      }
+    return u * u;
+  }
+
+  SphereContact operator()(const double R, const double E, const double delta) const
+  {
+    const double a = radius(R, E, delta), root = std::sqrt(a), c = std::sqrt(2. * std::numbers::pi * W / E);
+    const double area = std::numbers::pi * a * a;
+    // dF/d(delta) = (dF/da) / (d(delta)/da)
+    const double dF = 4. * E * a * a / R - 3. * E * c * root, d_delta = 2. * a / R - 0.5 * c / root;
+    return {4. * E * a * a * a / (3. * R) - 2. * E * c * a * root, d_delta > 0. ? dF / d_delta : HUGE_VAL, area,
+            8. * E * a * a * a * a * a / (15. * R * R) - 4. * E * c * a * a * a * root / (3. * R) + W * area};
+  }
+};
+} // namespace turgor

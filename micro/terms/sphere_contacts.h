@@ -1,0 +1,64 @@
+// Contacts between the cells of a population of spheres: which pairs touch, and force, stiffness and area of each
+// (sphere_contact.h has the laws). The forces go into a sum over each cell's own pairs; the friction matrix
+// (cell_friction.h) is assembled from the same pairs.
+//
+// Fields read: radius (m), modulus (Pa, E/(1 - nu^2) of each cell). Written: f (N).
+// Stress of a cell (thesis Eq. 2.13, 2.14 with the sign of errata): sigma_i = (1/V_i) sum_j f_ij (x) r_ij over its contacts,
+// r_ij from its centre to the contact plane, |r_ij| = (d + R_i - R_j)/2; p_i = -tr(sigma_i)/3.
+#pragma once
+
+#include "micro/engine/pair_list.h"
+#include "micro/terms/sphere_contact.h"
+
+#include <iosfwd>
+#include <string>
+#include <variant>
+
+namespace turgor
+{
+using ContactLaw = std::variant<HertzContact, ExtendedHertzContact, JkrContact>;
+
+/// What one pair does; all zero where it does not touch.
+struct PairContact
+{
+  double e[3]{};        ///< unit vector from i to j
+  double force = 0.;    ///< N, positive apart
+  double stiffness = 0.; ///< N/m, along e
+  double area = 0.;     ///< m^2
+  double energy = 0.;   ///< J
+  double distance = 0.; ///< m, between the centres
+};
+
+class SphereContacts
+{
+public:
+  /// skin: m, of the pair list.
+  SphereContacts(const ContactLaw &law, double skin);
+
+  static std::string name(const ContactLaw &law);
+
+  /// Pairs (lists brought up to date), then f += forces of all contacts. Throws std::runtime_error naming two cells whose
+  /// centres coincide. trial: positions that may be taken back; which pairs touch is not remembered.
+  void add_forces(Particles<3> &particles, unsigned int threads, bool trial = false);
+
+  double energy() const; ///< J
+  /// Pa, mean pressure of one cell, V: m^3.
+  double pressure(const Particles<3> &particles, std::uint32_t cell, double V) const;
+
+  const PairList<3> &list() const { return pairs; }
+  const std::vector<PairContact> &contacts() const { return contact; }
+
+  /// The history: which pairs touch (by their places in the list of the last build).
+  void save(std::ostream &out) const;
+  void load(std::istream &in, const Particles<3> &particles);
+
+private:
+  template <class Law>
+  void compute_pairs(const Law &law, const Particles<3> &particles, unsigned int threads, bool trial);
+
+  ContactLaw law;
+  PairList<3> pairs;
+  std::vector<PairContact> contact;
+  std::vector<unsigned char> touching;
+};
+} // namespace turgor

@@ -1,0 +1,214 @@
+// Rigid tools on the tissue: travel, penalty by hand, reactions, an elastic block against the closed form, energy, checkpoint.
+#include "tests/macro/tissue_fixture.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <numbers>
+#include <sstream>
+
+using namespace turgor;
+using namespace turgor::test;
+
+namespace
+{
+TissueParameters<2> pressed(const std::string &shape = "plate")
+{
+  TissueParameters<2> p;
+  p.size = {width, width};
+  p.elements = {6, 6};
+  p.tool.shape = shape;
+  p.tool.motion = "steady";
+  p.tool.speed = 1.;
+  p.tool.depth = 0.05 * width;
+  p.tool.radius = width;
+  return p;
+}
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(rigid_tools)
+
+BOOST_AUTO_TEST_CASE(travel_by_hand)
+{
+  ToolParameters tool;
+  tool.motion = "steady";
+  tool.speed = 2.;
+  tool.depth = 3.;
+  BOOST_TEST(tool.travel(1.) == 2.);
+  BOOST_TEST(tool.travel(5.) == 3.);
+  tool.motion = "rebound"; // 3 sin(2 t/3): deepest at t = 3 pi/4, at the speed 2 at t = 0 and, away, at t = 3 pi/2 and later
+  BOOST_TEST(std::abs(tool.travel(0.75 * std::numbers::pi) - 3.) < 1e-14);
+  BOOST_TEST(std::abs(tool.travel(1e-6) / 1e-6 - 2.) < 1e-9);
+  BOOST_TEST(std::abs(tool.travel(1.5 * std::numbers::pi)) < 1e-14);
+  BOOST_TEST(std::abs(tool.travel(1.5 * std::numbers::pi + 1.) + 2.) < 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(penalty_by_hand)
+{
+  TissueParameters<2> p = pressed();
+  p.left = "plate";
+  const TissueMesh<2> mesh(p);
+  const double kappa = 1e9;
+  const RigidTools<2> tools(mesh, p, kappa);
+  std::vector<double> u(mesh.nodes * 2, 0.), force(mesh.nodes * 2, 0.);
+  // pushed in by 1e-5 m everywhere, the lower side 2e-6 m into its plate: force kappa * width * penetration
+  for (unsigned int n = 0; n < mesh.nodes; ++n)
+    if (mesh.nodal_area_below[n] > 0.)
+      u[2 * n] = -2e-6;
+  const double time = 1e-5; // 1 m/s: 1e-5 m
+  const ToolReading reading = tools.read(time, u);
+  BOOST_TEST(reading.force == kappa * width * 1e-5, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(reading.support == kappa * width * 2e-6, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(reading.energy == 0.5 * kappa * width * (1e-10 + 4e-12), boost::test_tools::tolerance(1e-12));
+  // forces on the nodes: -d energy/du by central differences, for plate and cylinder
+  for (const std::string shape : {"plate", "cylinder"})
+    {
+      p.tool.shape = shape;
+      const RigidTools<2> tool(mesh, p, kappa);
+      u = wavy(mesh, 3e-6, 0.3);
+      std::fill(force.begin(), force.end(), 0.);
+      tool.add_forces(time, u, force);
+      double largest = 0., worst = 0.;
+      for (std::size_t i = 0; i < u.size(); ++i)
+        {
+          const double h = 1e-9, before = u[i];
+          u[i] = before + h;
+          const double up = tool.read(time, u).energy;
+          u[i] = before - h;
+          const double down = tool.read(time, u).energy;
+          u[i] = before;
+          largest = std::max(largest, std::abs(force[i]));
+          worst = std::max(worst, std::abs(force[i] + (up - down) / (2. * h)));
+        }
+      BOOST_TEST(largest > 0.);
+      BOOST_TEST(worst < 1e-3 * largest, shape << ": " << worst << " of " << largest); // h/penetration: nodes at the edge of contact
+    }
+}
+
+// A block between two frictionless plates is in uniaxial stress. Small strain, plane strain: E' = 4 mu (lambda + mu)/(lambda + 2 mu);
+// pressed slowly (a hundredth of the wave's speed) and damped, force = E' strain width, strain less what the penalties take.
+BOOST_AUTO_TEST_CASE(elastic_block_between_plates)
+{
+  const double soft = 4. * mu; // lambda
+  NeoHookeanLaw<2> law(mu, soft, 3., rho);
+  TissueParameters<2> p = pressed();
+  p.left = "plate";
+  p.tool.speed = 0.1;
+  p.tool.depth = 0.01 * width;
+  p.tool.stiffness = 10.;
+  Tissue<2> tissue(p, law);
+  tissue.start();
+  tissue.advance_to(2. * p.tool.depth / p.tool.speed);
+  const double modulus = 4. * mu * (soft + mu) / (soft + 2. * mu);
+  const double kappa = p.tool.stiffness * law.stiffness_bound() / (width / 6.);
+  // strain e and pressure q: e width + 2 q/kappa = depth, q = modulus e
+  const double expected = width * p.tool.depth / (width / modulus + 2. / kappa);
+  const ToolReading reading = tissue.state().tool;
+  // 1 %: the strain itself, of second order
+  BOOST_TEST(std::abs(reading.force / expected - 1.) < 0.02, "force " << reading.force << ", closed form " << expected);
+  BOOST_TEST(std::abs(reading.support / reading.force - 1.) < 1e-3, "support " << reading.support);
+}
+
+// Kinetic + internal + penalty = work of the tool, to the second order of the step; the clamp's reaction is the impulse's other half.
+BOOST_AUTO_TEST_CASE(energy_and_momentum_of_an_impact)
+{
+  for (const std::string shape : {"plate", "cylinder"})
+    {
+      double error[2];
+      for (int level = 0; level < 2; ++level)
+        {
+          NeoHookeanLaw<2> law(mu, 4. * mu, 0., rho);
+          TissueParameters<2> p = pressed(shape);
+          p.tool.motion = "rebound";
+          p.tool.speed = 2.;
+          p.cfl = level == 0 ? 0.4 : 0.2;
+          p.estimate_every = 0;
+          Tissue<2> tissue(p, law);
+          tissue.start();
+          double impulse = 0., work = 0., momentum = 0.;
+          while (tissue.time() < 4e-5)
+            {
+              const ToolReading before = tissue.state().tool;
+              tissue.step(4e-5);
+              const ToolReading &after = tissue.state().tool;
+              impulse += 0.5 * tissue.last_step() * (before.support + after.support - before.force - after.force);
+            }
+          work = tissue.state().tool_work;
+          const auto &mass = tissue.forces().mass();
+          for (std::size_t i = 0; i < mass.size(); i += 2)
+            momentum += mass[i] * tissue.state().v[i];
+          BOOST_TEST(work > 0.);
+          BOOST_TEST(std::abs(momentum - impulse) < 1e-9 * std::abs(impulse), "momentum " << momentum << ", impulse " << impulse);
+          error[level] = std::abs(tissue.energies().balance()) / work;
+        }
+      BOOST_TEST(error[1] < 0.01, shape << ": energy error " << error[1]);
+      BOOST_TEST(error[1] < 0.5 * error[0] + 1e-6, shape << ": " << error[0] << ", " << error[1]);
+    }
+}
+
+// At the full CFL fraction nothing blows up, however stiff the contact.
+BOOST_AUTO_TEST_CASE(stable_step_knows_the_contact)
+{
+  double steps[2];
+  for (int stiff = 0; stiff < 2; ++stiff)
+    {
+      NeoHookeanLaw<2> law(mu, 4. * mu, 0., rho);
+      TissueParameters<2> p = pressed();
+      p.left = "plate";
+      p.tool.stiffness = stiff ? 100. : 1.;
+      p.tool.speed = 1.;
+      p.cfl = 0.95;
+      Tissue<2> tissue(p, law);
+      tissue.start();
+      steps[stiff] = tissue.stable_step();
+      tissue.advance_to(1e-3);
+      // An unstable mode would have grown without bound over some hundred steps. (The energy at 0.95 of the limit means little:
+      // velocity and position of the fastest mode are then half a swing apart.)
+      double fastest = 0.;
+      for (const double v : tissue.state().v)
+        fastest = std::max(fastest, std::abs(v));
+      BOOST_TEST(tissue.steps() > 100u);
+      BOOST_TEST(fastest < 10. * p.tool.speed, "velocity " << fastest << " m/s after " << tissue.steps() << " steps");
+    }
+  BOOST_TEST(steps[1] < 0.3 * steps[0]);
+}
+
+BOOST_AUTO_TEST_CASE(saved_and_loaded_impact_gives_the_same_bits)
+{
+  for (const std::string integrator : {"central_differences", "dormand_prince"})
+    {
+      TissueParameters<2> p = pressed("cylinder");
+      p.integrator = integrator;
+      p.estimate_every = 3;
+      // a law each: its bounds are those of the states committed to it
+      NeoHookeanLaw<2> whole_law(mu, lambda, 1., rho), first_law(mu, lambda, 1., rho), second_law(mu, lambda, 1., rho);
+      Tissue<2> whole(p, whole_law), first(p, first_law), second(p, second_law);
+      whole.start();
+      whole.advance_to(1e-5);
+      first.start();
+      first.advance_to(1e-5, [](double, unsigned long step) { return step < 5; });
+      std::stringstream stream;
+      first.save(stream);
+      second.load(stream);
+      second.advance_to(1e-5);
+      BOOST_TEST((second.state().u == whole.state().u));
+      BOOST_TEST(second.state().tool_work == whole.state().tool_work);
+      BOOST_TEST(second.state().tool.force == whole.state().tool.force);
+      BOOST_TEST(second.steps() == whole.steps());
+    }
+}
+
+BOOST_AUTO_TEST_CASE(wrong_input_names_the_entry)
+{
+  const auto fails = [](TissueParameters<2> p, const char *entry) {
+    BOOST_CHECK_EXCEPTION(p.check(), std::invalid_argument,
+                          [&](const auto &e) { return std::string(e.what()).find(entry) != std::string::npos; });
+  };
+  TissueParameters<2> p = pressed();
+  p.right = "clamped";
+  fails(p, "Right side");
+  p = pressed();
+  p.tool.depth = 2. * width;
+  fails(p, "Impact/Depth");
+}
+
+BOOST_AUTO_TEST_SUITE_END()

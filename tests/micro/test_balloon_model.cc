@@ -1,0 +1,86 @@
+// The reference solver of a squeezed balloon against its own limits, before anything is compared with it.
+#include "micro/scenarios/balloon_model.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <numbers>
+
+using namespace turgor;
+
+namespace
+{
+BalloonModel balloon(const BalloonModel::Membrane membrane, const double turgor, const double bulk_modulus)
+{
+  BalloonModel model;
+  model.rest_radius = 30e-6;
+  model.wall_stiffness = 100.;
+  model.membrane = membrane;
+  // turgor where 2 T = p R
+  double lambda = 1.;
+  for (int k = 0; k < 100; ++k)
+    lambda = std::pow(1. - turgor * lambda * model.rest_radius / (2. * model.wall_stiffness), -1. / 6.);
+  const double V0 = 4. / 3. * std::numbers::pi * std::pow(lambda * model.rest_radius, 3);
+  model.pressure_of_volume = [=](const double V) { return turgor + bulk_modulus * (V0 / V - 1.); };
+  return model;
+}
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(balloon_model)
+
+BOOST_AUTO_TEST_CASE(tensions_are_slopes_of_one_energy_and_agree_equibiaxially)
+{
+  for (const auto membrane : {BalloonModel::Membrane::net, BalloonModel::Membrane::neo_hookean})
+    {
+      const BalloonModel model = balloon(membrane, 200e3, 42e6);
+      for (const double l : {0.95, 1.01, 1.3})
+        BOOST_TEST(model.tension(l, l).t1 == 100. * (1. - std::pow(l, -6.)), boost::test_tools::tolerance(1e-10));
+      const double a = 1.1, b = 1.25, h = 1e-6;
+      const auto T = model.tension(a, b);
+      BOOST_TEST(T.t1_by_1 == (model.tension(a + h, b).t1 - model.tension(a - h, b).t1) / (2 * h),
+                 boost::test_tools::tolerance(1e-7));
+      BOOST_TEST(T.t1_by_2 == (model.tension(a, b + h).t1 - model.tension(a, b - h).t1) / (2 * h),
+                 boost::test_tools::tolerance(1e-7));
+      // d(lambda_2 T_1)/dlambda_2 = d(lambda_1 T_2)/dlambda_1: there is an energy
+      BOOST_TEST(((b + h) * model.tension(a, b + h).t1 - (b - h) * model.tension(a, b - h).t1)
+                   == a * (model.tension(a + h, b).t2 - model.tension(a - h, b).t2) + 2 * h * T.t2,
+                 boost::test_tools::tolerance(1e-6));
+      BOOST_TEST(T.t2 == model.tension(b, a).t1, boost::test_tools::tolerance(1e-12));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(force_is_the_slope_of_the_energy_and_balances_the_equator)
+{
+  BalloonModel model = balloon(BalloonModel::Membrane::net, 200e3, 42e6);
+  model.elements = 200;
+  const double R = model.turgid_radius();
+  BOOST_TEST(model.pressure_of_volume(4. / 3. * std::numbers::pi * R * R * R) == 200e3, boost::test_tools::tolerance(1e-8));
+  const auto points = model.compress(0.06, 0.002);
+  const double height = 2. * R;
+  for (std::size_t k = 1; k < points.size(); ++k)
+    {
+      // what the equator carries, the plate carries: second order in the elements, (pi/400)^2 of 2 T rho = p rho^2
+      BOOST_TEST(std::abs(points[k].force_balance) < 1e-3);
+      // F dX = dE of the wall - p dV, by the trapezoidal rule
+      const double dX = height * (points[k].deformation - points[k - 1].deformation);
+      const double dE = points[k].energy - points[k - 1].energy
+                        - 0.5 * (points[k].pressure + points[k - 1].pressure) * (points[k].volume - points[k - 1].volume);
+      BOOST_TEST(0.5 * (points[k].force + points[k - 1].force) * dX == dE,
+                 boost::test_tools::tolerance(k < 3 ? 0.05 : 0.01));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(force_is_pressure_times_contact)
+{
+  BalloonModel model = balloon(BalloonModel::Membrane::neo_hookean, 200e3, 42e6);
+  model.elements = 200;
+  const auto points = model.compress(0.05);
+  const double a = points.back().contact_radius, width = 0.5 * std::numbers::pi * model.rest_radius / model.elements;
+  // the contact ends somewhere in the element behind its last node
+  BOOST_TEST(points.back().force >= 0.9 * points.back().pressure * std::numbers::pi * a * a);
+  BOOST_TEST(points.back().force <= points.back().pressure * std::numbers::pi * (a + 2. * width) * (a + 2. * width));
+  BOOST_TEST(std::isnan(BalloonModel::force_at(points, 0.5)));
+  BOOST_TEST(BalloonModel::force_at(points, points[2].deformation) == points[2].force, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

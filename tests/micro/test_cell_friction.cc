@@ -1,0 +1,218 @@
+// A population of spheres in over-damped motion: pair list against all pairs, contact forces and momentum, the friction matrix
+// against a dense solution, two cells by hand.
+#include "micro/engine/counter_random.h"
+#include "micro/terms/cell_friction.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <set>
+#include <sstream>
+
+using namespace turgor;
+
+namespace
+{
+constexpr double radius_0 = 7e-6;
+
+/// n cells in a cube in which they overlap by about a tenth of their radius.
+Particles<3> crowd(const std::uint32_t n, const unsigned int seed)
+{
+  Particles<3> p;
+  p.resize(n);
+  p.groups = {{0, 0, n}};
+  p.declare("radius");
+  p.declare("modulus");
+  const double side = std::cbrt(double(n)) * 1.6 * radius_0;
+  for (std::uint32_t i = 0; i < n; ++i)
+    {
+      for (int d = 0; d < 3; ++d)
+        p.x[d][i] = side * random_uniform(seed, 4 * std::uint64_t(i) + d);
+      p.field("radius")[i] = radius_0 * (0.8 + 0.4 * random_uniform(seed, 4 * std::uint64_t(i) + 3));
+      p.field("modulus")[i] = 450. * (1. + 0.1 * i / n);
+    }
+  return p;
+}
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(cell_friction)
+
+BOOST_AUTO_TEST_CASE(pair_list_has_all_pairs_and_keeps_their_history)
+{
+  Particles<3> p = crowd(200, 3);
+  const std::vector<double> &radius = p.field("radius");
+  const double skin = 1e-6;
+  PairList<3> list(skin);
+  std::vector<unsigned char> touching;
+  list.build(p, radius, touching);
+  std::set<std::pair<std::uint32_t, std::uint32_t>> found;
+  for (const Pair &pair : list.pairs())
+    found.insert({pair.i, pair.j});
+  BOOST_TEST(found.size() == list.pairs().size()); // each once
+  std::size_t expected = 0;
+  for (std::uint32_t i = 0; i < 200; ++i)
+    for (std::uint32_t j = i + 1; j < 200; ++j)
+      if ((p.position(j) - p.position(i)).norm() < radius[i] + radius[j] + skin)
+        {
+          ++expected;
+          BOOST_TEST(found.count({i, j}) == 1u);
+        }
+  BOOST_TEST(expected == found.size());
+  for (std::uint32_t i = 0; i < 200; ++i)
+    for (std::uint32_t k = list.first()[i]; k < list.first()[i + 1]; ++k)
+      {
+        const Pair pair = list.pairs()[list.own()[k]];
+        BOOST_TEST((pair.i == i || pair.j == i));
+        BOOST_TEST(list.other()[k] == (pair.i == i ? pair.j : pair.i));
+      }
+  // marks of some pairs survive a new list, for those that are still in it
+  std::set<std::pair<std::uint32_t, std::uint32_t>> marked;
+  for (std::size_t k = 0; k < touching.size(); k += 3)
+    {
+      touching[k] = 1;
+      marked.insert({list.pairs()[k].i, list.pairs()[k].j});
+    }
+  for (std::uint32_t i = 0; i < 200; ++i)
+    p.x[0][i] += 1e-6 * random_uniform(5, i);
+  BOOST_TEST(list.stale(p, radius));
+  list.build(p, radius, touching);
+  for (std::size_t k = 0; k < touching.size(); ++k)
+    BOOST_TEST(bool(touching[k]) == (marked.count({list.pairs()[k].i, list.pairs()[k].j}) == 1));
+}
+
+BOOST_AUTO_TEST_CASE(forces_are_minus_the_slope_of_the_energy_and_balance)
+{
+  for (const ContactLaw law : {ContactLaw(HertzContact()), ContactLaw(ExtendedHertzContact{1e-4}), ContactLaw(JkrContact{1e-4})})
+    {
+      Particles<3> p = crowd(60, 4);
+      SphereContacts contacts(law, 1e-6);
+      contacts.add_forces(p, 1);
+      const auto f = p.f;
+      double size = 0.;
+      for (int d = 0; d < 3; ++d)
+        {
+          double sum = 0.;
+          for (const double value : f[d])
+            {
+              sum += value;
+              size = std::max(size, std::abs(value));
+            }
+          BOOST_CHECK_SMALL(sum, 1e-13 * 60 * size);
+        }
+      for (std::uint32_t i = 0; i < 60; i += 7)
+        for (int d = 0; d < 3; ++d)
+          {
+            const double h = 1e-6 * radius_0, x = p.x[d][i];
+            double e[2];
+            for (int s = 0; s < 2; ++s)
+              {
+                p.x[d][i] = x + (s ? h : -h);
+                contacts.add_forces(p, 1);
+                e[s] = contacts.energy();
+              }
+            p.x[d][i] = x;
+            // round-off: eps times the energy of all pairs over h
+            BOOST_CHECK_SMALL((e[1] - e[0]) / (2. * h) + f[d][i], 1e-6 * size + 2.2e-16 * 100 * std::abs(e[0]) / h);
+          }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(friction_agrees_with_a_dense_solution_on_any_number_of_threads)
+{
+  const std::uint32_t n = 150;
+  Particles<3> p = crowd(n, 6);
+  SphereContacts contacts(HertzContact(), 1e-6);
+  contacts.add_forces(p, 1);
+  const std::vector<double> gamma(n, 1e-2); // pair friction is about 0.5 N s/m
+  FrictionParameters parameters{.normal = 5e10, .tangential = 2e10, .tolerance = 1e-10};
+  Friction friction(parameters);
+  friction.velocities(p, contacts, gamma, 0., 1);
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(3 * n, 3 * n);
+  Eigen::VectorXd F(3 * n), v(3 * n);
+  for (std::size_t k = 0; k < contacts.contacts().size(); ++k)
+    {
+      const PairContact &c = contacts.contacts()[k];
+      const auto [i, j] = contacts.list().pairs()[k];
+      const Eigen::Vector3d e(c.e[0], c.e[1], c.e[2]);
+      const Eigen::Matrix3d block =
+        c.area * (parameters.normal * e * e.transpose() + parameters.tangential * (Eigen::Matrix3d::Identity() - e * e.transpose()));
+      A.block<3, 3>(3 * i, 3 * i) += block;
+      A.block<3, 3>(3 * j, 3 * j) += block;
+      A.block<3, 3>(3 * i, 3 * j) -= block;
+      A.block<3, 3>(3 * j, 3 * i) -= block;
+    }
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (int d = 0; d < 3; ++d)
+      {
+        A(3 * i + d, 3 * i + d) += gamma[i];
+        F[3 * i + d] = p.f[d][i];
+        v[3 * i + d] = p.v[d][i];
+      }
+  const Eigen::VectorXd exact = A.ldlt().solve(F);
+  // The residual is 1e-10 of F; the matrix's condition (pair over medium friction, below 1e4) turns that into at most 1e-6.
+  BOOST_CHECK_SMALL((A * v - F).norm() / F.norm(), 1.1e-10);
+  BOOST_CHECK_SMALL((v - exact).norm() / exact.norm(), 1e-6);
+
+  Particles<3> q = crowd(n, 6);
+  SphereContacts same(HertzContact(), 1e-6);
+  same.add_forces(q, 2);
+  Friction(parameters).velocities(q, same, gamma, 0., 2);
+  for (int d = 0; d < 3; ++d)
+    BOOST_CHECK(p.v[d] == q.v[d]);
+}
+
+// Two cells drawn along their line: relative velocity 2 F/(gamma + 2 A normal) each way; across it with the tangential one.
+BOOST_AUTO_TEST_CASE(two_cells_by_hand)
+{
+  Particles<3> p;
+  p.resize(2);
+  p.groups = {{0, 0, 2}};
+  p.declare("radius");
+  p.declare("modulus");
+  p.field("radius") = {2., 2.};
+  p.field("modulus") = {1., 1.};
+  p.x[0] = {0., 3.};
+  SphereContacts contacts(HertzContact(), 0.1);
+  contacts.add_forces(p, 1);
+  // R = 1, E = 1/2, delta = 1: 2/3 N, area pi
+  BOOST_TEST(p.f[0][1] == 2. / 3., boost::test_tools::tolerance(1e-14));
+  const std::vector<double> gamma = {0.5, 0.5};
+  Friction friction({.normal = 3., .tangential = 2., .tolerance = 1e-12});
+  p.f[1] = {-1., 1.};
+  friction.velocities(p, contacts, gamma, 0., 1);
+  const double area = std::numbers::pi;
+  BOOST_TEST(p.v[0][1] == 2. / 3. / (0.5 + 2. * area * 3.), boost::test_tools::tolerance(1e-10));
+  BOOST_TEST(p.v[1][1] == 1. / (0.5 + 2. * area * 2.), boost::test_tools::tolerance(1e-10));
+  BOOST_TEST(p.v[0][0] == -p.v[0][1], boost::test_tools::tolerance(1e-10));
+  // pressure of a cell: force times the way to the contact plane over 3 V
+  BOOST_TEST(contacts.pressure(p, 0, 10.) == 2. / 3. * 1.5 / 30., boost::test_tools::tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(contacts_that_hold_on_survive_a_checkpoint)
+{
+  const JkrContact law{1e-4};
+  Particles<3> p = crowd(2, 1);
+  p.field("radius") = {radius_0, radius_0};
+  p.field("modulus") = {400., 400.};
+  for (int d = 0; d < 3; ++d)
+    p.x[d] = {0., 0.};
+  p.x[0][1] = 1.9 * radius_0;
+  SphereContacts contacts(law, 1e-6);
+  contacts.add_forces(p, 1);
+  const double off = law.release(0.5 * radius_0, 200.);
+  p.x[0][1] = 2. * radius_0 - 0.5 * off; // apart, held by adhesion
+  p.f[0] = {0., 0.};
+  contacts.add_forces(p, 1);
+  BOOST_TEST(p.f[0][1] < 0.);
+  std::stringstream file;
+  contacts.save(file);
+  SphereContacts resumed(law, 1e-6), fresh(law, 1e-6);
+  resumed.load(file, p);
+  Particles<3> q = p, z = p;
+  q.f[0] = z.f[0] = {0., 0.};
+  resumed.add_forces(q, 1);
+  fresh.add_forces(z, 1);
+  BOOST_TEST(q.f[0][1] == p.f[0][1]);
+  BOOST_TEST(z.f[0][1] == 0.); // without the past: not touching
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,190 @@
+// One round cell: what it is made of, Laplace's law, breathing, between plates; small, through the scenes themselves.
+#include "micro/scenarios/laplace.h"
+#include "micro/scenarios/shell_oscillation.h"
+#include "micro/scenarios/squeezed_cell.h"
+#include "tests/memory_context.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <cmath>
+#include <numbers>
+
+using namespace turgor;
+using test::Disk;
+using test::MemoryContext;
+
+namespace
+{
+using Entries = std::vector<std::pair<std::string, std::string>>;
+
+/// Entries "Cell/x" go to the subsection.
+void run(Scenario &scene, MemoryContext &context, const Entries &entries)
+{
+  dealii::ParameterHandler prm;
+  scene.declare_parameters(prm);
+  for (const auto &[name, value] : entries)
+    if (name.substr(0, 5) == "Cell/")
+      {
+        prm.enter_subsection("Cell");
+        prm.set(name.substr(5), value);
+        prm.leave_subsection();
+      }
+    else
+      prm.set(name, value);
+  scene.check();
+  scene.run(context);
+}
+
+RoundCellParameters one_pressure()
+{
+  RoundCellParameters p;
+  p.fluid = "pressure";
+  p.frequency = 6;
+  p.wall_density = 32500.;
+  p.anneal_steps = 3000;
+  return p;
+}
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(single_cell_scenes)
+
+BOOST_AUTO_TEST_CASE(enclosed_fluid_is_minus_the_energys_gradient_in_2D_and_3D)
+{
+  const auto check = [](auto &cell) {
+    auto &p = cell.system.particles;
+    cell.enclosed->set_cell_mass(0, 1.01 * cell.enclosed->cell_mass(0));
+    const auto energy = [&] { return cell.enclosed->energy(p, cell.system.box, 0); };
+    for (auto &component : p.f)
+      std::fill(component.begin(), component.end(), 0.);
+    cell.enclosed->add_forces(p, cell.system.box, 0);
+    const double h = 1e-4 * cell.rest_radius;
+    double largest = 0.;
+    for (const double f : p.f[0])
+      largest = std::max(largest, std::abs(f));
+    for (std::size_t i = 0; i < p.size(); i += 7)
+      for (auto d = 0u; d < p.x.size(); ++d)
+        {
+          const double x = p.x[d][i];
+          p.x[d][i] = x + h;
+          const double up = energy();
+          p.x[d][i] = x - h;
+          const double down = energy();
+          p.x[d][i] = x;
+          // third derivatives of E: (h times a node's share of the volume)^2, 1e-4 at most; measured 1e-7
+          BOOST_TEST(std::abs(p.f[d][i] + (up - down) / (2. * h)) < 1e-5 * largest);
+        }
+  };
+  check(*make_round_cell<3>(one_pressure(), false));
+  RoundCellParameters flat = one_pressure();
+  flat.ring_nodes = 40;
+  check(*make_round_cell<2>(flat, false));
+}
+
+BOOST_AUTO_TEST_CASE(a_cell_of_one_pressure_obeys_laplace_to_its_facets)
+{
+  // The virial theorem of the discrete cell: sum F l = 3 p V exactly, so 2 T A = 3 p V at rest.
+  auto cell = make_round_cell<3>(one_pressure(), false);
+  bring_to_turgor<3>(*cell, {});
+  BOOST_TEST(cell->pressure() == 200e3, boost::test_tools::tolerance(1e-3));
+  BOOST_TEST(cell->wall_virial() == 3. * cell->pressure() * cell->volume(), boost::test_tools::tolerance(1e-3));
+  BOOST_TEST(cell->virial_pressure() == cell->pressure(), boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(cell->mean_radius() / cell->rest_radius == cell->parameters.turgid_stretch(3),
+             boost::test_tools::tolerance(1e-3));
+  double deviation = 0.;
+  // second order in the edge: nu = 6: 1.2 % between pull across great circles of R and the facets'
+  BOOST_TEST(2. * cell->cut_tension(deviation) / cell->mean_radius() == 200e3, boost::test_tools::tolerance(0.02));
+}
+
+BOOST_AUTO_TEST_CASE(laplace_scene_in_2D)
+{
+  Disk disk;
+  MemoryContext context(disk, false);
+  Laplace scene;
+  run(scene, context,
+      {{"Dimension", "2"}, {"Samples", "10"}, {"Cell/Radius", "50e-6"}, {"Cell/Wall thickness", "1e-6"},
+       {"Cell/Ring nodes", "48"}, {"Cell/Fluid particles", "120"}, {"Cell/Ordering", "0"}, {"Cell/Anneal steps", "3000"}});
+  // a polygon of 48: F = p R z0 cos(pi/48): 0.2 %, and what particles of this size add
+  BOOST_TEST(std::abs(context.results.at("deviation_cut_virial")) < 1.);
+  BOOST_TEST(std::abs(context.results.at("deviation_cut_eos")) < 1.);
+  BOOST_TEST(disk.series.at("laplace").size() >= 10);
+}
+
+BOOST_AUTO_TEST_CASE(closed_forms_of_a_filled_shell)
+{
+  RoundCellParameters p;
+  p.fluid = "sph";
+  p.wall_thickness = 1e-6;
+  const double R = 30e-6, c = 50.;
+  // By hand: the equation itself at the roots, with boost's or std's Bessel functions written out.
+  for (const double w : ShellOscillation::closed_form(p, R, c, 4))
+    {
+      const double q = w * R / c, j0 = std::sin(q) / q, j1 = std::sin(q) / (q * q) - std::cos(q) / q;
+      const double left = j0 / j1 - q * p.wall_density * p.wall_thickness / (p.fluid_density * R)
+                          + 4. * 3. * p.wall_stiffness / (q * p.fluid_density * c * c * R);
+      BOOST_TEST(std::abs(left) < 1e-6 * 4. * 3. * p.wall_stiffness / (q * p.fluid_density * c * c * R));
+    }
+  // A rigid wall (stiffness to infinity) leaves the roots of j1: tan q = q, q = 4.4934, 7.7253
+  p.wall_stiffness = 1e9;
+  const auto rigid = ShellOscillation::closed_form(p, R, c, 2);
+  BOOST_TEST(rigid[0] * R / c == 4.493409, boost::test_tools::tolerance(1e-4));
+  BOOST_TEST(rigid[1] * R / c == 7.725252, boost::test_tools::tolerance(1e-4));
+  p.fluid = "none";
+  p.wall_stiffness = 100.;
+  BOOST_TEST(ShellOscillation::closed_form(p, R, c, 2)[0] == std::sqrt(4. * 300. / 1.3e-3) / R,
+             boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(the_empty_shell_breathes_as_its_closed_form)
+{
+  Disk disk;
+  MemoryContext context(disk, false);
+  ShellOscillation scene;
+  run(scene, context, {{"Filled", "false"}, {"Periods", "12"}, {"Samples per period", "40"}, {"Cell/Frequency", "5"},
+                       {"Cell/Wall thickness", "1e-6"}});
+  BOOST_TEST(std::abs(context.results.at("mode_1_deviation")) < 0.2);
+  BOOST_TEST(std::abs(context.results.at("energy_drift")) < 1e-4);
+}
+
+BOOST_AUTO_TEST_CASE(squeezed_and_resumed_is_squeezed)
+{
+  const Entries entries = {{"Dimension", "2"}, {"Speed", "5"}, {"Deformation", "0.1"}, {"Samples", "20"}, {"Frames", "0"},
+                           {"Checkpoints", "0"}, {"Critical stretch", "1.028"}, {"Cell/Radius", "50e-6"},
+                           {"Cell/Wall thickness", "1e-6"}, {"Cell/Ring nodes", "40"}, {"Cell/Fluid particles", "100"},
+                           {"Cell/Anneal steps", "1500"}};
+  Disk whole;
+  MemoryContext straight(whole, false);
+  run(*make_cell_failure(), straight, entries);
+  BOOST_TEST(straight.results.at("broken_bonds") > 0.);
+  const auto &rows = whole.series.at("force");
+  BOOST_TEST(rows.back()[1] >= 0.0999);
+  BOOST_TEST(rows.back()[2] > 0.);
+
+  Disk disk;
+  MemoryContext first(disk, false);
+  first.stop_while = "squeezing";
+  BOOST_CHECK_THROW(run(*make_cell_failure(), first, entries), RunStopped);
+  MemoryContext second(disk, true);
+  run(*make_cell_failure(), second, entries);
+  BOOST_TEST((disk.series.at("force") == rows));
+  BOOST_TEST((second.results == straight.results));
+}
+
+BOOST_AUTO_TEST_CASE(wrong_entries_say_what_is_allowed)
+{
+  const auto says = [](const std::string &words) {
+    return [words](const std::exception &e) { return std::string(e.what()).find(words) != std::string::npos; };
+  };
+  Disk disk;
+  MemoryContext context(disk, false);
+  Laplace scene;
+  BOOST_CHECK_EXCEPTION(run(scene, context, {{"Cell/Turgor", "7e6"}}), std::invalid_argument, says("below 2 G t0/Radius"));
+  BOOST_CHECK_EXCEPTION(run(scene, context, {{"Cell/Turgor", "0"}}), std::invalid_argument, says("has to be positive"));
+  ShellOscillation shell;
+  BOOST_CHECK_EXCEPTION(run(shell, context, {{"Inward speed", "5"}}), std::invalid_argument, says("fiftieth"));
+  BOOST_CHECK_EXCEPTION(run(*make_cell_failure(), context, {{"Critical stretch", "1.001"}}), InputError, says("turgid wall"));
+  BOOST_TEST(disk.series.empty());
+}
+
+BOOST_AUTO_TEST_SUITE_END()

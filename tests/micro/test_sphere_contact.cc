@@ -1,0 +1,104 @@
+// Contact of two spheres: Hertz and JKR against their closed forms, energies against forces, hysteresis.
+#include "micro/terms/sphere_contact.h"
+
+#include <boost/test/unit_test.hpp>
+
+using namespace turgor;
+namespace
+{
+constexpr double R = 3e-6, E = 400., W = 1e-4, pi = std::numbers::pi;
+}
+
+BOOST_AUTO_TEST_SUITE(sphere_contact)
+
+BOOST_AUTO_TEST_CASE(hertz_by_hand)
+{
+  // R = 4, E = 3, delta = 1: F = 4/3 * 3 * 2 * 1 = 8, dF = 3/2 F/delta = 12, area 4 pi, U = 2/5 F delta
+  const SphereContact c = HertzContact()(4., 3., 1.);
+  BOOST_TEST(c.force == 8., boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(c.stiffness == 12., boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(c.area == 4. * pi, boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(c.energy == 3.2, boost::test_tools::tolerance(1e-15));
+  const SphereContact e = ExtendedHertzContact{0.5}(4., 3., 1.);
+  BOOST_TEST(e.force == 8. - 2. * pi, boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(in_series(3., 6.) == 2., boost::test_tools::tolerance(1e-15));
+}
+
+BOOST_AUTO_TEST_CASE(energy_and_stiffness_are_integral_and_slope_of_the_force)
+{
+  const auto check = [&](const auto &law, const double delta) {
+    const double step = 1e-4 * std::abs(delta);
+    const SphereContact low = law(R, E, delta - step), here = law(R, E, delta), high = law(R, E, delta + step);
+    // relative: (step/delta)^2 of the third derivative, and eps delta/step of round-off
+    BOOST_CHECK_SMALL((high.energy - low.energy) / (2. * step) - here.force, 1e-6 * (std::abs(here.force) + W * R));
+    BOOST_CHECK_SMALL((high.force - low.force) / (2. * step) - here.stiffness, 1e-6 * std::abs(here.stiffness));
+  };
+  for (const double delta : {1e-8, 1e-7, 1e-6, 3e-6})
+    {
+      check(HertzContact(), delta);
+      check(ExtendedHertzContact{W}, delta);
+      check(JkrContact{W}, delta);
+    }
+  const double off = JkrContact{W}.release(R, E);
+  for (const double share : {0.1, 0.5, 0.9})
+    check(JkrContact{W}, share * off);
+}
+
+BOOST_AUTO_TEST_CASE(jkr_radius_solves_its_equation)
+{
+  const JkrContact law{W};
+  for (const double delta : {0.999 * law.release(R, E), 0., 1e-9, 1e-7, 1e-6, 1e-5})
+    {
+      const double a = law.radius(R, E, delta), c = std::sqrt(2. * pi * W * a / E);
+      BOOST_CHECK_SMALL(a * a / R - c - delta, 1e-13 * (a * a / R + c));
+    }
+  // touching: a^3 = 2 pi W R^2/E, F = -4/3 pi W R
+  BOOST_TEST(std::pow(law.radius(R, E, 0.), 3) == 2. * pi * W * R * R / E, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(law(R, E, 0.).force == -4. / 3. * pi * W * R, boost::test_tools::tolerance(1e-12));
+  // at the release: F = -5/6 pi W R (square-root behaviour there: half the digits)
+  BOOST_TEST(law(R, E, law.release(R, E)).force == -5. / 6. * pi * W * R, boost::test_tools::tolerance(1e-6));
+}
+
+BOOST_AUTO_TEST_CASE(largest_pull_is_three_halves_pi_W_R)
+{
+  const JkrContact law{W};
+  const double off = law.release(R, E);
+  double most = 0., at = 0.;
+  for (int k = 0; k <= 200000; ++k)
+    {
+      const double delta = off * k / 200000., F = law(R, E, delta).force;
+      if (F < most)
+        {
+          most = F;
+          at = delta;
+        }
+    }
+  BOOST_TEST(most == -1.5 * pi * W * R, boost::test_tools::tolerance(1e-9));
+  // there a^3 = 9 pi W R^2/(8 E)
+  BOOST_TEST(law.radius(R, E, at) == std::cbrt(9. * pi * W * R * R / (8. * E)), boost::test_tools::tolerance(1e-4));
+}
+
+BOOST_AUTO_TEST_CASE(jkr_without_adhesion_is_hertz)
+{
+  for (const double delta : {1e-8, 1e-6})
+    {
+      const SphereContact jkr = JkrContact{1e-18}(R, E, delta), hertz = HertzContact()(R, E, delta);
+      BOOST_TEST(jkr.force == hertz.force, boost::test_tools::tolerance(1e-4));
+      BOOST_TEST(jkr.area == hertz.area, boost::test_tools::tolerance(1e-4));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(who_touches_depends_on_the_past)
+{
+  const JkrContact law{W};
+  const double off = law.release(R, E);
+  BOOST_TEST(!law.touching(R, E, 0.5 * off, false)); // coming closer: not yet
+  BOOST_TEST(law.touching(R, E, 0.5 * off, true));   // drawn apart: still
+  BOOST_TEST(!law.touching(R, E, 1.001 * off, true));
+  BOOST_TEST(law.touching(R, E, 0., false));
+  // work lost in a cycle: what is left at the release minus what the first touch gave
+  const double lost = law(R, E, off).energy - law(R, E, 0.).energy;
+  BOOST_TEST(lost > 0.);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

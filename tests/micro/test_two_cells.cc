@@ -1,0 +1,51 @@
+// The scene of two cells: pull-off found by the over-damped engine, hysteresis, bad input.
+#include "micro/scenarios/two_cells.h"
+#include "tests/memory_context.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <deal.II/base/parameter_handler.h>
+
+using namespace turgor;
+
+namespace
+{
+double result(const std::string &text, const std::string &name)
+{
+  TwoCells scene;
+  dealii::ParameterHandler prm;
+  scene.declare_parameters(prm);
+  prm.parse_input_from_string(text);
+  scene.check();
+  test::Disk disk;
+  test::MemoryContext context(disk, false);
+  scene.run(context);
+  return context.results.at(name);
+}
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(two_cells)
+
+BOOST_AUTO_TEST_CASE(pull_off_is_found_by_moving_the_cells)
+{
+  BOOST_CHECK_SMALL(result("set Law = jkr", "pull_off_error"), 1e-6);
+  BOOST_CHECK_SMALL(result("set Law = extended_hertz", "pull_off_error"), 1e-6);
+  BOOST_CHECK_SMALL(result("set Law = hertz", "hertz_force_error"), 1e-11); // overlap is a small difference of radii
+}
+
+BOOST_AUTO_TEST_CASE(only_jkr_loses_work_in_a_cycle)
+{
+  const double jkr = result("set Law = jkr", "hysteresis_work"), hertz = result("set Law = hertz", "hysteresis_work");
+  BOOST_TEST(jkr > 0.);
+  BOOST_CHECK_SMALL(hertz, 1e-9 * jkr);
+  BOOST_TEST(result("set Law = jkr", "momentum_imbalance") < 1e-13);
+}
+
+BOOST_AUTO_TEST_CASE(adhesion_has_to_suit_the_law)
+{
+  BOOST_CHECK_EXCEPTION(result("set Law = jkr\nset Adhesion = 0", "pull_off"), InputError,
+                        [](const InputError &e) { return std::string(e.what()).find("Adhesion is 0") != std::string::npos; });
+  BOOST_CHECK_THROW(result("set Adhesion = 1", "pull_off"), InputError);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
