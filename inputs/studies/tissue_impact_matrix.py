@@ -14,6 +14,7 @@ import concurrent.futures
 import csv
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -50,7 +51,8 @@ def run(program, part, label, settings):
             command += ["--set", "%s=%s" % (name, value)]
         done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT, stdin=subprocess.DEVNULL)
         if done.returncode != 0: # a run that failed is a result: its sentence goes into the table
-            return {"run": label, "status": done.stderr.strip().splitlines()[-1] if done.stderr.strip() else "failed"}, []
+            said = [line for line in done.stderr.splitlines() if line.startswith("turgor:")]
+            return {"run": label, "status": said[0] if said else "failed"}, []
         with open(os.path.join(directory, "summary.json"), encoding="utf-8") as file:
             summary = json.load(file)
         with open(os.path.join(directory, "loading.csv"), encoding="utf-8") as file:
@@ -67,7 +69,7 @@ def read(path):
         return list(csv.DictReader(file))
 
 
-def study(program, part, directory, jobs):
+def study(program, part, directory, jobs, only):
     table, curves = os.path.join(directory, part + ".csv"), os.path.join(directory, part + "_curves.csv")
     wanted = list(runs(part))
     rows = {row["run"]: row for row in read(table)}
@@ -75,7 +77,7 @@ def study(program, part, directory, jobs):
     for point in read(curves):
         points.setdefault(point["run"], []).append([point[k] for k in ["run"] + KEPT])
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        waiting = [pool.submit(run, program, part, *one) for one in wanted if one[0] not in rows]
+        waiting = [pool.submit(run, program, part, *one) for one in wanted if one[0] not in rows and re.search(only, one[0])]
         for done in concurrent.futures.as_completed(waiting):
             row, curve = done.result()
             rows[row["run"]], points[row["run"]] = row, curve[::4] # every fourth sample is plenty for a curve
@@ -101,10 +103,11 @@ def main():
     parser.add_argument("-o", "--output", default="tissue_impact")
     parser.add_argument("--program", default=os.path.join(ROOT, "turgor"))
     parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--only", default="", help="regular expression: runs with another label are left for later")
     options = parser.parse_args()
     os.makedirs(options.output, exist_ok=True)
     for part in options.parts:
-        study(options.program, part, options.output, options.jobs)
+        study(options.program, part, options.output, options.jobs, options.only)
 
 
 if __name__ == "__main__":
