@@ -67,21 +67,25 @@ def picture(directory, name):
     colours = plt.get_cmap("viridis")
 
     failing = table["failed_cells"].max() > 0 or table["broken_ties"].max() > 0
-    figure = plt.figure(figsize=(12.5, 7.2), facecolor="white")
+    # Four pictures in a row at true scale; everything below in inches
+    wide, each = 12.5, 12.5 * 0.94 / len(chosen)
+    tall = min(each * (start[1] - start[0] + 60) / (start[3] - start[2]), 6.0)
+    total = tall + 3.9
+    figure = plt.figure(figsize=(wide, total), facecolor="white")
     for k, frame in enumerate(chosen):
-        axis = figure.add_axes([0.02 + 0.97 * k / len(chosen), 0.46, 0.94 / len(chosen), 0.47])
+        axis = figure.add_axes([0.02 + 0.97 * k / len(chosen), 3.5 / total, 0.94 / len(chosen), tall / total])
         draw(axis, frame, table, start, norm, colours)
-    colour_bar(figure, [0.35, 0.435, 0.3, 0.013], norm, colours, "mean fluid pressure of a cell [kPa]" + (", failed cells hatched" if failing else ""))
+    colour_bar(figure, [0.35, 3.35 / total, 0.3, 0.1 / total], norm, colours, "mean fluid pressure of a cell [kPa]" + (", failed cells hatched" if failing else ""))
 
     strain = 100 * table["strain"]
-    left = figure.add_axes([0.07, 0.085, 0.40 if failing else 0.56, 0.25])
+    left = figure.add_axes([0.07, 0.6 / total, 0.40 if failing else 0.56, 1.9 / total])
     left.plot(strain, table["stress_top [Pa]"] / 1e3, color=ACCENT, linewidth=1.2, label="moving plate")
     left.plot(strain, table["stress_bottom [Pa]"] / 1e3, color=ALONG, linewidth=1.8, label="fixed plate (transmitted)")
     left.set_xlabel("strain [%]", color=INK, fontsize=9)
     left.set_ylabel("force over area [kPa]", color=INK, fontsize=9)
     left.legend(frameon=False, fontsize=9)
     style(left)
-    right = figure.add_axes([0.56 if failing else 0.71, 0.085, 0.40 if failing else 0.27, 0.25])
+    right = figure.add_axes([0.56 if failing else 0.71, 0.6 / total, 0.38 if failing else 0.27, 1.9 / total])
     if failing:
         right.plot(strain, table["failed_cells"], color=ACCENT, linewidth=1.8, label="failed cells")
         right.set_ylabel("failed cells", color=ACCENT, fontsize=9)

@@ -109,6 +109,7 @@ std::unique_ptr<CellFluid<2>> make_cell_fluid(const ParenchymaParameters &p, con
   fluid.viscosity = p.fluid_viscosity;
   fluid.exact_volume = sph.volume == "exact";
   fluid.ordering = sph.ordering * p.fluid_modulus;
+  fluid.barrier = damage ? p.fluid_modulus : 0.; // an opened cell must not leak through what is left of its wall
   return std::make_unique<SphFluid<2>>(fluid, eos, mass, std::move(damage));
 }
 

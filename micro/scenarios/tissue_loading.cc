@@ -490,6 +490,6 @@ std::unique_ptr<Scenario> make_tissue_failure()
     .description = "Impact on an aggregate whose walls and lamella break: which cells fail, when and how deep.",
     .end_strain = 0.5,
     .critical_stretch = 1.15,
-    .lamella_strength = 1e6});
+    .lamella_strength = 4e6});
 }
 } // namespace turgor

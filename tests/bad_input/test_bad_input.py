@@ -136,6 +136,13 @@ BY_SCENE = {
         ("Impact/Tool", "hammer", ["one of"]),
         ("Tissue/Right side", "clamped", ["it needs 'Right side = free'"]),
     ],
+    "tissue_impact": [
+        NO_TURGOR,
+        ("Gap", "30e-6", ["Gap is 3e-05 m", "a quarter of Cell/Period"]),
+        ("Cell/Nodes per side", "9", ["even number"]),
+        ("Yielding", "elastic", ["one of"]),
+        ("Critical stretch", "1", ["above 1, or 0"]),
+    ],
     "cell_endurance": [NO_TURGOR, ("Steps", "2.5", ["whole number"])],
     "rve_response": CELL[:1] + [("RVE/Rule", "elastic", ["one of"]), ("RVE/Columns", "0", ["a whole number from 1"]),
                                   ("RVE/Tolerance", "1e-20", ["allowed are 0"])],

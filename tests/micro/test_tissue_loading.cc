@@ -1,0 +1,208 @@
+// Aggregates of cells: geometry by hand, the honeycomb, the scenes between plates, stop and resume, failure, bad input.
+#include "micro/cells/brick_tissue.h"
+#include "micro/scenarios/tissue_loading.h"
+#include "micro/scenarios/tissue_measures.h"
+#include "micro/scenarios/wall_uniaxial.h"
+#include "tests/memory_context.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <cmath>
+
+using namespace turgor;
+using test::Disk;
+using test::MemoryContext;
+
+namespace
+{
+using Entries = std::vector<std::pair<std::string, std::string>>;
+
+/// Six small cells hit by the plate; name = "Subsection/Entry" or "Entry".
+void run_small(Scenario &scene, MemoryContext &context, const Entries &more = {})
+{
+  dealii::ParameterHandler prm;
+  scene.declare_parameters(prm);
+  Entries entries{{"Columns", "2"}, {"Rows", "3"}, {"End strain", "0.06"}, {"Inflation time", "15e-6"}, {"Samples", "20"},
+                  {"Frames", "0"}, {"Checkpoints", "0"}, {"Cell/Nodes per side", "8"}, {"Cell/Lamella ratio", "1"},
+                  {"SPH/Particles per side", "6"}};
+  entries.insert(entries.end(), more.begin(), more.end());
+  for (const auto &[name, value] : entries)
+    {
+      const std::size_t slash = name.find('/');
+      if (slash != std::string::npos)
+        prm.enter_subsection(name.substr(0, slash));
+      prm.set(slash != std::string::npos ? name.substr(slash + 1) : name, value);
+      if (slash != std::string::npos)
+        prm.leave_subsection();
+    }
+  scene.check();
+  scene.run(context);
+}
+
+std::map<std::string, double> results_of(const Entries &more)
+{
+  Disk disk;
+  MemoryContext context(disk, false);
+  run_small(*make_tissue_impact(), context, more);
+  return context.results;
+}
+
+struct Says
+{
+  std::string text;
+  bool operator()(const std::exception &e) const
+  {
+    BOOST_TEST_MESSAGE(e.what());
+    return std::string(e.what()).find(text) != std::string::npos;
+  }
+};
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(tissue_loading)
+
+BOOST_AUTO_TEST_CASE(bricks_by_hand)
+{
+  ParenchymaParameters cell;
+  cell.nodes_per_side = 8;
+  SphParameters sph;
+  sph.particles_per_side = 6;
+  BrickParameters brick;
+  brick.columns = 3;
+  brick.rows = 3;
+  for (const double gap : {0., 20e-6})
+    {
+      brick.gap = gap;
+      const auto tissue = make_brick_tissue(cell, sph, brick);
+      const Particles<2> &p = tissue->system.particles;
+      // facing nodes lie on each other
+      for (const LamellaTie &tie : tissue->ties->all())
+        BOOST_TEST((p.position(tie.a) - p.position(tie.b)).norm() < 1e-12 * cell.period);
+      // 6 upright walls of 9 nodes; 2 rows of 5 half walls of 5 nodes. A gap of 20 um takes the nodes at 0 and 12.5 um, at both ends
+      BOOST_TEST(tissue->ties->all().size() == (gap > 0. ? 6u * 5u + 10u * 1u : 6u * 9u + 10u * 5u));
+      // laid: no holes; the middle cell has six neighbours' corners, 2 of its angles are flat
+      BOOST_TEST(tissue->void_fraction() < 0.005);
+      BOOST_TEST(tissue->junctions[4].size() == 6u);
+      BOOST_TEST(tissue->to_junction(4, 2) == 2u);
+      double area = 0.;
+      for (std::size_t c = 0; c < 9; ++c)
+        {
+          area += tissue->cell_area(c);
+          // fluid at rho_0, walls at rest
+          const double fluid = tissue->fluid->particle_mass()[c] * 36.;
+          BOOST_TEST(fluid == cell.fluid_density * tissue->cell_area(c) * cell.depth, boost::test_tools::tolerance(1e-12));
+          for (std::size_t k = 0; k < 32; ++k)
+            BOOST_TEST(tissue->wall->stretch(p, c, k) == 1., boost::test_tools::tolerance(1e-12));
+        }
+      // corners move at most 6 % at the rim only
+      BOOST_TEST(std::abs(area / (9. * cell.period * cell.period) - 1.) < 4. * 0.06 / 3.);
+    }
+  // no jitter: right angles and flat ones, sqrt((2 30^2 + 60^2)/3) degrees
+  brick.jitter = 0.;
+  brick.columns = brick.rows = 5;
+  const auto tissue = make_brick_tissue(cell, sph, brick);
+  BOOST_TEST(tissue->angle_deviation() == std::sqrt((2. * 900. + 3600.) / 3.) * std::acos(-1.) / 180., boost::test_tools::tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(the_honeycomb_forms_and_gaps_open)
+{
+  const auto dense = results_of({}), sparse = results_of({{"Gap", "20e-6"}});
+  BOOST_TEST(dense.at("junction_angle_deviation_inflated") < 0.6 * dense.at("junction_angle_deviation_laid"));
+  BOOST_TEST(dense.at("void_fraction") < 0.01);
+  BOOST_TEST(sparse.at("void_fraction") > 0.02);
+  // contact: far less than the spacing of 12.5 um
+  BOOST_TEST(sparse.at("deepest_overlap") < 1e-6);
+  BOOST_TEST(dense.at("impact_stress_at_5_percent") > 0.);
+}
+
+BOOST_AUTO_TEST_CASE(same_bits_after_a_stop_and_on_two_threads)
+{
+  const Entries failing{{"Critical stretch", "1.045"}, {"Lamella strength", "0.8e6"}, {"Yielding", "plastic"}};
+  Disk whole;
+  MemoryContext once(whole, false);
+  run_small(*make_tissue_failure(), once, failing);
+  BOOST_TEST(once.results.at("failed_cells") > 0.);
+  BOOST_TEST(once.results.at("broken_ties") > 0.);
+  BOOST_TEST(once.results.at("largest_permanent_stretch") > 1.);
+  for (const unsigned long stop : {700ul, 1600ul})
+    {
+      Disk parts;
+      MemoryContext first(parts, false);
+      first.stop_at = stop;
+      BOOST_CHECK_THROW(run_small(*make_tissue_failure(), first, failing), RunStopped);
+      BOOST_TEST(!parts.checkpoint.empty());
+      MemoryContext second(parts, true);
+      second.use_threads = 2;
+      run_small(*make_tissue_failure(), second, failing);
+      BOOST_TEST(second.results == once.results);
+      BOOST_TEST(parts.series == whole.series);
+    }
+  // a cell that has failed stays so
+  double before = 0.;
+  for (const std::vector<double> &row : whole.series.at("loading"))
+    {
+      BOOST_TEST(row[16] >= before);
+      before = row[16];
+    }
+}
+
+BOOST_AUTO_TEST_CASE(measures_by_hand)
+{
+  std::vector<TissueSample> history(9);
+  const double force[9] = {0., 1., 2., 3., 2., 1., 2., 3., 4.}, failed[9] = {0., 0., 0., 1., 1., 2., 4., 4., 4.};
+  for (int k = 0; k < 9; ++k)
+    {
+      history[k].strain = 0.1 * k;
+      history[k].bottom = force[k];
+      history[k].failed_cells = failed[k];
+    }
+  BOOST_TEST(oscillation(history, 1) == 0.5); // falls by 2 within a range of 4
+  BOOST_TEST(slope_between(history, 0.05, 0.35) == 10., boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(at_strain(history, &TissueSample::bottom, 0.45) == 1.5, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(strain_reaching(history, &TissueSample::failed_cells, 2.) == 0.5, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(strain_reaching(history, &TissueSample::failed_cells, 5.) == -1.);
+}
+
+BOOST_AUTO_TEST_CASE(a_wall_pulled_follows_the_law)
+{
+  for (const std::string way : {"reversible", "plastic"})
+    {
+      Disk disk;
+      MemoryContext context(disk, false);
+      WallUniaxial scene;
+      dealii::ParameterHandler prm;
+      scene.declare_parameters(prm);
+      prm.set("Way back", way);
+      scene.check();
+      scene.run(context);
+      BOOST_TEST(context.results.at("largest_error") < 1e-11); // round-off, and the 1e-12 of the yield condition
+      BOOST_TEST((context.results.at("largest_stretch_that_stays") > 0.) == (way == "plastic"));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(wrong_input_says_what_is_allowed)
+{
+  const std::pair<Entries, std::string> cases[] = {
+    {{{"Cell/Nodes per side", "9"}}, "even number"},
+    {{{"Gap", "30e-6"}}, "less than a quarter of Cell/Period"},
+    {{{"Critical stretch", "0.9"}}, "above 1, or 0"},
+    {{{"SPH/Formulation", "thesis"}}, "use variational"},
+    {{{"Yielding", "plastic"}, {"Yield drop", "1"}, {"Yield sharpness", "1000"}}, "carries at most"},
+    {{{"Speed", "1e-4"}, {"Cell/Wall stiffness", "1e9"}}, "larger Speed"}};
+  for (const auto &[entries, sentence] : cases)
+    {
+      Disk disk;
+      MemoryContext context(disk, false);
+      BOOST_CHECK_EXCEPTION(run_small(*make_tissue_impact(), context, entries), std::exception, Says{sentence});
+    }
+}
+
+BOOST_AUTO_TEST_CASE(too_short_an_inflation_is_a_failure_with_a_sentence)
+{
+  Disk disk;
+  MemoryContext context(disk, false);
+  BOOST_CHECK_EXCEPTION(run_small(*make_tissue_impact(), context, {{"Inflation time", "1e-7"}}), RunFailed, Says{"use a longer one"});
+}
+
+BOOST_AUTO_TEST_SUITE_END()
