@@ -36,12 +36,12 @@ def main(directory):
         axis.axvline(line, color=ACCENT, linewidth=1.0, linestyle=(0, (4, 3)), label="closed form" if k == 0 else None)
         deviation = modes["deviation [%]"][k]
         digits = 1 if abs(deviation) >= 0.1 else 3
-        axis.text(line, 1.6, f"{deviation:+.{digits}f} %", color=ACCENT, fontsize=8, ha="center")
+        axis.text(line, 1.7, f" {deviation:+.{digits}f} %", color=ACCENT, fontsize=8, ha="left")
     axis.set_xlim(0, f[-1])
     axis.set_ylim(1e-4, 3)
     axis.set_xlabel("frequency [MHz]", color=INK, fontsize=9)
     axis.set_ylabel("amplitude over the largest", color=INK, fontsize=9)
-    axis.legend(frameon=False, fontsize=9, loc="lower right")
+    axis.legend(frameon=False, fontsize=9, loc="upper left", bbox_to_anchor=(0.0, 0.93))
     style(axis)
     path = os.path.join(directory, "shell_oscillation.png")
     figure.savefig(path, dpi=150)

@@ -14,15 +14,15 @@ import subprocess
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 FLAT = {"Dimension": 2, "Cell/Radius": 50e-6, "Cell/Wall thickness": 1e-6, "Cell/Wall density": 1300,
-        "Cell/Anneal steps": 6000}
+        "Cell/Anneal steps": 3000}
 
 
 def laplace_convergence():
     for nodes, fluid in ((36, 60), (50, 121), (71, 242), (100, 484), (141, 968), (200, 1936)):
         yield f"2D_{nodes}", "laplace", {**FLAT, "Cell/Ring nodes": nodes, "Cell/Fluid particles": fluid,
-                                         "Cell/Anneal steps": int(60 * nodes)}
+                                         "Cell/Anneal steps": 30 * nodes}
     for nu, fluid in ((4, 120), (6, 390), (8, 930), (10, 1820)):
-        yield f"3D_{nu}", "laplace", {"Cell/Frequency": nu, "Cell/Fluid particles": fluid, "Cell/Anneal steps": 250 * nu}
+        yield f"3D_{nu}", "laplace", {"Cell/Frequency": nu, "Cell/Fluid particles": fluid, "Cell/Anneal steps": 200 * nu}
 
 
 def laplace_support():
@@ -37,22 +37,23 @@ def laplace_ordering():
 
 def shell_modes():
     for nu in (4, 6, 8, 12):
-        yield f"empty_{nu}", "shell_oscillation", {"Filled": "false", "Cell/Frequency": nu}
+        yield f"empty_{nu}", "shell_oscillation", {"Filled": "false", "Cell/Frequency": nu, "Samples per period": 200}
     for c in (50, 250):
         for nu, fluid in ((6, 390), (8, 930)):
-            yield f"c{c}_{nu}", "shell_oscillation", {"Sound speed": c, "Cell/Frequency": nu, "Cell/Fluid particles": fluid}
+            yield f"c{c}_{nu}", "shell_oscillation", {"Sound speed": c, "Cell/Frequency": nu, "Cell/Fluid particles": fluid,
+                                                          "Cell/Anneal steps": 1500}
 
 
 def impact_matrix():
     for stiffness in (100, 1000):
         for viscosity in (1e-3, 1e-2, 1e-1, 1):
             yield f"G{stiffness}_mu{viscosity}", "cell_impact", {
-                "Cell/Frequency": 6, "Cell/Fluid particles": 800, "Cell/Anneal steps": 2500, "Frames": 6,
+                "Cell/Frequency": 6, "Cell/Fluid particles": 600, "Cell/Anneal steps": 1500, "Frames": 6,
                 "Cell/Wall stiffness": stiffness, "Cell/Fluid viscosity": viscosity}
 
 
 def failure():
-    size = {"Cell/Frequency": 6, "Cell/Fluid particles": 800, "Cell/Anneal steps": 2500, "Frames": 8}
+    size = {"Cell/Frequency": 6, "Cell/Fluid particles": 600, "Cell/Anneal steps": 1500, "Frames": 8}
     slow = {"Speed": 0.5, "Both plates move": "true", "Damping": 2e5, "Cell/Wall density": 32500}
     for stretch in (1.03, 1.05):
         yield f"slow_{stretch}", "cell_failure", {**size, **slow, "Critical stretch": stretch}

@@ -97,7 +97,12 @@ struct Quadrant
         const Tensor2<2> h1 = WallBending::angle_hessian(e1), h2 = WallBending::angle_hessian(e2);
         s.wall_energy += 0.5 * k * bent * bent;
         Eigen::Matrix<double, 6, 1> g;
-        g << g1, -g1 - g2, g2;
+        for (int d = 0; d < 2; ++d)
+          {
+            g[d] = g1[d];
+            g[2 + d] = -g1[d] - g2[d];
+            g[4 + d] = g2[d];
+          }
         Eigen::Matrix<double, 6, 6> h = k * g * g.transpose();
         h.block<2, 2>(0, 0) -= k * bent * h1;
         h.block<2, 2>(0, 2) += k * bent * h1;
