@@ -489,7 +489,7 @@ std::unique_ptr<Scenario> make_tissue_failure()
   return std::make_unique<TissueLoading>(TissueLoadingDefaults{
     .description = "Impact on an aggregate whose walls and lamella break: which cells fail, when and how deep.",
     .end_strain = 0.5,
-    .critical_stretch = 1.15,
+    .critical_stretch = 1.1,
     .lamella_strength = 4e6});
 }
 } // namespace turgor
