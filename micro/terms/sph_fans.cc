@@ -14,8 +14,8 @@ namespace turgor
 namespace
 {
 /// Distance from the centroid over the largest distance of a corner from it, from which quadratures 1, 2, 3 do. Measured on spheres with 600 to 10 000
-/// particles and 640 to 4000 faces: a face then gives gamma to 1e-6 (6 points on D), 2e-6 (3 points), 1e-6 (1 point).
-constexpr double far_enough[sph::quadratures] = {0., 3., 4.5, 12.};
+/// particles and 640 to 4000 faces: a face then gives gamma to 1e-6 (6 points on D) and 3e-6 (3 points); all faces of a particle together to 6e-6, as against 6 points and the angle for all.
+constexpr double far_enough[sph::quadratures] = {0., 3., 4., 12.};
 
 double distance_to_triangle(const Vector<3> &p, const Vector<3> &a, const Vector<3> &b, const Vector<3> &c)
 {
