@@ -58,7 +58,7 @@ def main(directory, _=""):
             ratios = [number(row, "stable_over_chosen") for row in good]
             panel.set_title(f"{axis}: stands {min(ratios):.2f} to {max(ratios):.2f} x chosen", fontsize=9, color=INK)
         for row in here:
-            if row["status"] != "finished" and good:
+            if row["status"] == "failed" and good:
                 panel.plot(abscissa(row["settings"]), 1.3 * bottom, "x", color=INK)
         panel.set_xlabel(UNITS.get(axis.split(",")[0], axis), fontsize=8, color=INK)
         panel.set_ylabel("time step [ns]", fontsize=8, color=INK)
