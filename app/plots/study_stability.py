@@ -10,6 +10,8 @@ import os
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from matplotlib.ticker import LogLocator, NullFormatter  # noqa: E402
+
 from drawing import ACCENT, ALONG, INK, plt, style  # noqa: E402
 
 UNITS = {"wall stiffness": "G t0 [N/m]", "EOS stiffness": "K [Pa]", "viscosity": "viscosity [Pa s]", "lamella": "lamella ratio",
@@ -32,7 +34,7 @@ def number(row, name):
 def main(directory, _=""):
     with open(os.path.join(directory, "results.csv"), newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    axes = list(dict.fromkeys(row["method"] for row in rows))
+    axes = list(dict.fromkeys(row["method"] for row in rows if row["status"] == "finished"))
     columns = 4
     lines = -(-len(axes) // columns)
     figure, panels = plt.subplots(lines, columns, figsize=(4.1 * columns, 3.1 * lines), squeeze=False)
@@ -49,6 +51,9 @@ def main(directory, _=""):
         if positive and max(positive) / min(positive) > 20:
             panel.set_xscale("symlog" if min(x) <= 0 else "log", **({"linthresh": min(positive)} if min(x) <= 0 else {}))
         panel.set_yscale("log")
+        panel.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        panel.yaxis.set_major_formatter("{x:g}")
+        panel.yaxis.set_minor_formatter(NullFormatter())
         if good:
             bottom = 0.3 * min(chosen + largest)
             panel.fill_between(x, [bottom] * len(x), largest, color=ALONG, alpha=0.18, linewidth=0)
@@ -58,7 +63,7 @@ def main(directory, _=""):
             ratios = [number(row, "stable_over_chosen") for row in good]
             panel.set_title(f"{axis}: stands {min(ratios):.2f} to {max(ratios):.2f} x chosen", fontsize=9, color=INK)
         for row in here:
-            if row["status"] != "finished" and good:
+            if row["status"] == "failed" and good:
                 panel.plot(abscissa(row["settings"]), 1.3 * bottom, "x", color=INK)
         panel.set_xlabel(UNITS.get(axis.split(",")[0], axis), fontsize=8, color=INK)
         panel.set_ylabel("time step [ns]", fontsize=8, color=INK)

@@ -149,6 +149,8 @@ MeasuredStep measure_stable_step(ParticleSystem<dim> &system, const double start
   StepOperator<dim> steps(system, pace);
   MeasuredStep found;
   double dt = std::isfinite(start) && start > 0. ? start : 1e-9;
+  // lambda grows with dt (all drag) to dt^2 (all stiffness): Newton's method in logarithms, the power from the last two.
+  double power = 1.5, last_dt = 0., last_lambda = 0.;
   for (int k = 0; k < 6; ++k)
     {
       const double lambda = steps.lambda(dt);
@@ -159,9 +161,12 @@ MeasuredStep measure_stable_step(ParticleSystem<dim> &system, const double start
           dt = std::numeric_limits<double>::infinity();
           break;
         }
-      // Between dt (all drag) and dt^2 (all stiffness): the power 2/3 overshoots neither by much.
-      const double ratio = 4. / lambda, next = dt * std::pow(ratio, 2. / 3.);
-      dt = next;
+      if (k > 0 && last_dt != dt)
+        power = std::clamp(std::log(lambda / last_lambda) / std::log(dt / last_dt), 1., 2.);
+      last_dt = dt;
+      last_lambda = lambda;
+      const double ratio = 4. / lambda;
+      dt *= std::pow(ratio, 1. / power);
       if (std::abs(ratio - 1.) < 0.01)
         break;
     }
