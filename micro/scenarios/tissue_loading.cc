@@ -171,7 +171,8 @@ private:
         if (!(std::abs(p.x[0][i]) < reach && std::abs(p.x[1][i]) < reach && std::hypot(p.v[0][i], p.v[1][i]) < 2. * sound))
           {
             std::ostringstream sentence;
-            sentence << "the run diverged " << where << " (step " << step << "): a particle of cell (" << c % scene.brick.columns << ", "
+            sentence << "the run diverged " << where << " (step " << step << "): a " << (i < p.groups[c].fluid ? "wall node" : "fluid particle")
+                     << " at (" << p.x[0][i] << ", " << p.x[1][i] << ") m of cell (" << c % scene.brick.columns << ", "
                      << c / scene.brick.columns << ") left the scene or moves at more than twice the speed of sound. The last checkpoint "
                      << "holds the last good state; use a smaller Step fraction (now " << scene.step_fraction
                      << ") or a smaller Speed (now " << scene.speed << " m/s).";

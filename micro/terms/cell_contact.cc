@@ -147,8 +147,9 @@ CellContact::Hit CellContact::nearest(const Particles<2> &particles, const Near 
           hit.to_ring = {rx, ry};
         }
     }
-  // A broken bond holds nothing back.
-  if (!(least < reach * reach) || (damage && damage->cells[near.cell].bond_broken[hit.a - g.begin]))
+  // A broken bond still holds foreign cells back: left out, what slips through the crack would find itself deep behind
+  // the next bond at once, with that bond's energy from nothing.
+  if (!(least < reach * reach))
     return hit;
   const auto cross = [&](const std::uint32_t o, const std::uint32_t e, const double qx, const double qy) {
     return (x[e] - x[o]) * qy - (y[e] - y[o]) * qx;

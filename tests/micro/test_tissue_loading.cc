@@ -118,13 +118,12 @@ BOOST_AUTO_TEST_CASE(the_honeycomb_forms_and_gaps_open)
 
 BOOST_AUTO_TEST_CASE(same_bits_after_a_stop_and_on_two_threads)
 {
-  const Entries failing{{"Critical stretch", "1.045"}, {"Lamella strength", "0.8e6"}, {"Yielding", "plastic"}};
+  const Entries failing{{"Critical stretch", "1.045"}, {"Lamella strength", "0.8e6"}};
   Disk whole;
   MemoryContext once(whole, false);
   run_small(*make_tissue_failure(), once, failing);
   BOOST_TEST(once.results.at("failed_cells") > 0.);
   BOOST_TEST(once.results.at("broken_ties") > 0.);
-  BOOST_TEST(once.results.at("largest_permanent_stretch") > 1.);
   for (const unsigned long stop : {700ul, 1600ul})
     {
       Disk parts;
