@@ -354,6 +354,7 @@ std::unique_ptr<RoundCell<dim>> make_round_cell(const RoundCellParameters &param
       fluid.depth = p.depth;
       fluid.viscosity = p.fluid_viscosity;
       fluid.ordering = p.ordering * p.fluid_modulus;
+      fluid.barrier = can_fail ? p.fluid_modulus : 0.; // or an opened cell leaks through what is left of its wall
       if constexpr (dim == 3)
         cell->sph = &cell->system.add(
           std::make_unique<SphFluid<3>>(fluid, eos, std::vector<double>(1, mass), cell->mesh, cell->damage));

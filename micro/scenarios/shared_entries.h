@@ -21,7 +21,7 @@ void declare_surfaces(dealii::ParameterHandler &prm, std::string &surfaces);
 
 void declare_step_fraction(dealii::ParameterHandler &prm, double &step_fraction);
 
-/// 1: one step for all; 0: automatic. check_substeps throws InputError for a fluid that cannot be split off.
+/// 1: one step for all. check_substeps throws InputError for a fluid that cannot be split off.
 void declare_substeps(dealii::ParameterHandler &prm, unsigned int &substeps);
 void check_substeps(unsigned int substeps, const SphParameters &sph);
 

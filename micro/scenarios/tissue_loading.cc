@@ -2,6 +2,7 @@
 
 #include "micro/cells/sph_cell_entries.h"
 #include "micro/engine/binary.h"
+#include "micro/engine/respa.h"
 #include "micro/engine/watched_steps.h"
 #include "micro/io/field_file.h"
 #include "micro/processes/failure.h"
@@ -48,6 +49,7 @@ void TissueLoading::declare_parameters(dealii::ParameterHandler &prm)
   prm.add_parameter("Inflation damping", inflation_damping, "Rate at which velocities decay meanwhile. Units: 1/s.",
                     Double(1e3, 1e9));
   declare_step_fraction(prm, step_fraction);
+  declare_substeps(prm, substeps);
   prm.add_parameter("Samples", samples, "Rows of loading.csv. Units: none.", Integer(10, 1000000));
   prm.add_parameter("Frames", frames, "Frames of the field file after the first; 0 writes no fields. Units: none.",
                     Integer(0, 100000));
@@ -58,6 +60,7 @@ void TissueLoading::declare_parameters(dealii::ParameterHandler &prm)
 void TissueLoading::check() const
 {
   check_sph_cell(cell, sph);
+  check_substeps(substeps, sph);
   brick.check(cell, sph);
   if (brick.yielding != "none") // throws where the wall yields before it can carry turgor
     NeoHookeanWall(cell.wall_stiffness, cell.depth, cell.wall_beta, brick.yield)
@@ -87,6 +90,8 @@ public:
     integrator.emplace(system, scene.step_fraction, 0.02);
     dt = integrator->safe_step();
     inflation_steps = std::uint64_t(std::ceil(scene.inflation_time / dt));
+    if (scene.substeps > 1)
+      split.emplace(system, scene.substeps);
     reach = 20. * std::max(scene.brick.columns, scene.brick.rows) * scene.cell.period;
     sound = tissue->fluid->equation_of_state().sound_speed(scene.cell.fluid_density);
   }
@@ -113,6 +118,7 @@ private:
   {
     write_binary(out, step);
     write_binary(out, load_steps);
+    write_binary(out, dt);
     write_binary(out, angle_before);
     write_binary(out, angle_inflated);
     write_binary(out, void_fraction);
@@ -134,12 +140,15 @@ private:
       tissue->flow->save(out);
     system.save(out);
     integrator->save(out);
+    if (load_steps > 0 && split)
+      split->save(out);
   }
 
   void load(std::istream &in)
   {
     read_binary(in, step);
     read_binary(in, load_steps);
+    read_binary(in, dt);
     read_binary(in, angle_before);
     read_binary(in, angle_inflated);
     read_binary(in, void_fraction);
@@ -161,6 +170,8 @@ private:
       tissue->flow->load(in);
     system.load(in);
     integrator->load(in);
+    if (load_steps > 0 && split)
+      split->load(in);
   }
 
   void require_finite(const std::string &where) const
@@ -230,6 +241,10 @@ private:
     plates->set_position(0, start.low);
     plates->set_position(1, start.high);
     plates->set_velocity(1, -scene.speed);
+    if (split) // impulses resonate with the fast terms from half their shortest period on (doc/results/stability)
+      dt = scene.step_fraction
+           * std::min({system.stable_time_step(Pace::slow), 0.45 * std::numbers::pi * system.stable_time_step(Pace::fast),
+                       scene.substeps * system.stable_time_step(Pace::fast)});
     load_steps = std::max<std::uint64_t>(1, std::uint64_t(std::ceil(scene.end_strain * start.height() / (scene.speed * dt))));
     step = 0;
     system.compute_forces();
@@ -244,13 +259,16 @@ private:
     return sum / double(system.particles.groups.size());
   }
 
-  void processes()
+  /// True when a force has changed.
+  bool processes()
   {
+    bool changed = false;
     if (yielding)
-      yielding->apply(system);
+      changed = yielding->apply(system);
     if (failure)
       for (const auto &[c, bond] : failure->apply(system, tissue->fluid))
         {
+          changed = true;
           broken_bonds += 1.;
           // within an eighth of a cell side of where three cells meet
           if (tissue->to_junction(c, std::uint32_t(bond)) <= std::max(1u, scene.cell.nodes_per_side / 8))
@@ -262,8 +280,12 @@ private:
         for (const std::size_t t : now)
           broken_ties.push_back(double(ring_distance(t)));
         if (!now.empty())
-          system.compute_forces();
+          {
+            changed = true;
+            system.compute_forces();
+          }
       }
+    return changed;
   }
 
   /// Bonds from a tie to the next place where three cells meet.
@@ -317,12 +339,18 @@ private:
         if (fields)
           fields->write(frame());
       }
+    if (split && !resumed)
+      split->compute_forces();
     const StepCheckpoints keep(context, load_steps, scene.checkpoints, [&] { checked_save(where()); }, where);
     while (step < load_steps)
       {
-        integrator->step(dt, scene.damping);
+        if (split)
+          split->step(dt, scene.damping);
+        else
+          integrator->step(dt, scene.damping);
         ++step;
-        processes();
+        if (processes() && split)
+          split->compute_forces();
         if (step % sample_every == 0)
           record();
         if (fields && step % frame_every == 0)
@@ -454,6 +482,7 @@ private:
   std::unique_ptr<BrickTissue> tissue;
   ParticleSystem<2> &system;
   std::optional<WatchedSteps<2>> integrator;
+  std::optional<Respa<2>> split; ///< while the plate moves, with Substeps > 1; its step is not watched
   Plates<2> *plates = nullptr;
   std::optional<Failure<2>> failure;
   std::optional<WallYielding<2>> yielding;

@@ -28,6 +28,7 @@ public:
   CellContact(double stiffness, double reach, double skin, double node_mass, std::shared_ptr<const WallDamage> damage = {});
 
   std::string name() const override { return "cell_contact"; }
+  bool fast() const override { return true; }
   void declare(Particles<2> &particles) override;
   void prepare(const Particles<2> &particles, const Box<2> &box) override;
   void add_forces(Particles<2> &particles, const Box<2> &box, std::size_t group) override;
