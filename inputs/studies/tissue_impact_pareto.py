@@ -31,9 +31,9 @@ from drawing import ACCENT, ALONG, INK, number_points, read_table, style  # noqa
 BASE = {"Columns": "3", "Rows": "3", "Cell/Fluid viscosity": "0.1", "End strain": "0.25", "Frames": "0", "Checkpoints": "0",
         "Samples": "2000"}
 # fluid particles and wall nodes a side
-RESOLUTIONS = [(6, 8), (8, 10), (10, 13), (12, 16), (16, 20)]
+RESOLUTIONS = [(6, 8), (8, 10), (10, 14), (12, 16), (16, 20)]
 FRACTIONS = ["0.8", "0.4"]
-SUBSTEPS = ["1", "0"]
+SUBSTEPS = ["1", "2"]
 REFERENCE = ((24, 28), "0.4", "1")
 STRAINS = np.linspace(0.005, 0.245, 241)
 
@@ -76,7 +76,7 @@ def study(program, directory):
     rows = []
     for done, (resolution, fraction, substeps) in enumerate(jobs):
         print("[%d/%d] %d particles a side, step fraction %s, substeps %s" % (done + 1, len(jobs), resolution[0], fraction,
-              substeps if substeps != "0" else "automatic"), flush=True)
+              substeps), flush=True)
         answer, why = run(program, resolution, fraction, substeps)
         if answer is None:
             print("   failed: " + why, flush=True)
@@ -110,7 +110,7 @@ def plot(directory):
     figure, panels = plt.subplots(1, 2, figsize=(12, 5), layout="constrained")
     for axis, (key, title) in zip(panels, (("force_error", "force on the far plate"), ("centre_error", "where the tissue is flattened"))):
         points = [(float(r["cpu_s"]), 100 * float(r[key])) for r in rows]
-        for substeps, colour, label in (("1", ALONG, "one step for all"), ("0", ACCENT, "walls sub-stepped (automatic)")):
+        for substeps, colour, label in (("1", ALONG, "one step for all"), ("2", ACCENT, "walls and lamella twice a step (r-RESPA)")):
             for fraction, marker in (("0.8", "o"), ("0.4", "s")):
                 chosen = [p for p, r in zip(points, rows) if r["substeps"] == substeps and r["step_fraction"] == fraction]
                 if chosen:

@@ -121,7 +121,6 @@ void SphFluid<dim>::build(const Group &g, const std::size_t number)
   const std::uint32_t nw = g.wall_count(), n = g.fluid_count();
   const std::vector<unsigned char> *gone = open(number) ? &damage->cells[number].face_gone : nullptr;
   cell.built = true;
-  ++cell.builds;
   if (!cell.built_at.finite())
     { // no neighbours: the scene sees the positions themselves and says that it diverged
       cell.lists.fluid.clear(n);
@@ -148,6 +147,7 @@ void SphFluid<dim>::add_forces(Particles<dim> &particles, const Box<dim> &, cons
     {
       cell.built_at.take(particles.x, g);
       cell.built = false;
+      ++cell.builds; // not those that a loaded checkpoint, an asked-for look or a break make again from the same positions
     }
   if (!cell.built)
     build(g, group);

@@ -85,7 +85,7 @@ void sum_kernels(CellView<dim> &c)
     }
 }
 
-/// From the kernel sum and what the wall's formula gives: gamma, the density before scaling, and (in push) the sign with
+/// From the kernel sum and what the wall's formula gives: gamma, the density before scaling, and (in push) the slope with
 /// which gamma follows the formula.
 template <int dim>
 inline void correct(CellView<dim> &c, const std::uint32_t i, double gamma)
@@ -93,10 +93,17 @@ inline void correct(CellView<dim> &c, const std::uint32_t i, double gamma)
   double side = 1.;
   if (c.open)
     {
+      if (gamma > 1.5)
+        gamma -= 1.; // where a crumpled wall laps over itself
       if (gamma > 1.)
         {
           gamma = 2. - gamma;
           side = -1.;
+        }
+      if (gamma < 0.5)
+        { // folds of a torn wall: see sph_sweeps.h
+          side *= __builtin_exp((gamma - 0.5) / 0.1);
+          gamma = 0.4 + 0.1 * (side < 0. ? -side : side);
         }
     }
   else if (gamma > 1. + 1e-3)

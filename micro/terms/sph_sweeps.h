@@ -23,7 +23,10 @@
 // Open cell (some faces gone, `open`): the sum runs over the faces that are left. It still is 1 out of reach of any face, and
 // runs continuously through the hole: below 1 inside, above 1 outside (to 3/2 at the outer side of a flat wall; across
 // the wall itself it jumps by 1). gamma = 1 - |sum - 1| mirrors it, so that a particle outside feels the wall
-// from there as one inside does: 1/2 on either side, 1 far off. It has a crease in the plane of the hole, where the force, not
+// from there as one inside does: 1/2 on either side, 1 far off (and again where
+// a crumpled wall laps over itself and the sum runs from 1.5 to 2). Below 1/2, in the folds of a torn wall, where
+// the kernel's own peak over gamma would make a lone particle denser than liquid, gamma runs out smoothly to 0.4:
+// 0.4 + 0.1 exp((gamma - 1/2)/0.1). It has a crease in the plane of the hole, where the force, not
 // the energy, jumps. The pressure of an open cell is max(0, p), energy 0 below rho_0: a free surface lacks
 // neighbours, and tension would pull it together. s stays what it was when the wall broke, or the pressure would jump by
 // 7 K (1 - s) in that moment.

@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(squeezed_and_resumed_is_squeezed)
   const Entries entries = {{"Dimension", "2"}, {"Speed", "5"}, {"Deformation", "0.1"}, {"Samples", "20"}, {"Frames", "0"},
                            {"Checkpoints", "0"}, {"Critical stretch", "1.028"}, {"Cell/Radius", "50e-6"},
                            {"Cell/Wall thickness", "1e-6"}, {"Cell/Ring nodes", "40"}, {"Cell/Fluid particles", "100"},
-                           {"Cell/Anneal steps", "1500"}};
+                           {"Cell/Anneal steps", "4000"}};
   Disk whole;
   MemoryContext straight(whole, false);
   run(*make_cell_failure(), straight, entries);
