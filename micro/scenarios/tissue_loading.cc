@@ -191,9 +191,24 @@ private:
           }
   }
 
+  /// Drag, flow and breaking only take energy; the integrator's own error is far below a fiftieth of it.
+  void require_energy(const std::string &where) const
+  {
+    const double given = start_energy + plates->work(), now = system.potential_energy() + system.kinetic_energy();
+    if (load_steps > 0 && now - given > 0.02 * (start_energy + std::abs(plates->work())))
+      {
+        std::ostringstream sentence;
+        sentence << "energy appeared from nothing " << where << " (step " << step << "): torn walls and the fluid of failed cells have run "
+                 << "into foreign cells so far that their contact no longer tells inside from outside. What was written before holds; "
+                 << "use a smaller End strain, or a larger Critical stretch (now " << scene.brick.critical_stretch << ").";
+        throw RunFailed(sentence.str());
+      }
+  }
+
   void checked_save(const std::string &where)
   {
     require_finite(where);
+    require_energy(where);
     context.save_checkpoint([this](std::ostream &out) { save(out); });
   }
 
@@ -318,6 +333,7 @@ private:
 
     const auto record = [&] {
       require_finite(where());
+      require_energy(where());
       TissueSample s = measure(*tissue, start);
       s.time = double(step) * dt;
       s.strain = strain();
