@@ -1,6 +1,7 @@
 #include "micro/engine/overdamped.h"
 
 #include "micro/engine/binary.h"
+#include "micro/engine/gathered.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,6 +97,13 @@ double Overdamped::step(Particles<3> &particles, const std::vector<double> &gamm
           throw std::runtime_error(text.str());
         }
     }
+}
+
+void Overdamped::gather(const std::vector<std::uint32_t> &source)
+{
+  for (auto &v : v_before)
+    if (!v.empty())
+      v = gathered(v, source);
 }
 
 void Overdamped::save(std::ostream &out) const

@@ -45,6 +45,9 @@ public:
   /// become shorter than the least one.
   double step(Particles<3> &particles, const std::vector<double> &gamma, double limit);
 
+  /// The cells have other places, cell k is what source[k] was.
+  void gather(const std::vector<std::uint32_t> &source);
+
   std::uint64_t rejected() const { return rejections; }
   double next_step() const { return dt; }
 

@@ -2,9 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace turgor
 {
+namespace
+{
+bool before(const Pair &a, const Pair &b) { return a.i != b.i ? a.i < b.i : a.j < b.j; }
+} // namespace
+
 template <int dim>
 PairList<dim>::PairList(const double skin_)
   : skin(skin_)
@@ -42,11 +48,10 @@ void PairList<dim>::build(const Particles<dim> &particles, const std::vector<dou
       x[d] = particles.x[d].data();
       built_at[d] = particles.x[d];
     }
-  const bool same_spheres = built_radius.size() == n;
   built_radius = radius;
   ++build_count;
 
-  const std::vector<Pair> before = std::move(list);
+  const std::vector<Pair> list_before = std::move(list);
   const std::vector<std::uint32_t> first_before = std::move(first_pair);
   std::vector<unsigned char> touched = std::move(touching);
   list.clear();
@@ -85,11 +90,11 @@ void PairList<dim>::build(const Particles<dim> &particles, const std::vector<dou
         {
           list.push_back({i, j});
           unsigned char was = 0;
-          if (same_spheres && i + 1 < first_before.size() && !touched.empty())
+          if (i + 1 < first_before.size() && !touched.empty())
             {
-              const auto begin = before.begin() + first_before[i], end = before.begin() + first_before[i + 1];
+              const auto begin = list_before.begin() + first_before[i], end = list_before.begin() + first_before[i + 1];
               const auto found = std::lower_bound(begin, end, j, [](const Pair &p, std::uint32_t k) { return p.j < k; });
-              was = found != end && found->j == j && touched[std::size_t(found - before.begin())];
+              was = found != end && found->j == j && touched[std::size_t(found - list_before.begin())];
             }
           touching.push_back(was);
           ++count[i + 1];
@@ -109,6 +114,48 @@ void PairList<dim>::build(const Particles<dim> &particles, const std::vector<dou
         pair_of[slot] = p;
         other_of[slot] = other_sphere;
       }
+}
+
+template <int dim>
+void PairList<dim>::gather(const std::vector<std::uint32_t> &source, std::vector<unsigned char> &touching)
+{
+  if (std::find(touching.begin(), touching.end(), 1) == touching.end())
+    return restore({}, source.size(), touching);
+  // copies[first_copy[i] .. first_copy[i + 1]): the new places of the sphere that was i
+  const std::size_t n_before = first_pair.size() - 1;
+  std::vector<std::uint32_t> first_copy(n_before + 1, 0), copies(source.size());
+  for (const std::uint32_t i : source)
+    ++first_copy[i + 1];
+  for (std::size_t i = 0; i < n_before; ++i)
+    first_copy[i + 1] += first_copy[i];
+  std::vector<std::uint32_t> next = first_copy;
+  for (std::uint32_t k = 0; k < source.size(); ++k)
+    copies[next[source[k]]++] = k;
+  std::vector<Pair> held;
+  for (std::size_t p = 0; p < touching.size(); ++p)
+    if (touching[p])
+      for (std::uint32_t a = first_copy[list[p].i]; a < first_copy[list[p].i + 1]; ++a)
+        for (std::uint32_t b = first_copy[list[p].j]; b < first_copy[list[p].j + 1]; ++b)
+          held.push_back({std::min(copies[a], copies[b]), std::max(copies[a], copies[b])});
+  std::sort(held.begin(), held.end(), before);
+  restore(std::move(held), source.size(), touching);
+}
+
+template <int dim>
+void PairList<dim>::restore(std::vector<Pair> touching_pairs, const std::size_t n, std::vector<unsigned char> &touching)
+{
+  list = std::move(touching_pairs);
+  touching.assign(list.size(), 1);
+  first_pair.assign(n + 1, 0);
+  for (std::size_t p = 0; p < list.size(); ++p)
+    {
+      if (!(list[p].i < list[p].j && list[p].j < n && (p == 0 || before(list[p - 1], list[p]))))
+        throw std::runtime_error("the checkpoint's contacts do not belong to this scene");
+      ++first_pair[list[p].i + 1];
+    }
+  for (std::size_t i = 0; i < n; ++i)
+    first_pair[i + 1] += first_pair[i];
+  built_radius.clear();
 }
 
 template <int dim>

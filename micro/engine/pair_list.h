@@ -37,7 +37,14 @@ public:
   const std::vector<std::uint32_t> &own() const { return pair_of; }
   const std::vector<std::uint32_t> &other() const { return other_of; }
 
-  void forget() { built_radius.clear(); }
+  /// The spheres have other places, sphere k is what source[k] was: the list shrinks to the pairs that touch (all its history;
+  /// a pair belongs to every copy of its spheres) and is stale.
+  void gather(const std::vector<std::uint32_t> &source, std::vector<unsigned char> &touching);
+
+  /// The list becomes the given history (sorted by i, then j; i < j < n) of n spheres, and is stale. Throws
+  /// std::runtime_error for pairs that are none.
+  void restore(std::vector<Pair> touching_pairs, std::size_t n, std::vector<unsigned char> &touching);
+
   std::size_t builds() const { return build_count; }
   std::size_t memory_bytes() const;
 

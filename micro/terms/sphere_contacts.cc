@@ -114,6 +114,23 @@ double SphereContacts::pressure(const Particles<3> &particles, const std::uint32
   return -trace / (3. * V);
 }
 
+void SphereContacts::gather(const std::vector<std::uint32_t> &source)
+{
+  if (!std::visit([](const auto &one) { return one.has_history; }, law))
+    touching.assign(touching.size(), 0); // nothing to keep
+  pairs.gather(source, touching);
+  contact.clear();
+}
+
+double SphereContacts::pair_energy(const double radius_i, const double radius_j, const double modulus_i,
+                                   const double modulus_j, const double distance) const
+{
+  const double R = in_series(radius_i, radius_j), E = in_series(modulus_i, modulus_j);
+  const double delta = radius_i + radius_j - distance;
+  return std::visit(
+    [&](const auto &one) { return one.touching(R, E, delta, false) ? one(R, E, delta).energy : 0.; }, law);
+}
+
 void SphereContacts::save(std::ostream &out) const
 {
   const std::vector<Pair> &list = pairs.pairs();
@@ -128,18 +145,6 @@ void SphereContacts::load(std::istream &in, const Particles<3> &particles)
 {
   std::vector<Pair> held;
   read_binary(in, held);
-  pairs.forget();
-  touching.clear();
-  pairs.build(particles, particles.field("radius"), touching);
-  const std::vector<Pair> &list = pairs.pairs();
-  std::size_t p = 0;
-  for (const Pair &pair : held)
-    {
-      while (p < list.size() && (list[p].i != pair.i || list[p].j != pair.j))
-        ++p;
-      if (p == list.size())
-        throw std::runtime_error("the checkpoint's contacts do not belong to this scene");
-      touching[p] = 1;
-    }
+  pairs.restore(std::move(held), particles.size(), touching);
 }
 } // namespace turgor

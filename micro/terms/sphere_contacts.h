@@ -45,10 +45,17 @@ public:
   /// Pa, mean pressure of one cell, V: m^3.
   double pressure(const Particles<3> &particles, std::uint32_t cell, double V) const;
 
+  /// The cells have other places, cell k is what source[k] was: what touched goes on touching. contacts() is empty until the
+  /// next add_forces.
+  void gather(const std::vector<std::uint32_t> &source);
+
+  /// J, of two cells at a distance (m) that touch where they overlap: what a division chooses its place by.
+  double pair_energy(double radius_i, double radius_j, double modulus_i, double modulus_j, double distance) const;
+
   const PairList<3> &list() const { return pairs; }
   const std::vector<PairContact> &contacts() const { return contact; }
 
-  /// The history: which pairs touch (by their places in the list of the last build).
+  /// The history: which pairs touch.
   void save(std::ostream &out) const;
   void load(std::istream &in, const Particles<3> &particles);
 

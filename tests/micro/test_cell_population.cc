@@ -1,0 +1,169 @@
+// A population whose number changes: contacts held by adhesion, velocities and fields follow their cells; save and load.
+#include "micro/cells/cell_population.h"
+#include "micro/engine/counter_random.h"
+#include "micro/engine/overdamped.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <map>
+#include <set>
+#include <sstream>
+
+using namespace turgor;
+
+namespace
+{
+constexpr double radius_0 = 7e-6;
+
+CellPopulation crowd(const std::uint32_t n, const double spacing)
+{
+  CellPopulation cells;
+  const double side = std::cbrt(double(n)) * spacing * radius_0;
+  for (std::uint32_t i = 0; i < n; ++i)
+    cells.add(side * Vector<3>(random_uniform(3, 4 * i), random_uniform(3, 4 * i + 1), random_uniform(3, 4 * i + 2)),
+              radius_0 * (0.9 + 0.2 * random_uniform(3, 4 * i + 3)), 400.);
+  return cells;
+}
+
+/// Forces of all contacts by cell id.
+std::map<std::uint64_t, Vector<3>> forces(CellPopulation &cells, SphereContacts &contacts)
+{
+  for (auto &f : cells.particles.f)
+    std::fill(f.begin(), f.end(), 0.);
+  contacts.add_forces(cells.particles, 1);
+  std::map<std::uint64_t, Vector<3>> result;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    result[cells.id[i]] = Vector<3>(cells.particles.f[0][i], cells.particles.f[1][i], cells.particles.f[2][i]);
+  return result;
+}
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(cell_population)
+
+// Cells pressed together, then drawn apart a little: many are held by adhesion over a gap, which only their past tells.
+BOOST_AUTO_TEST_CASE(contacts_held_by_adhesion_follow_their_cells)
+{
+  CellPopulation cells = crowd(120, 1.7);
+  SphereContacts contacts(JkrContact{1e-4}, 0.3 * radius_0);
+  forces(cells, contacts);
+  for (int d = 0; d < 3; ++d)
+    for (double &x : cells.particles.x[d])
+      x *= 1.08;
+  const auto before = forces(cells, contacts);
+  SphereContacts without_past(JkrContact{1e-4}, 0.3 * radius_0);
+  const auto fresh = forces(cells, without_past);
+  std::size_t held = 0;
+  for (const auto &[id, f] : before)
+    held += (f - fresh.at(id)).norm() > 1e-3 * f.norm();
+  BOOST_TEST(held > 20u);
+
+  // sorted backwards: the same forces but for the order of the sums
+  std::vector<std::uint32_t> source(cells.size());
+  for (std::uint32_t k = 0; k < source.size(); ++k)
+    source[k] = std::uint32_t(source.size()) - 1 - k;
+  cells.gather(source);
+  contacts.gather(source);
+  for (const auto &[id, f] : forces(cells, contacts))
+    BOOST_CHECK_SMALL((f - before.at(id)).norm(), 1e-12 * before.at(id).norm());
+
+  // far cells taken out: what the others do to each other stays, to the bit
+  CellPopulation few = crowd(120, 1.7);
+  SphereContacts few_contacts(JkrContact{1e-4}, 0.3 * radius_0);
+  forces(few, few_contacts);
+  for (int d = 0; d < 3; ++d)
+    for (double &x : few.particles.x[d])
+      x *= 1.08;
+  few.add(Vector<3>(1., 1., 1.), radius_0, 400.);
+  source.clear();
+  for (std::uint32_t k = 0; k < 120; ++k)
+    source.push_back(k);
+  few_contacts.gather(source); // before the far cell is seen
+  few.gather(source);
+  BOOST_TEST(few.size() == 120u);
+  BOOST_CHECK(forces(few, few_contacts) == before);
+}
+
+BOOST_AUTO_TEST_CASE(a_divided_cell_leaves_its_contacts_to_both)
+{
+  CellPopulation cells;
+  const JkrContact law{1e-4};
+  const double off = law.release(0.5 * radius_0, 200.);
+  cells.add(Vector<3>(0., 0., 0.), radius_0, 400.);
+  cells.add(Vector<3>(1.9 * radius_0, 0., 0.), radius_0, 400.);
+  SphereContacts contacts(law, 0.3 * radius_0);
+  forces(cells, contacts);
+  cells.particles.x[0][1] = 2. * radius_0 - 0.5 * off;
+  const double pull = forces(cells, contacts)[0][0];
+  BOOST_TEST(pull > 0.);
+  contacts.gather({0, 1, 0});
+  cells.gather({0, 1, 0});
+  cells.id[2] = cells.next_id++;
+  cells.particles.x[1][0] = 0.2 * radius_0;
+  cells.particles.x[1][2] = -0.2 * radius_0;
+  cells.particles.x[0][1] = 1.98 * radius_0 - 0.5 * off; // both about as far from it as the mother was
+  const auto f = forces(cells, contacts);
+  BOOST_TEST(f.at(0)[0] > 0.);
+  BOOST_TEST(f.at(0)[0] == f.at(2)[0], boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(the_engine_goes_on_with_other_cells)
+{
+  // Two pairs far from each other: one taken away, the other must move as if it had been alone.
+  const auto step_of = [&](const bool with_others) {
+    CellPopulation cells;
+    if (with_others)
+      for (const double x : {1e-3, 1e-3 + 1.5 * radius_0})
+        cells.add(Vector<3>(x, 0., 0.), radius_0, 400.);
+    for (const double x : {0., 1.5 * radius_0})
+      cells.add(Vector<3>(x, 0., 0.), radius_0, 400.);
+    SphereContacts contacts(HertzContact(), 0.2 * radius_0);
+    Friction friction({.normal = 0., .tangential = 0.});
+    Overdamped motion({.method = OverdampedMethod::euler, .tolerance = 1., .first_step = 1., .longest_step = 1.}, contacts,
+                      friction, nullptr, 1);
+    const std::vector<double> gamma(cells.size(), 0.1);
+    motion.step(cells.particles, gamma, 1.);
+    std::size_t last = cells.size() - 1;
+    if (with_others)
+      {
+        cells.gather({2, 3});
+        contacts.gather({2, 3});
+        motion.gather({2, 3});
+        last = 1;
+      }
+    for (int k = 0; k < 5; ++k)
+      motion.step(cells.particles, std::vector<double>(2, 0.1), 1.);
+    return cells.particles.x[0][last];
+  };
+  BOOST_TEST(step_of(true) == step_of(false));
+}
+
+BOOST_AUTO_TEST_CASE(save_and_load_keep_every_bit_and_refuse_other_fields)
+{
+  CellPopulation cells = crowd(20, 2.);
+  cells.particles.declare("strain");
+  cells.particles.field("strain")[3] = 0.25;
+  cells.state[4] = CellState::necrotic;
+  cells.gather({4, 3, 3});
+  cells.id[2] = cells.next_id++;
+  std::stringstream file;
+  cells.save(file);
+  CellPopulation same;
+  same.particles.declare("strain");
+  same.load(file);
+  BOOST_TEST(same.next_id == 21u);
+  BOOST_CHECK(same.id == cells.id && same.id[2] == 20u);
+  BOOST_CHECK(same.state == cells.state);
+  BOOST_CHECK(same.particles.x == cells.particles.x);
+  BOOST_TEST(same.particles.field("strain")[2] == 0.25);
+  BOOST_TEST(same.particles.field("radius")[1] == cells.particles.field("radius")[1]);
+  BOOST_TEST(same.count(CellState::necrotic) == 1u);
+  file.clear();
+  file.seekg(0);
+  CellPopulation other;
+  other.particles.declare("volume");
+  BOOST_CHECK_EXCEPTION(other.load(file), std::runtime_error, [](const std::runtime_error &e) {
+    return std::string(e.what()) == "the checkpoint's cells do not belong to this scene";
+  });
+}
+
+BOOST_AUTO_TEST_SUITE_END()
