@@ -4,10 +4,10 @@
     /usr/bin/python3 inputs/studies/tissue_impact_matrix.py -o doc/results/tissue_impact             all parts
     /usr/bin/python3 inputs/studies/tissue_impact_matrix.py -o doc/results/tissue_impact failure     one part
 
-Parts: compression (dense, sparse; elastic or yielding walls), impact (viscosity x 1, 10, 100, 1000; wall x 1, x 10; dense, sparse),
-failure (viscosity x 1, x 1000; dense, sparse). Writes DIR/PART.csv (one row a run: all its results) and
-DIR/PART_curves.csv (strain, stress on both plates, depth of flattening, failed cells). Runs go on side by side with --jobs; a row
-that is there already is kept.
+Parts: compression (untied ends of walls from 0 to 24 um, that is, void fractions; elastic or yielding walls), impact (viscosity
+x 1, 10, 100, 1000; wall x 1, x 10; dense, sparse), failure (viscosity x 1, x 1000; dense, sparse; three tissues of each; slow; weak lamella).
+Writes DIR/PART.csv (one row a run: all its results) and DIR/PART_curves.csv (strain, stress on both plates, depth of flattening, failed
+cells). Runs go on side by side with --jobs; a row that is there already is kept. tissue_impact_figures.py makes the pictures and the tables.
 """
 import argparse
 import concurrent.futures
@@ -29,18 +29,24 @@ KEPT = ["strain", "stress_top [Pa]", "stress_bottom [Pa]", "centre", "failed_cel
 
 def runs(part):
     """(label, settings) of every run."""
+    if part == "compression":
+        for gap in (0, 10, 15, 20, 24):
+            yield "gap %d um, yielding" % gap, {"Gap": "%ge-6" % gap, "Yielding": "plastic"}
+        for gap in (0, 20):
+            yield "gap %d um, elastic" % gap, {"Gap": "%ge-6" % gap, "Yielding": "none"}
+        return
     for structure, gap in STRUCTURE.items():
-        if part == "compression":
-            for walls in ("none", "plastic"):
-                yield "%s, %s" % (structure, "elastic" if walls == "none" else "yielding"), dict(gap, Yielding=walls, Speed="0.5")
-        elif part == "impact":
+        if part == "impact":
             for wall in (1, 10):
                 for viscosity in (1, 10, 100, 1000):
                     yield ("%s, wall x %d, viscosity x %d" % (structure, wall, viscosity),
                            dict(gap, **{"Cell/Wall stiffness": "%g" % (100 * wall), "Cell/Fluid viscosity": "%g" % (1e-3 * viscosity)}))
         else:
             for viscosity in (1, 1000):
-                yield "%s, viscosity x %d" % (structure, viscosity), dict(gap, **{"Cell/Fluid viscosity": "%g" % (1e-3 * viscosity)})
+                fluid = dict(gap, **{"Cell/Fluid viscosity": "%g" % (1e-3 * viscosity)})
+                for seed in (1, 2, 3):
+                    yield "%s, viscosity x %d, tissue %d" % (structure, viscosity, seed), dict(fluid, **{"Tissue seed": "%d" % seed})
+                yield "%s, viscosity x %d, weak lamella" % (structure, viscosity), dict(fluid, **{"Lamella strength": "2e6"})
             yield "%s, slow" % structure, dict(gap, Speed="1", Damping="2e4")
 
 

@@ -215,8 +215,15 @@ std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, co
       tissue->flow = std::make_shared<WallFlow>(cells, ring_nodes);
       tissue->wall->set_flow(tissue->flow);
     }
-  tissue->contact = &system.add(std::make_unique<CellContact>(brick.contact_ratio * tissue->spring_stiffness, 1.5 * tissue->spacing,
-                                                              0.5 * tissue->spacing, single.node_mass, tissue->damage));
+  CellContactParameters contact;
+  contact.stiffness = brick.contact_ratio * tissue->spring_stiffness;
+  contact.surface = {std::min(p.wall_thickness, 0.2 * tissue->spacing), 0.25 * tissue->spacing};
+  contact.range = 1.6 * contact.surface.inset; // below sqrt(3): three cells that meet feel nothing
+  contact.fluid_range = contact.surface.inset;
+  contact.skin = 0.5 * tissue->spacing;
+  contact.spacing = tissue->spacing;
+  contact.node_mass = single.node_mass;
+  tissue->contact = &system.add(std::make_unique<CellContact>(contact, tissue->damage));
   return tissue;
 }
 

@@ -25,6 +25,16 @@ public:
     , critical_stretch(critical_stretch_)
   {}
 
+  /// True when apply() would break something.
+  bool due(const Particles<dim> &particles) const
+  {
+    for (std::size_t group = 0; group < damage->cells.size(); ++group)
+      for (std::size_t bond = 0; bond < damage->cells[group].bond_broken.size(); ++bond)
+        if (!damage->cells[group].bond_broken[bond] && wall.stretch(particles, group, bond) > critical_stretch)
+          return true;
+    return false;
+  }
+
   /// The bonds that break now, as (group, bond), in their order. Where there are any the lists of the fluid are
   /// forgotten and the forces of the system computed anew.
   std::vector<std::pair<std::size_t, std::size_t>> apply(ParticleSystem<dim> &system, CellFluid<dim> *fluid) const

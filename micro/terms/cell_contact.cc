@@ -1,227 +1,304 @@
 #include "micro/terms/cell_contact.h"
 
 #include "micro/engine/binary.h"
+#include "micro/engine/bins.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace turgor
 {
-CellContact::CellContact(const double stiffness_, const double reach_, const double skin_, const double node_mass_,
-                         std::shared_ptr<const WallDamage> damage_)
-  : stiffness(stiffness_)
-  , reach(reach_)
-  , skin(skin_)
-  , node_mass(node_mass_)
+namespace
+{
+std::uint32_t next_in(const Group &g, const std::uint32_t k) { return k + 1 < g.fluid ? k + 1 : g.begin; }
+} // namespace
+
+CellContact::CellContact(const CellContactParameters &parameters_, std::shared_ptr<const WallDamage> damage_)
+  : parameters(parameters_)
   , damage(std::move(damage_))
 {}
 
 void CellContact::declare(Particles<2> &particles)
 {
-  of_points.assign(particles.groups.size(), {});
-  of_rings.assign(particles.groups.size(), {});
-  failed_at_build.assign(particles.groups.size(), 0);
+  groups = particles.groups;
+  of_points.assign(groups.size(), {});
+  of_rings.assign(groups.size(), {});
+  broken_at_build.assign(groups.size(), 0);
+  on_face.clear();
+  for (const Group &g : groups)
+    on_face.emplace_back(2 * g.wall_count(), 0.);
+  if (damage)
+    fluid_range.assign(particles.size(), -1.); // -1: not out yet
+  y = particles.x;
 }
 
-std::uint32_t CellContact::points_end(const Particles<2> &particles, const std::size_t group) const
+std::uint32_t CellContact::points_end(const std::size_t group) const
 {
-  const Group &g = particles.groups[group];
-  return failed_at_build[group] ? g.end : g.fluid;
+  return broken_at_build[group] > 0 ? groups[group].end : groups[group].fluid;
 }
 
-bool CellContact::stale(const Particles<2> &particles) const
+void CellContact::place(const Particles<2> &particles, Particles<2>::Components &at) const
+{
+  for (std::size_t group = 0; group < groups.size(); ++group)
+    {
+      const Group &g = groups[group];
+      parameters.surface.place(particles, g, at);
+      for (int d = 0; d < 2; ++d)
+        std::copy(particles.x[d].begin() + g.fluid, particles.x[d].begin() + points_end(group), at[d].begin() + g.fluid);
+    }
+}
+
+bool CellContact::stale()
 {
   if (origin[0].empty())
     return true;
-  const double allowed = 0.25 * skin * skin;
-  for (std::size_t group = 0; group < particles.groups.size(); ++group)
-    {
-      if (damage && bool(failed_at_build[group]) != damage->cells[group].failed())
+  if (damage)
+    for (std::size_t group = 0; group < groups.size(); ++group)
+      if (broken_at_build[group] != damage->cells[group].broken)
         return true;
-      for (std::uint32_t i = particles.groups[group].begin; i < points_end(particles, group); ++i)
-        {
-          const double dx = particles.x[0][i] - origin[0][i], dy = particles.x[1][i] - origin[1][i];
-          if (!(dx * dx + dy * dy <= allowed))
-            return true;
-        }
-    }
-  return false;
+  double most = 0.;
+  bool wild = false; // not a number
+  for (std::size_t group = 0; group < groups.size(); ++group)
+    for (std::uint32_t i = groups[group].begin; i < points_end(group); ++i)
+      {
+        const double dx = y[0][i] - origin[0][i], dy = y[1][i] - origin[1][i], r2 = dx * dx + dy * dy;
+        wild = wild || !(r2 < std::numeric_limits<double>::infinity());
+        most = std::max(most, r2);
+      }
+  moved = std::sqrt(most);
+  return wild || moved > 0.5 * parameters.skin;
 }
 
 void CellContact::prepare(const Particles<2> &particles, const Box<2> &)
 {
-  if (!stale(particles))
+  place(particles, y);
+  if (!stale())
     return;
-  for (std::size_t group = 0; group < particles.groups.size(); ++group)
-    failed_at_build[group] = damage && damage->cells[group].failed();
-  origin = particles.x;
-  build(particles);
+  if (damage)
+    {
+      for (std::size_t group = 0; group < groups.size(); ++group)
+        broken_at_build[group] = damage->cells[group].broken;
+      place(particles, y); // fluid that is out now
+    }
+  origin = y;
+  build();
+  update_ranges();
   ++builds;
 }
 
-void CellContact::build(const Particles<2> &particles)
+void CellContact::build()
 {
-  const std::size_t cells = particles.groups.size();
-  const double range = reach + skin;
   bonds.clear();
   nears.clear();
+  moved = 0.;
   for (auto *lists : {&of_points, &of_rings})
     for (auto &list : *lists)
       list.clear();
 
-  struct Span
-  {
-    double low[2], high[2];
-  };
-  const auto span = [&](const std::uint32_t begin, const std::uint32_t end) {
-    Span s;
-    for (int d = 0; d < 2; ++d)
+  // Middles of the bonds that hold, in bins; a point looks as far as its reach and half the longest bond.
+  std::vector<double> middle[2];
+  std::vector<std::uint32_t> node, ring;
+  double longest2 = 0., lo[2] = {0., 0.}, hi[2] = {0., 0.};
+  for (std::size_t c = 0; c < groups.size(); ++c)
+    for (std::uint32_t k = groups[c].begin; k < groups[c].fluid; ++k)
       {
-        const auto [low, high] = std::minmax_element(origin[d].begin() + begin, origin[d].begin() + end);
-        s.low[d] = *low;
-        s.high[d] = *high;
-      }
-    return s;
-  };
-  std::vector<Span> ring(cells), points(cells);
-  for (std::size_t c = 0; c < cells; ++c)
-    {
-      ring[c] = span(particles.groups[c].begin, particles.groups[c].fluid);
-      points[c] = span(particles.groups[c].begin, points_end(particles, c));
-    }
-  for (std::size_t a = 0; a < cells; ++a)
-    for (std::size_t b = 0; b < cells; ++b)
-      {
-        const auto apart = [&](const double low, const double high, const int d) {
-          return low > ring[b].high[d] + range || high < ring[b].low[d] - range;
-        };
-        if (a == b || apart(points[a].low[0], points[a].high[0], 0) || apart(points[a].low[1], points[a].high[1], 1))
+        const std::uint32_t next = next_in(groups[c], k);
+        const double ex = origin[0][next] - origin[0][k], ey = origin[1][next] - origin[1][k];
+        if ((damage && damage->cells[c].bond_broken[k - groups[c].begin]) || !(std::abs(ex) + std::abs(ey) < 1e300))
           continue;
-        const Group &other = particles.groups[b];
-        for (std::uint32_t i = particles.groups[a].begin; i < points_end(particles, a); ++i)
+        longest2 = std::max(longest2, ex * ex + ey * ey);
+        for (int d = 0; d < 2; ++d)
           {
-            const double x = origin[0][i], y = origin[1][i];
-            if (apart(x, x, 0) || apart(y, y, 1))
-              continue;
-            const std::uint32_t first = std::uint32_t(bonds.size());
-            for (std::uint32_t k = other.begin; k < other.fluid; ++k)
-              {
-                const std::uint32_t next = k + 1 < other.fluid ? k + 1 : other.begin;
-                const double ex = origin[0][next] - origin[0][k], ey = origin[1][next] - origin[1][k];
-                const double px = x - origin[0][k], py = y - origin[1][k], l2 = ex * ex + ey * ey;
-                const double t = l2 > 0. ? std::clamp((px * ex + py * ey) / l2, 0., 1.) : 0.;
-                const double rx = px - t * ex, ry = py - t * ey;
-                if (rx * rx + ry * ry < range * range)
-                  bonds.push_back(k);
-              }
-            if (bonds.size() > first)
-              {
-                of_points[a].push_back(std::uint32_t(nears.size()));
-                of_rings[b].push_back(std::uint32_t(nears.size()));
-                nears.push_back({i, std::uint32_t(b), first, std::uint32_t(bonds.size())});
-              }
+            const double m = 0.5 * (origin[d][k] + origin[d][next]);
+            lo[d] = node.empty() ? m : std::min(lo[d], m);
+            hi[d] = node.empty() ? m : std::max(hi[d], m);
+            middle[d].push_back(m);
+          }
+        node.push_back(k);
+        ring.push_back(std::uint32_t(c));
+      }
+  if (node.empty())
+    return;
+  const double range = std::max(parameters.range, parameters.fluid_range) + parameters.skin, reach = range + 0.5 * std::sqrt(longest2);
+  const double *const at[2] = {middle[0].data(), middle[1].data()};
+  const Bins<2> bins(at, std::uint32_t(node.size()), 0.5 * reach * (1. + 1e-9), lo, hi);
+
+  std::vector<std::uint32_t> found;
+  for (std::size_t c = 0; c < groups.size(); ++c)
+    for (std::uint32_t i = groups[c].begin; i < points_end(c); ++i)
+      {
+        const double p[2] = {origin[0][i], origin[1][i]};
+        if (!(std::abs(p[0]) + std::abs(p[1]) < 1e300))
+          continue;
+        const bool fluid = i >= groups[c].fluid;
+        found.clear();
+        bins.near(p, [&](const std::uint32_t b) {
+          const std::uint32_t k = node[b], next = next_in(groups[ring[b]], k);
+          if (ring[b] == c && (fluid || k == i || next == i))
+            return; // fluid and its own wall are the fluid's matter
+          const double ex = origin[0][next] - origin[0][k], ey = origin[1][next] - origin[1][k];
+          const double qx = p[0] - origin[0][k], qy = p[1] - origin[1][k], l2 = ex * ex + ey * ey;
+          const double t = l2 > 0. ? std::clamp((qx * ex + qy * ey) / l2, 0., 1.) : 0.;
+          const double rx = qx - t * ex, ry = qy - t * ey;
+          if (rx * rx + ry * ry < range * range)
+            found.push_back(b);
+        });
+        std::sort(found.begin(), found.end());
+        for (std::size_t k = 0; k < found.size();)
+          {
+            const std::uint32_t r = ring[found[k]], first = std::uint32_t(bonds.size());
+            for (; k < found.size() && ring[found[k]] == r; ++k)
+              bonds.push_back(node[found[k]]);
+            of_points[c].push_back(std::uint32_t(nears.size()));
+            of_rings[r].push_back(std::uint32_t(nears.size()));
+            nears.push_back({i, r, first, std::uint32_t(bonds.size()), fluid, 0.});
+            Hit hit;
+            nears.back().slack = distance(nears.back(), hit) - (fluid ? parameters.fluid_range : parameters.range);
           }
       }
 }
 
-CellContact::Hit CellContact::nearest(const Particles<2> &particles, const Near &near) const
+void CellContact::update_ranges()
 {
-  const Group &g = particles.groups[near.cell];
-  const double *x = particles.x[0].data(), *y = particles.x[1].data();
-  const double px = x[near.point], py = y[near.point];
+  if (!damage)
+    return;
+  const double most = parameters.fluid_range;
+  auto near = nears.cbegin();
+  for (std::size_t c = 0; c < groups.size(); ++c)
+    if (broken_at_build[c] > 0)
+      for (std::uint32_t i = groups[c].fluid; i < groups[c].end; ++i)
+        {
+          while (near != nears.end() && near->point < i)
+            ++near;
+          double free = most;
+          for (; near != nears.end() && near->point == i; ++near)
+            {
+              Hit hit;
+              free = std::min(free, distance(*near, hit));
+            }
+          fluid_range[i] = fluid_range[i] < 0. ? free : std::max(fluid_range[i], free);
+        }
+}
+
+double CellContact::distance(const Near &near, Hit &hit) const
+{
+  const Group &g = groups[near.ring];
+  const double *px = y[0].data(), *py = y[1].data();
+  const double x = px[near.point], z = py[near.point];
   double least = std::numeric_limits<double>::infinity();
-  Hit hit;
   for (std::uint32_t k = near.first; k < near.last; ++k)
     {
-      const std::uint32_t a = bonds[k], b = a + 1 < g.fluid ? a + 1 : g.begin;
-      const double ex = x[b] - x[a], ey = y[b] - y[a], qx = px - x[a], qy = py - y[a];
+      const std::uint32_t a = bonds[k], b = next_in(g, a);
+      const double ex = px[b] - px[a], ey = py[b] - py[a], qx = x - px[a], qy = z - py[a];
       const double l2 = ex * ex + ey * ey, t = l2 > 0. ? std::clamp((qx * ex + qy * ey) / l2, 0., 1.) : 0.;
-      const double rx = t * ex - qx, ry = t * ey - qy, r2 = rx * rx + ry * ry;
+      const double rx = qx - t * ex, ry = qy - t * ey, r2 = rx * rx + ry * ry;
       if (r2 < least)
         {
           least = r2;
           hit.a = a;
           hit.b = b;
           hit.t = t;
-          hit.to_ring = {rx, ry};
+          hit.force[0] = rx;
+          hit.force[1] = ry;
         }
     }
-  // A broken bond still holds foreign cells back: left out, what slips through the crack would find itself deep behind
-  // the next bond at once, with that bond's energy from nothing.
-  if (!(least < reach * reach))
+  return std::sqrt(least);
+}
+
+CellContact::Hit CellContact::touch(const Near &near) const
+{
+  Hit hit;
+  if (near.slack > 2. * moved)
     return hit;
-  const auto cross = [&](const std::uint32_t o, const std::uint32_t e, const double qx, const double qy) {
-    return (x[e] - x[o]) * qy - (y[e] - y[o]) * qx;
-  };
-  if (hit.t > 0. && hit.t < 1.)
-    hit.inside = cross(hit.a, hit.b, px - x[hit.a], py - y[hit.a]) > 0.;
-  else
-    {
-      const std::uint32_t at = hit.t > 0. ? hit.b : hit.a;
-      const std::uint32_t before = at > g.begin ? at - 1 : g.fluid - 1, after = at + 1 < g.fluid ? at + 1 : g.begin;
-      hit.inside = cross(before, at, x[after] - x[at], y[after] - y[at]) < 0.; // concave: what is nearest to it is inside
-    }
+  const double range = near.fluid ? fluid_range[near.point] : parameters.range, d = distance(near, hit);
+  hit.overlap = d > 0. ? std::max(0., range - d) : 0.;
+  const double push = hit.overlap > 0. ? parameters.stiffness * hit.overlap / d : 0.;
+  hit.force[0] *= push;
+  hit.force[1] *= push;
   return hit;
 }
 
 void CellContact::add_forces(Particles<2> &particles, const Box<2> &, const std::size_t group)
 {
-  double *fx = particles.f[0].data(), *fy = particles.f[1].data();
+  const Group &g = particles.groups[group];
+  std::vector<double> &on = on_face[group];
+  std::fill(on.begin(), on.end(), 0.);
   for (const std::uint32_t n : of_points[group])
     {
-      const Hit hit = nearest(particles, nears[n]);
-      if (!hit.inside)
+      const Hit hit = touch(nears[n]);
+      if (!(hit.overlap > 0.))
         continue;
-      fx[nears[n].point] += stiffness * hit.to_ring[0];
-      fy[nears[n].point] += stiffness * hit.to_ring[1];
+      const std::uint32_t i = nears[n].point;
+      for (int d = 0; d < 2; ++d)
+        (nears[n].fluid ? particles.f[d][i] : on[2 * (i - g.begin) + d]) += hit.force[d];
     }
   for (const std::uint32_t n : of_rings[group])
     {
-      const Hit hit = nearest(particles, nears[n]);
-      if (!hit.inside)
+      const Hit hit = touch(nears[n]);
+      if (!(hit.overlap > 0.))
         continue;
-      const double kx = stiffness * hit.to_ring[0], ky = stiffness * hit.to_ring[1];
-      fx[hit.a] -= (1. - hit.t) * kx;
-      fy[hit.a] -= (1. - hit.t) * ky;
-      fx[hit.b] -= hit.t * kx;
-      fy[hit.b] -= hit.t * ky;
+      for (int d = 0; d < 2; ++d)
+        {
+          on[2 * (hit.a - g.begin) + d] -= (1. - hit.t) * hit.force[d];
+          on[2 * (hit.b - g.begin) + d] -= hit.t * hit.force[d];
+        }
     }
+  parameters.surface.push(particles, g, on.data());
 }
 
-double CellContact::energy(const Particles<2> &particles, const Box<2> &, const std::size_t group) const
+double CellContact::energy(const Particles<2> &, const Box<2> &, const std::size_t group) const
 {
   double total = 0.;
   for (const std::uint32_t n : of_points[group])
     {
-      const Hit hit = nearest(particles, nears[n]);
-      if (hit.inside)
-        total += 0.5 * stiffness * hit.to_ring.squaredNorm();
+      const double overlap = touch(nears[n]).overlap;
+      total += 0.5 * parameters.stiffness * overlap * overlap;
     }
   return total;
 }
 
-double CellContact::deepest(const Particles<2> &particles) const
+double CellContact::deepest() const
 {
   double most = 0.;
   for (const Near &near : nears)
-    {
-      const Hit hit = nearest(particles, near);
-      if (hit.inside)
-        most = std::max(most, hit.to_ring.norm());
-    }
+    if (Hit hit; !near.fluid && near.slack <= 2. * moved)
+      most = std::max(most, parameters.range - distance(near, hit));
   return most;
+}
+
+std::size_t CellContact::crossed_bonds() const
+{
+  const auto left = [&](const std::uint32_t a, const std::uint32_t b, const std::uint32_t p) {
+    return (y[0][b] - y[0][a]) * (y[1][p] - y[1][a]) - (y[1][b] - y[1][a]) * (y[0][p] - y[0][a]) > 0.;
+  };
+  std::set<std::pair<std::uint32_t, std::uint32_t>> crossed;
+  for (std::size_t c = 0; c < groups.size(); ++c)
+    for (const std::uint32_t n : of_points[c])
+      if (const Near &near = nears[n]; !near.fluid)
+        for (const std::uint32_t a : {near.point, near.point > groups[c].begin ? near.point - 1 : groups[c].fluid - 1})
+          for (std::uint32_t k = near.first; k < near.last; ++k)
+            {
+              const std::uint32_t b = next_in(groups[c], a), e = bonds[k], f = next_in(groups[near.ring], e);
+              if ((damage && damage->cells[c].bond_broken[a - groups[c].begin]) || a == e || b == e || a == f)
+                continue;
+              if (left(a, b, e) != left(a, b, f) && left(e, f, a) != left(e, f, b))
+                crossed.emplace(std::min(a, e), std::max(a, e));
+            }
+  return crossed.size();
 }
 
 Rates CellContact::rates(const Particles<2> &particles) const
 {
-  // A node held by a foreign bond, and two foreign nodes on either bond of its own: rows of at most 4 k.
+  // A node held by a foreign bond, and two foreign nodes on either bond of its own: rows of at most 4 k; faces turn with their nodes.
   Rates bound;
-  bound.wall.frequency_squared = 4. * stiffness / node_mass;
+  const double k = parameters.stiffness, lever = 1. + parameters.surface.inset / parameters.spacing;
+  bound.wall.frequency_squared = 4. * k * lever * lever / parameters.node_mass;
   if (damage)
     for (const Group &g : particles.groups)
       if (g.fluid_count() > 0)
-        bound.fluid.frequency_squared = std::max(bound.fluid.frequency_squared, 2. * stiffness * particles.inverse_mass[g.fluid]);
+        bound.fluid.frequency_squared = std::max(bound.fluid.frequency_squared, 2. * k * particles.inverse_mass[g.fluid]);
   return bound;
 }
 
@@ -229,15 +306,21 @@ void CellContact::save(std::ostream &out, const Particles<2> &) const
 {
   write_binary(out, origin[0]);
   write_binary(out, origin[1]);
-  write_binary(out, failed_at_build);
+  write_binary(out, broken_at_build);
+  write_binary(out, fluid_range);
 }
 
 void CellContact::load(std::istream &in, Particles<2> &particles)
 {
   read_binary(in, origin[0]);
   read_binary(in, origin[1]);
-  read_binary(in, failed_at_build);
-  if (!origin[0].empty())
-    build(particles);
+  read_binary(in, broken_at_build);
+  read_binary(in, fluid_range);
+  if (origin[0].empty())
+    return;
+  y = origin; // slack is that of the build
+  build();
+  place(particles, y);
+  stale(); // how far everything has moved since
 }
 } // namespace turgor

@@ -1,31 +1,50 @@
-// Walls of different cells do not pass through each other: penalty on what lies inside a foreign ring.
+// Walls have a thickness and do not pass through each other, nor a wall through itself; torn or whole.
 //
-//   E = sum_p k/2 |p - c|^2,  c = nearest point of the ring to p        for every point p inside the ring of another cell
-//   f_p = k (c - p),  and -f_p on the two nodes of the bond that holds c = (1 - t) x_a + t x_b: -(1 - t) f_p, -t f_p
+//   E = sum k/2 (rho - d)^2,  d < rho,  d = |c - p|, c = nearest point of the ring's inner face (wall_surface.h) to the point p
+//   f_p = -k (rho - d) (c - p)/d, and -f_p on the two corners of the face that holds c = (1 - t) y_a + t y_b: -(1 - t) f_p, -t f_p
 //
-// The nearest point minimises the distance, so its own motion does not enter dE/dx: F = -dE/dx, and because
-// f_p points from p to c, momentum and angular momentum balance exactly. Inside or outside is told by the nearest part
-// of the ring: left of a bond; at a node if the ring is concave there. Walls that lie on each other (tied cells at
-// rest) feel nothing. Points: the wall nodes of all cells, and the fluid of cells that have failed (only then paid for).
+// for every point p and every ring in reach. Points: the inner faces' corners y of all cells, also against their own ring
+// (without the two bonds at p); and the fluid of cells that have failed, against other cells' rings (only then paid for).
 //
-// Lists of near (point, cell) with the bonds in reach are rebuilt when a listed particle moved half a skin. Every pair is
-// evaluated from both sides: a group writes its own particles only.
+// d has no sign: nothing asks what is inside and what outside, so a face holds from either side, and a ring may be torn
+// open, turned over or crumpled. Broken bonds hold nothing. Faces of neighbours that are tied to each other lie 2 h
+// apart and feel nothing while rho <= 2 h (at a corner of three cells, 120 degrees, sqrt(3) h). What pushes with more than k rho
+// gets through: crossed_bonds() counts what has, and the scenes report it.
 //
-// In: k (N/m), reach (m): how deep a point is still found inside; skin (m).
+// The nearest point minimises d, so its own motion does not enter dE/dx: F = -dE/dx. Momentum and angular momentum are exact.
+//
+// Fluid has a range of its own, rho_i <= rho_f, that is history: when its cell fails it is the distance to the nearest
+// foreign face if that is less than rho_f, and follows this distance up to rho_f. So no energy appears when a cell fails
+// while a neighbour bulges into it, nor while the range grows. It is brought up to date when lists are built.
+//
+// Lists of near (point, ring) with the bonds in reach are rebuilt when something listed has moved half a skin, or a bond has
+// broken. Every pair is evaluated from both sides: a group writes its own particles only.
 #pragma once
 
 #include "micro/engine/term.h"
 #include "micro/terms/wall_damage.h"
+#include "micro/terms/wall_surface.h"
 
 #include <memory>
 #include <vector>
 
 namespace turgor
 {
+struct CellContactParameters
+{
+  double stiffness = 0.;   ///< k, N/m
+  WallSurface surface;     ///< h, eps
+  double range = 0.;       ///< rho, m
+  double fluid_range = 0.; ///< rho_f, m
+  double skin = 0.;        ///< m
+  double spacing = 0.;     ///< m, of wall nodes at rest
+  double node_mass = 0.;   ///< kg
+};
+
 class CellContact final : public Term<2>
 {
 public:
-  CellContact(double stiffness, double reach, double skin, double node_mass, std::shared_ptr<const WallDamage> damage = {});
+  CellContact(const CellContactParameters &parameters, std::shared_ptr<const WallDamage> damage = {});
 
   std::string name() const override { return "cell_contact"; }
   bool fast() const override { return true; }
@@ -37,35 +56,46 @@ public:
   void save(std::ostream &out, const Particles<2> &particles) const override;
   void load(std::istream &in, Particles<2> &particles) override;
 
-  /// m, deepest point inside a foreign cell.
-  double deepest(const Particles<2> &particles) const;
+  /// The largest rho - d of walls (m); 0 where nothing touches. Of the last force evaluation, as what follows.
+  double deepest() const;
+  /// Pairs of bonds whose faces cross: 0 as long as contact holds.
+  std::size_t crossed_bonds() const;
   std::size_t list_builds() const { return builds; }
 
 private:
-  struct Near ///< a point and the bonds of one foreign cell around it
+  struct Near ///< a point and the bonds of one ring around it
   {
-    std::uint32_t point, cell, first, last; ///< bonds [first, last) of `bonds`
+    std::uint32_t point, ring, first, last; ///< bonds [first, last) of `bonds`
+    bool fluid;
+    double slack; ///< m, distance when the list was built - range
   };
   struct Hit
   {
-    bool inside = false;
-    std::uint32_t a = 0, b = 0; ///< nodes of the bond that holds the nearest point
+    double overlap = 0.;    ///< rho - d, m; 0: does not touch
+    std::uint32_t a = 0, b = 0;
     double t = 0.;
-    Vector<2> to_ring = Vector<2>::Zero(); ///< c - p
+    double force[2] = {0., 0.}; ///< N, on the point
   };
 
-  void build(const Particles<2> &particles);
-  bool stale(const Particles<2> &particles) const;
-  std::uint32_t points_end(const Particles<2> &particles, std::size_t group) const;
-  Hit nearest(const Particles<2> &particles, const Near &near) const;
+  void place(const Particles<2> &particles, Particles<2>::Components &at) const;
+  bool stale();
+  void build();         ///< from origin, which y is
+  void update_ranges();
+  double distance(const Near &near, Hit &hit) const;
+  Hit touch(const Near &near) const;
+  std::uint32_t points_end(std::size_t group) const;
 
-  double stiffness, reach, skin, node_mass;
+  CellContactParameters parameters;
   std::shared_ptr<const WallDamage> damage;
-  Particles<2>::Components origin;          ///< m, of all particles when the lists were built; empty: none yet
-  std::vector<unsigned char> failed_at_build;
-  std::vector<std::uint32_t> bonds;         ///< first node (particle) of a bond
+  Particles<2>::Components y, origin;     ///< m, points of all particles now, and when lists were built (empty: none yet)
+  std::vector<Group> groups;
+  std::vector<std::uint32_t> broken_at_build;  ///< bonds, per group
+  std::vector<double> fluid_range;        ///< rho_i, m, of every particle; empty without damage
+  double moved = 0.;                      ///< m, the most that anything listed has moved since
+  std::vector<std::uint32_t> bonds;       ///< first node (particle) of a bond
   std::vector<Near> nears;
   std::vector<std::vector<std::uint32_t>> of_points, of_rings; ///< per group: its entries of `nears`, seen from either side
+  std::vector<std::vector<double>> on_face; ///< N, per group: forces on its inner faces
   std::size_t builds = 0;
 };
 } // namespace turgor

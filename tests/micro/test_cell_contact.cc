@@ -9,6 +9,7 @@
 #include <cmath>
 #include <memory>
 #include <sstream>
+#include <tuple>
 
 using namespace turgor;
 
@@ -38,11 +39,36 @@ void add_square(Particles<2> &p, const double x0, const double y0, const unsigne
   std::fill(p.inverse_mass.begin() + begin, p.inverse_mass.end(), 1.);
 }
 
+/// Stiffness 10, spacing 1; inset h, range rho.
+CellContactParameters law(const double inset, const double range, const double skin = 0.2)
+{
+  CellContactParameters parameters;
+  parameters.stiffness = 10.;
+  parameters.surface = {inset, 0.25};
+  parameters.range = range;
+  parameters.fluid_range = 0.4;
+  parameters.skin = skin;
+  parameters.spacing = parameters.node_mass = 1.;
+  return parameters;
+}
+
+/// No two points equally near: where that changes, the force jumps.
+void disturb(Particles<2> &p, const double by)
+{
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (int d = 0; d < 2; ++d)
+      p.x[d][i] += by * (2. * random_uniform(3, 2 * i + d) - 1.);
+}
+
 void require_conservative(ParticleSystem<2> &system)
 {
   Particles<2> &p = system.particles;
   system.compute_forces();
   const Particles<2>::Components f = p.f;
+  const auto energy = [&] {
+    system.compute_forces();
+    return system.potential_energy();
+  };
   double fx = 0., fy = 0., moment = 0., scale = 0.;
   for (std::size_t i = 0; i < p.size(); ++i)
     {
@@ -59,11 +85,11 @@ void require_conservative(ParticleSystem<2> &system)
       {
         const double h = 1e-6, x = p.x[d][i];
         p.x[d][i] = x + h;
-        const double up = system.potential_energy();
+        const double up = energy();
         p.x[d][i] = x - h;
-        const double down = system.potential_energy();
+        const double down = energy();
         p.x[d][i] = x;
-        // Quadratic but for the nearest point's own motion: h^2/l^2 of it, and round-off of the energy over the step
+        // Order h^2/l^2, and round-off of the energy over the step
         BOOST_TEST(std::abs((up - down) / (2. * h) + f[d][i]) < 1e-8 * scale, "particle " << i);
       }
 }
@@ -71,70 +97,145 @@ void require_conservative(ParticleSystem<2> &system)
 
 BOOST_AUTO_TEST_SUITE(cell_contact)
 
-BOOST_AUTO_TEST_CASE(corner_in_a_wall_by_hand)
+BOOST_AUTO_TEST_CASE(corner_at_a_wall_by_hand)
 {
-  // A corner node stands 0.1 deep in the foreign wall, above the middle of a bond: k 0.1 on it, half of that on each end. The
-  // foreign wall's own nodes stay outside.
+  // No inset. A corner node stands 0.1 before the foreign wall, above the middle of a bond: k (0.2 - 0.1) on it, half of that on
+  // each end. All else is farther away.
   ParticleSystem<2> system;
   add_square(system.particles, 0., 0., 4);
-  add_square(system.particles, 3.9, 1.5, 4);
+  add_square(system.particles, 4.1, 1.5, 4);
   Particles<2> &p = system.particles;
-  for (std::uint32_t k = 16; k < 32; ++k) // second cell: pointed to the left at its lower left corner
-    p.x[0][k] += k == 16 ? 0. : 0.5;
-  const auto &contact = system.add(std::make_unique<CellContact>(10., 0.5, 0.2, 1.));
+  for (std::uint32_t k = 17; k < 32; ++k) // second cell: pointed to the left at its lower left corner
+    p.x[0][k] += 0.5;
+  const auto &contact = system.add(std::make_unique<CellContact>(law(0., 0.2)));
   system.compute_forces();
   BOOST_TEST(p.f[0][16] == 1., boost::test_tools::tolerance(1e-12));
   BOOST_TEST(std::abs(p.f[1][16]) < 1e-14);
   for (const int k : {5, 6}) // (4, 1) and (4, 2)
     BOOST_TEST(p.f[0][k] == -0.5, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(system.potential_energy() == 0.05, boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(contact.deepest(p) == 0.1, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(contact.deepest() == 0.1, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(contact.crossed_bonds() == 0u);
 }
 
-BOOST_AUTO_TEST_CASE(walls_that_lie_on_each_other_feel_nothing)
+BOOST_AUTO_TEST_CASE(walls_that_lie_on_each_other_feel_nothing_and_pushed_together_resist)
 {
-  ParticleSystem<2> system;
-  add_square(system.particles, 0., 0., 4);
-  add_square(system.particles, 4., 0., 4);
-  system.add(std::make_unique<CellContact>(10., 0.5, 0.2, 1.));
-  system.compute_forces();
-  for (int d = 0; d < 2; ++d)
-    for (const double f : system.particles.f[d])
-      BOOST_TEST(f == 0.);
+  for (const double overlap : {0., 0.3})
+    {
+      ParticleSystem<2> system;
+      Particles<2> &p = system.particles;
+      add_square(p, 0., 0., 4);
+      add_square(p, 4. - overlap, 0., 4);
+      const auto &contact = system.add(std::make_unique<CellContact>(law(0.25, 0.33)));
+      system.compute_forces();
+      double on_second = 0., most = 0.;
+      for (std::uint32_t k = 0; k < 32; ++k)
+        {
+          on_second += k < 16 ? 0. : p.f[0][k];
+          most = std::max(most, std::hypot(p.f[0][k], p.f[1][k]));
+        }
+      if (overlap == 0.)
+        BOOST_TEST(most == 0.);
+      else
+        {
+          BOOST_TEST(on_second > 1.);
+          BOOST_TEST(contact.crossed_bonds() == 0u); // inner faces
+          disturb(p, 0.02);
+          require_conservative(system);
+        }
+    }
 }
 
 BOOST_AUTO_TEST_CASE(contact_is_conservative)
 {
-  // Three cells that overlap a little, disturbed: nodes in walls, walls on nodes, a corner in a dent.
+  // Three cells that overlap a little, disturbed: nodes in walls, walls on nodes, a corner in a dent; some bonds torn.
+  for (const bool torn : {false, true})
+    {
+      ParticleSystem<2> system;
+      Particles<2> &p = system.particles;
+      add_square(p, 0., 0., 5);
+      add_square(p, 3.9, 0.3, 5);
+      add_square(p, 1.7, 3.85, 5);
+      disturb(p, 0.12);
+      const auto damage = std::make_shared<WallDamage>(3, 20, 20);
+      if (torn)
+        for (const int bond : {6, 7, 13})
+          {
+            damage->cells[0].bond_broken[bond] = 1;
+            ++damage->cells[0].broken;
+          }
+      system.add(std::make_unique<CellContact>(law(0.15, 0.6), damage));
+      require_conservative(system);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_wall_does_not_pass_through_itself)
+{
+  // A square pressed flat: its lower and upper faces, 0.5 - 2 x 0.1 apart, repel each other, the same up as down.
   ParticleSystem<2> system;
   Particles<2> &p = system.particles;
-  add_square(p, 0., 0., 5);
-  add_square(p, 3.9, 0.3, 5);
-  add_square(p, 1.7, 3.85, 5);
+  add_square(p, 0., 0., 4);
   for (std::size_t i = 0; i < p.size(); ++i)
-    for (int d = 0; d < 2; ++d)
-      p.x[d][i] += 0.12 * (2. * random_uniform(3, 2 * i + d) - 1.);
-  system.add(std::make_unique<CellContact>(10., 0.7, 0.2, 1.));
+    p.x[1][i] *= 0.125;
+  system.add(std::make_unique<CellContact>(law(0.1, 0.4)));
+  system.compute_forces();
+  double up = 0., down = 0.;
+  for (std::uint32_t i = 0; i < 16; ++i)
+    (p.f[1][i] > 0. ? up : down) += p.f[1][i];
+  BOOST_TEST(up > 1.);
+  BOOST_TEST(std::abs(up + down) < 1e-12);
+  BOOST_TEST(p.f[1][10] > 0.); // on the upper side
+  disturb(p, 0.02);
   require_conservative(system);
 }
 
-BOOST_AUTO_TEST_CASE(fluid_of_failed_cells_only)
+BOOST_AUTO_TEST_CASE(a_torn_wall_lets_through_and_holds_from_both_sides)
+{
+  // The right wall of the first cell has lost its bond from (4, 1) to (4, 2). The second cell's pointed corner stands in the gap
+  // (nothing), behind the lower flap and before it (away from it, on either side).
+  for (const auto &[x, y, sign] : {std::tuple{4., 1.5, 0.}, std::tuple{3.9, 0.5, -1.}, std::tuple{4.1, 0.5, 1.}})
+    {
+      ParticleSystem<2> system;
+      Particles<2> &p = system.particles;
+      add_square(p, 0., 0., 4);
+      add_square(p, 10., 10., 4);
+      p.x[0][16] = x;
+      p.x[1][16] = y;
+      const auto damage = std::make_shared<WallDamage>(2, 16, 16);
+      damage->cells[0].bond_broken[5] = 1;
+      damage->cells[0].broken = 1;
+      damage->cells[1].bond_broken[0] = damage->cells[1].bond_broken[15] = 1; // the corner alone
+      damage->cells[1].broken = 2;
+      system.add(std::make_unique<CellContact>(law(0., 0.2), damage));
+      system.compute_forces();
+      BOOST_TEST(p.f[0][16] == sign, boost::test_tools::tolerance(1e-12));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(fluid_of_failed_cells_only_and_from_where_it_was)
 {
   ParticleSystem<2> system;
   Particles<2> &p = system.particles;
   add_square(p, 0., 0., 4, 1);
   add_square(p, 4.2, 0., 4, 1);
-  p.x[0][16] = 4.5; // the first cell's fluid stands 0.3 deep in the second cell
+  p.x[0][16] = 3.95; // the first cell's fluid stands 0.25 before the second cell's wall, nearer than the range of 0.4
   p.x[1][16] = 2.1;
   const auto damage = std::make_shared<WallDamage>(2, 16, 16);
-  auto &contact = system.add(std::make_unique<CellContact>(10., 0.5, 0.2, 1., damage));
-  system.compute_forces();
-  BOOST_TEST(p.f[0][16] == 0.);
-  damage->cells[0].broken = 1;
-  system.compute_forces(); // lists follow
+  auto &contact = system.add(std::make_unique<CellContact>(law(0., 0.1), damage));
+  const auto force = [&](const double x) {
+    p.x[0][16] = x;
+    system.compute_forces();
+    return p.f[0][16];
+  };
+  BOOST_TEST(force(3.95) == 0.);
+  damage->cells[0].broken = 1; // cracked
+  BOOST_TEST(force(3.95) == 0.); // no energy from nothing
   BOOST_TEST(contact.list_builds() == 2u);
-  BOOST_TEST(p.f[0][16] == -3., boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(system.potential_energy() == 0.);
+  BOOST_TEST(force(4.) == -0.5, boost::test_tools::tolerance(1e-12));
   require_conservative(system);
+  BOOST_TEST(force(3.7) == 0.); // away, lists are built: it has its full range
+  BOOST_TEST(force(3.95) == -1.5, boost::test_tools::tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(lists_do_not_change_forces)
@@ -145,8 +246,8 @@ BOOST_AUTO_TEST_CASE(lists_do_not_change_forces)
     {
       ParticleSystem<2> system;
       add_square(system.particles, 0., 0., 5);
-      add_square(system.particles, 4.5, 0.3, 5);
-      const auto &contact = system.add(std::make_unique<CellContact>(10., 0.5, run == 0 ? 1. : 1e-9, 1.));
+      add_square(system.particles, 4.7, 0.3, 5);
+      const auto &contact = system.add(std::make_unique<CellContact>(law(0.1, 0.5, run == 0 ? 1. : 1e-9)));
       for (int step = 0; step < 50; ++step)
         {
           system.compute_forces();

@@ -146,6 +146,21 @@ BOOST_AUTO_TEST_CASE(same_bits_after_a_stop_and_on_two_threads)
     }
 }
 
+BOOST_AUTO_TEST_CASE(torn_tissue_keeps_its_energy)
+{
+  // Squeezed by a third, most cells torn: what the plates put in is where it is said to be, and no wall has passed another.
+  Disk disk;
+  MemoryContext context(disk, false);
+  run_small(*make_tissue_failure(), context,
+            {{"End strain", "0.35"}, {"Critical stretch", "1.07"}, {"Lamella strength", "2e6"}, {"Samples", "400"}});
+  const auto &results = context.results;
+  BOOST_TEST(results.at("failed_share") > 0.3);
+  BOOST_TEST(std::abs(results.at("energy_balance_error")) < 0.02); // heat is sampled
+  BOOST_TEST(results.at("energy_created_by_breaking") < 0.005 * results.at("plate_work"));
+  BOOST_TEST(results.at("heat") > 0.);
+  BOOST_TEST(results.at("crossed_bonds") == 0.);
+}
+
 BOOST_AUTO_TEST_CASE(measures_by_hand)
 {
   std::vector<TissueSample> history(9);

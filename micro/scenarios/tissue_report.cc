@@ -1,0 +1,200 @@
+#include "micro/scenarios/tissue_run.h"
+
+#include "micro/terms/sph_fluid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace turgor
+{
+void TissueLoading::Run::open_series()
+{
+  std::vector<Column> rows{{"time", "s"}, {"strain", ""}};
+  for (unsigned int r = 0; r < scene.brick.rows; ++r)
+    rows.push_back({"row_" + std::to_string(r), ""});
+  loading = context.series("loading", {{"time", "s"}, {"strain", ""}, {"force_top", "N"}, {"force_bottom", "N"},
+                                       {"stress_top", "Pa"}, {"stress_bottom", "Pa"}, {"plate_top", "m"},
+                                       {"mean_pressure", "Pa"}, {"potential", "J"}, {"kinetic", "J"}, {"work", "J"},
+                                       {"centre", ""}, {"flattest_cell", ""}, {"stretch_near", ""}, {"stretch", ""},
+                                       {"largest_stretch", ""}, {"failed_cells", ""}, {"broken_bonds", ""}, {"broken_ties", ""},
+                                       {"failed_depth", ""}, {"crossed", ""}, {"given_off", "J"}, {"heat", "J"}, {"overlap", "m"},
+                                       {"crossed_bonds", ""}});
+  by_row = context.series("rows", rows);
+}
+
+void TissueLoading::Run::record()
+{
+  const double area = start.width * scene.cell.depth;
+  TissueSample s = measure(*tissue, start);
+  s.time = double(step) * dt;
+  s.strain = strain();
+  s.bottom = plates->force(0);
+  s.top = plates->force(1);
+  const double now = heating(), overlap = tissue->contact->deepest(), crossed = double(tissue->contact->crossed_bonds());
+  if (!history.empty())
+    heat += 0.5 * (now + heating_before) * (s.time - history.back().time);
+  heating_before = now;
+  deepest = std::max(deepest, overlap);
+  most_crossed = std::max(most_crossed, crossed);
+  history.push_back(s);
+  loading->add_row({s.time, s.strain, s.top, s.bottom, s.top / area, s.bottom / area, (*plates)[1].position, mean_pressure(),
+                    system.potential_energy(), system.kinetic_energy(), plates->work(), s.centre, s.flattest, s.stretch_near,
+                    s.stretch, s.largest_stretch, s.failed_cells, s.broken_bonds, s.broken_ties, s.failed_depth,
+                    double(tissue->fluid->crossed()), released, heat, overlap, crossed});
+  std::vector<double> row{s.time, s.strain};
+  for (const double f : flattening_of_rows(*tissue, start, scene.brick.rows))
+    row.push_back(f);
+  by_row->add_row(row);
+}
+
+double TissueLoading::Run::heating()
+{
+  double power = 2. * scene.damping * system.kinetic_energy();
+  auto *fluid = dynamic_cast<SphFluid<2> *>(tissue->fluid);
+  if (fluid == nullptr || fluid->viscosity() == 0.)
+    return power;
+  // What viscosity does: the forces with it less those without, on the velocities. Forces are left as they were.
+  Particles<2> &p = system.particles;
+  const Particles<2>::Components current = p.f;
+  const double viscosity = fluid->viscosity();
+  Particles<2>::Components with;
+  for (const double value : {viscosity, 0.})
+    {
+      fluid->set_viscosity(value);
+      system.compute_forces();
+      if (value > 0.)
+        with = p.f;
+    }
+  fluid->set_viscosity(viscosity);
+  for (int d = 0; d < 2; ++d)
+    for (std::size_t i = 0; i < p.size(); ++i)
+      power -= p.v[d][i] * (with[d][i] - p.f[d][i]);
+  p.f = current;
+  return power;
+}
+
+FieldFrame TissueLoading::Run::frame() const
+{
+  const Particles<2> &p = system.particles;
+  FieldFrame f;
+  f.time = double(step) * dt;
+  NamedField velocity{"velocity [m/s]", 3, {}, false}, pressure{"pressure [Pa]", 1, {}, false}, wall{"wall [-]", 1, {}, false},
+    cell{"cell [-]", 1, {}, false}, failed{"failed [-]", 1, {}, false};
+  for (std::size_t c = 0; c < p.groups.size(); ++c)
+    for (std::uint32_t i = p.groups[c].begin; i < p.groups[c].end; ++i)
+      {
+        for (int d = 0; d < 2; ++d)
+          {
+            f.points.push_back(p.x[d][i]);
+            velocity.values.push_back(p.v[d][i]);
+          }
+        f.points.push_back(0.);
+        velocity.values.push_back(0.);
+        pressure.values.push_back(p.field("pressure")[i]);
+        wall.values.push_back(i < p.groups[c].fluid);
+        cell.values.push_back(double(c));
+        failed.values.push_back(tissue->damage && tissue->damage->cells[c].failed());
+      }
+  f.fields = {velocity, pressure, wall, cell, failed};
+  return f;
+}
+
+double TissueLoading::Run::mean_pressure() const
+{
+  double sum = 0.;
+  for (std::size_t c = 0; c < system.particles.groups.size(); ++c)
+    sum += tissue->fluid->mean_pressure(system.particles, c);
+  return sum / double(system.particles.groups.size());
+}
+
+void TissueLoading::Run::report()
+{
+  const double area = start.width * scene.cell.depth, degrees = 180. / std::numbers::pi;
+  const Particles<2> &p = system.particles;
+  context.result("particles", double(p.size()), "");
+  context.result("steps", double(inflation_steps + load_steps), "");
+  context.result("time_step", dt, "s");
+  context.result("inflated_height", start.height(), "m");
+  context.result("inflated_width", start.width, "m");
+  context.result("void_fraction", void_fraction, "");
+  context.result("junction_angle_deviation_inflated", angle_inflated * degrees, "degree");
+  context.result("junction_angle_deviation_laid", angle_before * degrees, "degree");
+  context.result("junction_angle_deviation_end", tissue->angle_deviation() * degrees, "degree");
+  context.result("deepest_overlap", deepest, "m");
+  context.result("crossed_bonds", most_crossed, "");
+  context.result("stress_at_end", history.back().bottom / area, "Pa");
+  context.result("modulus_start", slope_between(history, 0.02, 0.06) / area, "Pa");
+  context.result("modulus_later", slope_between(history, 0.2, 0.3) / area, "Pa");
+  for (const double e : {0.05, 0.1, 0.2, 0.3})
+    if (e <= history.back().strain * (1. + 1e-9))
+      {
+        const std::string at = "_at_" + std::to_string(int(std::lround(100. * e))) + "_percent";
+        context.result("transmitted_stress" + at, at_strain(history, &TissueSample::bottom, e) / area, "Pa");
+        context.result("impact_stress" + at, at_strain(history, &TissueSample::top, e) / area, "Pa");
+        context.result("centre_of_flattening" + at, at_strain(history, &TissueSample::centre, e), "");
+        context.result("flattest_cell" + at, at_strain(history, &TissueSample::flattest, e), "");
+        context.result("stretch_near_plate" + at, at_strain(history, &TissueSample::stretch_near, e), "");
+        context.result("largest_stretch" + at, at_strain(history, &TissueSample::largest_stretch, e), "");
+        context.result("mean_stretch" + at, at_strain(history, &TissueSample::stretch, e), "");
+      }
+  double peak = 0., flat = 0.;
+  for (const TissueSample &s : history)
+    {
+      peak = std::max(peak, s.bottom);
+      flat = std::max(flat, s.flattest);
+    }
+  context.result("transmitted_stress_peak", peak / area, "Pa");
+  context.result("flattest_cell_ever", flat, "");
+  // a mean over 1/80 of the run: what is faster is ringing of single walls
+  context.result("transmitted_oscillation", oscillation(history, std::max<std::size_t>(1, history.size() / 80)), "");
+  const double energy = system.potential_energy() + system.kinetic_energy(), given = start_energy + plates->work();
+  context.result("plate_work", plates->work(), "J");
+  context.result("energy_unaccounted", given - energy - released, "J"); // what heat should be
+  context.result("energy_given_off_by_breaking", released, "J");
+  context.result("energy_created_by_breaking", created, "J");
+  context.result("heat", heat, "J");
+  context.result("energy_balance_error", (given - energy - released - heat) / (start_energy + std::abs(plates->work())), "");
+  if (tissue->flow)
+    context.result("largest_permanent_stretch", tissue->flow->largest(), "");
+  report_failure();
+}
+
+void TissueLoading::Run::report_failure()
+{
+  const Particles<2> &p = system.particles;
+  if (tissue->damage)
+    {
+      const double cells = double(p.groups.size()), failed = history.back().failed_cells;
+      context.result("failed_cells", failed, "");
+      context.result("failed_share", failed / cells, "");
+      context.result("strain_first_failure", strain_reaching(history, &TissueSample::failed_cells, 1.), "");
+      for (const int share : {10, 50, 90})
+        context.result("strain_at_" + std::to_string(share) + "_percent_of_failures",
+                       strain_reaching(history, &TissueSample::failed_cells, 0.01 * share * failed), "");
+      context.result("failed_depth_first", at_strain(history, &TissueSample::failed_depth,
+                                                     strain_reaching(history, &TissueSample::failed_cells, 0.25 * failed)), "");
+      context.result("failed_depth", history.back().failed_depth, "");
+      context.result("broken_bonds", broken_bonds, "");
+      context.result("broken_bonds_at_junctions", broken_bonds > 0. ? broken_at_junction / broken_bonds : 0., "");
+    }
+  if (tissue->ties)
+    context.result("largest_tie_stress_inflated", tie_stress, "Pa");
+  if (tissue->ties && scene.brick.lamella_strength > 0.)
+    {
+      const std::size_t n = broken_ties.size(), part = std::max<std::size_t>(1, n / 5);
+      const auto mean = [&](const std::size_t from, const std::size_t to) {
+        double sum = 0.;
+        for (std::size_t k = from; k < to; ++k)
+          sum += broken_ties[k];
+        return to > from ? sum / double(to - from) * tissue->spacing : 0.;
+      };
+      context.result("broken_ties", double(n), "");
+      context.result("broken_tie_share", double(n) / double(tissue->ties->all().size()), "");
+      context.result("strain_first_tie", strain_reaching(history, &TissueSample::broken_ties, 1.), "");
+      // peeling: the first fifth breaks near the junctions, the last fifth farther along the walls
+      context.result("first_ties_from_junction", mean(0, std::min(n, part)), "m");
+      context.result("last_ties_from_junction", mean(n - std::min(n, part), n), "m");
+    }
+}
+} // namespace turgor

@@ -1,0 +1,205 @@
+#include "micro/scenarios/tissue_run.h"
+
+#include "micro/processes/osmosis.h"
+#include "micro/scenarios/stepping.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+namespace turgor
+{
+TissueLoading::Run::Run(const TissueLoading &scene_, RunContext &context_)
+  : scene(scene_)
+  , context(context_)
+  , tissue(make_brick_tissue(scene.cell, scene.sph, scene.brick))
+  , system(tissue->system)
+{
+  system.threads = context.threads();
+  const double far = 10. * (scene.brick.rows + 2.) * scene.cell.period;
+  const bool fluid = bool(tissue->damage);
+  plates = &system.add(std::make_unique<Plates<2>>(
+    std::vector<Plate>{{.axis = 1, .side = 1, .position = -far, .touches_fluid = fluid},
+                       {.axis = 1, .side = -1, .position = far, .touches_fluid = fluid}},
+    scene.brick.contact_ratio * tissue->spring_stiffness));
+  if (tissue->damage)
+    failure.emplace(*tissue->wall, tissue->damage, scene.brick.critical_stretch);
+  if (tissue->flow)
+    yielding.emplace(*tissue->wall, tissue->flow);
+  integrator.emplace(system, scene.step_fraction, 0.02);
+  dt = integrator->safe_step();
+  inflation_steps = std::uint64_t(std::ceil(scene.inflation_time / dt));
+  if (scene.substeps > 1)
+    split.emplace(system, scene.substeps);
+  reach = 20. * std::max(scene.brick.columns, scene.brick.rows) * scene.cell.period;
+  sound = tissue->fluid->equation_of_state().sound_speed(scene.cell.fluid_density);
+}
+
+void TissueLoading::Run::go()
+{
+  context.active(system.term_names(), system.particles.field_names());
+  if (double(scene.end_strain) * scene.brick.rows * scene.cell.period / scene.speed / dt > 2e9)
+    throw InputError("Speed is so small that the run would take more than 2e9 steps; choose a larger Speed or a smaller End strain.");
+  const bool resumed = context.load_checkpoint([this](std::istream &in) { load(in); });
+  if (!resumed)
+    {
+      angle_before = tissue->angle_deviation();
+      system.compute_forces();
+    }
+  if (load_steps == 0)
+    inflate();
+  squeeze(resumed);
+  report();
+}
+
+void TissueLoading::Run::inflate()
+{
+  const auto where = [] { return std::string("while the tissue was inflated"); };
+  const Osmosis osmosis(scene.cell.turgor, 200. / scene.inflation_time, 7. * scene.cell.fluid_modulus);
+  const StepCheckpoints keep(context, inflation_steps, 0, [&] { checked_save(where()); }, where);
+  while (step < inflation_steps)
+    {
+      integrator->step(dt, scene.inflation_damping);
+      ++step;
+      if (yielding)
+        yielding->apply(system);
+      if (step % 10 == 0)
+        {
+          osmosis.apply(system, *tissue->fluid, 10. * dt);
+          system.compute_forces();
+        }
+      if (step % 64 == 0)
+        {
+          require_finite(where());
+          context.progress(double(step) / double(inflation_steps), "inflating the tissue");
+        }
+      keep.after_step(step);
+    }
+  const double pressure = mean_pressure();
+  if (!(std::abs(pressure - scene.cell.turgor) < 0.1 * scene.cell.turgor))
+    {
+      std::ostringstream sentence;
+      sentence << "the cells have reached " << pressure * 1e-3 << " kPa of their turgor of " << scene.cell.turgor * 1e-3
+               << " kPa within Inflation time (" << scene.inflation_time << " s): use a longer one, or stiffer walls.";
+      throw RunFailed(sentence.str());
+    }
+  Particles<2> &p = system.particles;
+  for (int d = 0; d < 2; ++d)
+    std::fill(p.v[d].begin(), p.v[d].end(), 0.);
+  start = TissueStart::of(*tissue);
+  angle_inflated = tissue->angle_deviation();
+  void_fraction = tissue->void_fraction();
+  if (tissue->ties)
+    for (const LamellaTie &tie : tissue->ties->all())
+      tie_stress = std::max(tie_stress, tissue->ties->stiffness() * (p.position(tie.a) - p.position(tie.b)).norm()
+                                          / (tissue->spacing * scene.cell.depth));
+  plates->set_position(0, start.low);
+  plates->set_position(1, start.high);
+  plates->set_velocity(1, -scene.speed);
+  if (split) // impulses resonate with the fast terms from half their shortest period on (doc/results/stability)
+    dt = scene.step_fraction
+         * std::min({system.stable_time_step(Pace::slow), 0.45 * std::numbers::pi * system.stable_time_step(Pace::fast),
+                     scene.substeps * system.stable_time_step(Pace::fast)});
+  load_steps = std::max<std::uint64_t>(1, std::uint64_t(std::ceil(scene.end_strain * start.height() / (scene.speed * dt))));
+  step = 0;
+  system.compute_forces();
+  start_energy = system.potential_energy();
+}
+
+bool TissueLoading::Run::processes()
+{
+  bool changed = false;
+  if (yielding)
+    changed = yielding->apply(system);
+  if (failure && failure->due(system.particles))
+    {
+      const double before = system.potential_energy();
+      for (const auto &[c, bond] : failure->apply(system, tissue->fluid))
+        {
+          broken_bonds += 1.;
+          // within an eighth of a cell side of where three cells meet
+          if (tissue->to_junction(c, std::uint32_t(bond)) <= std::max(1u, scene.cell.nodes_per_side / 8))
+            broken_at_junction += 1.;
+        }
+      changed = true;
+      const double off = before - system.potential_energy();
+      released += off;
+      created += std::max(0., -off);
+    }
+  if (tissue->ties && scene.brick.lamella_strength > 0.)
+    {
+      const std::vector<std::size_t> now = tissue->ties->break_overloaded(system.particles, system.box);
+      for (const std::size_t t : now)
+        {
+          const LamellaTie &tie = tissue->ties->all()[t];
+          released += 0.5 * tissue->ties->stiffness()
+                      * (system.particles.position(tie.a) - system.particles.position(tie.b)).squaredNorm();
+          broken_ties.push_back(double(ring_distance(t)));
+        }
+      if (!now.empty())
+        {
+          changed = true;
+          system.compute_forces();
+        }
+    }
+  return changed;
+}
+
+std::uint32_t TissueLoading::Run::ring_distance(const std::size_t tie) const
+{
+  const std::uint32_t node = tissue->ties->all()[tie].a;
+  const std::vector<Group> &groups = system.particles.groups;
+  const auto after = std::upper_bound(groups.begin(), groups.end(), node,
+                                      [](const std::uint32_t i, const Group &g) { return i < g.begin; });
+  const std::size_t c = std::size_t(after - groups.begin()) - 1;
+  return tissue->to_junction(c, node - groups[c].begin);
+}
+
+void TissueLoading::Run::step_once()
+{
+  if (split)
+    split->step(dt, scene.damping);
+  else
+    integrator->step(dt, scene.damping);
+  ++step;
+  if (processes() && split)
+    split->compute_forces();
+}
+
+void TissueLoading::Run::squeeze(const bool resumed)
+{
+  open_series();
+  std::unique_ptr<FieldFile> fields;
+  if (scene.frames > 0 && context.is_writer())
+    fields = std::make_unique<FieldFile>(context.directory(), "cells", resumed);
+  const std::uint64_t sample_every = steps_between(load_steps, scene.samples), frame_every = steps_between(load_steps, scene.frames);
+  const auto where = [this] { return "at a strain of " + std::to_string(strain()); };
+  const auto sample = [&] {
+    require_finite(where());
+    require_energy(where());
+    record();
+  };
+  if (step == 0)
+    {
+      sample();
+      if (fields)
+        fields->write(frame());
+    }
+  if (split && !resumed)
+    split->compute_forces();
+  const StepCheckpoints keep(context, load_steps, scene.checkpoints, [&] { checked_save(where()); }, where);
+  while (step < load_steps)
+    {
+      step_once();
+      if (step % sample_every == 0)
+        sample();
+      if (fields && step % frame_every == 0)
+        fields->write(frame());
+      if (step % 16 == 0)
+        context.progress(double(step) / double(load_steps), "squeezing the tissue");
+      keep.after_step(step);
+    }
+  require_finite(where());
+}
+} // namespace turgor

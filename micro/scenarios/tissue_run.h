@@ -1,0 +1,74 @@
+// One run of an aggregate between plates: the tissue, its plates and processes, its history. Inflation and squeezing are in
+// tissue_run.cc, what is checked, saved and resumed in tissue_checkpoint.cc, what is written in tissue_report.cc.
+//
+// Energy (J): start + work of the plates = now + given off by breaking + turned to heat by the fluid's viscosity and the damping + error.
+// Breaking is measured where it happens; heat at the samples, by the trapezoidal rule. The error is reported.
+#pragma once
+
+#include "micro/engine/respa.h"
+#include "micro/engine/watched_steps.h"
+#include "micro/io/field_file.h"
+#include "micro/processes/failure.h"
+#include "micro/processes/wall_yielding.h"
+#include "micro/scenarios/tissue_loading.h"
+#include "micro/scenarios/tissue_measures.h"
+
+#include <optional>
+
+namespace turgor
+{
+class TissueLoading::Run
+{
+public:
+  Run(const TissueLoading &scene, RunContext &context);
+  void go();
+
+private:
+  // tissue_run.cc
+  void inflate();
+  void squeeze(bool resumed);
+  void step_once();
+  bool processes();                                   ///< between steps; true when a force has changed
+  std::uint32_t ring_distance(std::size_t tie) const; ///< bonds from a tie to the next place where three cells meet
+  double strain() const { return (start.high - (*plates)[1].position) / start.height(); }
+
+  // tissue_checkpoint.cc
+  void save(std::ostream &out) const;
+  void load(std::istream &in);
+  void require_finite(const std::string &where) const;
+  void require_energy(const std::string &where) const;
+  void checked_save(const std::string &where);
+
+  // tissue_report.cc
+  void open_series();
+  void record(); ///< one row of the history
+  double heating(); ///< W, of viscosity and damping now
+  FieldFrame frame() const;
+  double mean_pressure() const; ///< Pa
+  void report();
+  void report_failure();
+
+  const TissueLoading &scene;
+  RunContext &context;
+  std::unique_ptr<BrickTissue> tissue;
+  ParticleSystem<2> &system;
+  std::optional<WatchedSteps<2>> integrator;
+  std::optional<Respa<2>> split; ///< while the plate moves, with Substeps > 1; its step is not watched
+  Plates<2> *plates = nullptr;
+  std::optional<Failure<2>> failure;
+  std::optional<WallYielding<2>> yielding;
+  double dt = 0., reach = 0., sound = 0.;
+  std::uint64_t inflation_steps = 0;
+
+  std::unique_ptr<Series> loading, by_row;
+
+  // what changes while the scene runs, and is in the checkpoint
+  std::uint64_t step = 0, load_steps = 0; ///< load_steps = 0: still inflating
+  double angle_before = 0., angle_inflated = 0., void_fraction = 0., tie_stress = 0., start_energy = 0.;
+  TissueStart start;
+  std::vector<TissueSample> history;
+  double broken_bonds = 0., broken_at_junction = 0., deepest = 0., most_crossed = 0.;
+  double released = 0., created = 0., heat = 0., heating_before = 0.; ///< J, given off by what broke; of it negative; heat; W at the last sample
+  std::vector<double> broken_ties; ///< distance to the next junction (bonds), in the order in which they broke
+};
+} // namespace turgor
