@@ -1,0 +1,119 @@
+"""Spheroids and monolayers as pictures: growth curves with the experiment's stated numbers, and a cut through the middle
+coloured by pressure, volume and state. Used by the scenes' own scripts.
+
+Numbers of the experiment (CT26, thesis 5.2 and 5.4.2): free growth doubles in 17 h; density 0.85 per 100 um^2 at R = 100 um.
+"""
+import os
+import sys
+
+import numpy as np
+from matplotlib.collections import PatchCollection
+from matplotlib.colors import ListedColormap, Normalize
+from matplotlib.patches import Circle
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from drawing import ACCENT, ALONG, INK, plt, read_table, style  # noqa: E402
+from fields import frames  # noqa: E402
+
+STATES = ["proliferating", "quiescent", "necrotic", "lysed"]
+STATE_COLOURS = ["#7fb069", "#e0c060", "#8a5a44", "#4a3b35"]
+
+
+def cut_of(frame, flat=False):
+    """(x, y, radius of the section, index) of the spheres that the plane through their centroid cuts, in um."""
+    x = frame.points * 1e6
+    radius = frame.field("radius") * 1e6
+    x = x - x.mean(axis=0)
+    away = np.zeros(len(x)) if flat else x[:, 2]
+    section = np.sqrt(np.maximum(radius**2 - away**2, 0))
+    index = np.flatnonzero(section > 0.3 * radius)
+    return x[index, 0], x[index, 1], section[index], index
+
+
+def draw_cells(axis, place, values, colours, norm):
+    x, y, section, index = place
+    order = np.argsort(-section)
+    patches = PatchCollection([Circle((x[k], y[k]), section[k]) for k in order], cmap=colours, norm=norm, edgecolor=INK, linewidth=0.25)
+    patches.set_array(values[index][order])
+    axis.add_collection(patches)
+    reach = np.max(np.hypot(x, y) + section) * 1.03
+    axis.set_xlim(-reach, reach)
+    axis.set_ylim(-reach, reach)
+    axis.set_aspect("equal")
+    style(axis)
+    return patches
+
+
+def draw_cut(directory, flat=False):
+    """cells_cut.png of the last frame; None without fields."""
+    if not os.path.exists(os.path.join(directory, "cells.xdmf")):
+        return None
+    frame = frames(directory, "cells")[-1]
+    place = cut_of(frame, flat)
+    figure, panels = plt.subplots(1, 3, figsize=(14, 4.9), layout="constrained")
+    pressure, volume, state = frame.field("pressure"), frame.field("volume") * 1e18, frame.field("state")
+    low, high = np.percentile(pressure[place[3]], [2, 98])
+    most = max(abs(low), abs(high), 1e-9)
+    for axis, values, label, colours, norm in (
+            (panels[0], pressure, "pressure [Pa]", "RdBu_r" if low < -0.2 * high else "viridis",
+             Normalize(-most, most) if low < -0.2 * high else Normalize(low, high)),
+            (panels[1], volume, "volume [µm³]", "cividis", Normalize(*np.percentile(volume[place[3]], [2, 98])))):
+        figure.colorbar(draw_cells(axis, place, values, colours, norm), ax=axis, label=label, shrink=0.85)
+        axis.set_xlabel("x [µm]", color=INK)
+    bar = figure.colorbar(draw_cells(panels[2], place, state, ListedColormap(STATE_COLOURS), Normalize(-0.5, 3.5)), ax=panels[2],
+                          ticks=range(4), shrink=0.85)
+    bar.ax.set_yticklabels(STATES, fontsize=8)
+    panels[2].set_xlabel("x [µm]", color=INK)
+    panels[0].set_ylabel("y [µm]", color=INK)
+    figure.suptitle(f"{'From above' if flat else 'Cut through the middle'} at {frame.time / 3600:.0f} h, {len(volume)} cells",
+                    color=INK, fontsize=11)
+    path = os.path.join(directory, "cells_cut.png")
+    figure.savefig(path, dpi=110)
+    plt.close(figure)
+    return path
+
+
+def draw_growth(directory, cycle=17.):
+    """spheroid_growth.png: number of cells and radius over time; cycle: h."""
+    table = read_table(os.path.join(directory, "growth.csv"))
+    t = table["time [s]"] / 3600
+    figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.4), layout="constrained")
+    cells = table["cells"]
+    left.semilogy(t, cells, color=ALONG, linewidth=2, label="cells")
+    left.semilogy(t, cells[0] * 2 ** (t / cycle), color=INK, linewidth=1, linestyle=(0, (4, 3)), label=f"doubling in {cycle:g} h (experiment, free)")
+    for name, colour in zip(STATES, STATE_COLOURS):
+        if np.any(table[name] > 0) and np.any(table[name] < cells):
+            left.semilogy(t, np.where(table[name] > 0, table[name], np.nan), color=colour, linewidth=1.3, label=name)
+    left.set_ylabel("cells", color=INK)
+    radius = table["radius [m]"] * 1e6
+    right.plot(t, radius, color=ACCENT, linewidth=2, label="radius (outermost cells)")
+    right.plot(t, table["gyration_radius [m]"] * 1e6, color=ALONG, linewidth=1.2, label="radius of gyration")
+    late = len(t) - 1
+    right.plot(t, radius[late] * 2 ** ((t - t[late]) / (3 * cycle)), color=INK, linewidth=1, linestyle=(0, (4, 3)),
+               label=f"volume doubling in {cycle:g} h")
+    right.set_ylabel("radius [µm]", color=INK)
+    for axis in (left, right):
+        axis.set_xlabel("time [h]", color=INK)
+        axis.legend(frameon=False, fontsize=8)
+        style(axis)
+    path = os.path.join(directory, "spheroid_growth.png")
+    figure.savefig(path, dpi=110)
+    plt.close(figure)
+    return path
+
+
+def cycle_of(directory):
+    """h, from input.prm."""
+    try:
+        with open(os.path.join(directory, "input.prm"), encoding="utf-8") as file:
+            for line in file:
+                if line.strip().startswith("set Cycle time"):
+                    return float(line.split("=")[1].split("#")[0]) / 3600
+    except OSError:
+        pass
+    return 17.
+
+
+def main(directory, flat=False):
+    """Paths of the pictures made."""
+    return [path for path in (draw_growth(directory, cycle_of(directory)), draw_cut(directory, flat)) if path]

@@ -1,0 +1,43 @@
+// Division of a cell into an instantaneous pair (thesis 2.2.2, C.3.2): in which direction, and how far apart.
+//
+//   direction   random            uniform on the sphere
+//               random_in_plane   uniform in the x-y plane (a monolayer)
+//               least_stress      principal direction of the cell's virial stress with the least compression (C.3.2)
+//               given             an axis
+//   distance    inside            as far as both fit into the mother: 2 (R_m - R_d), R_d = R_m/2^(1/3)
+//               least_energy      where the energy of the two and of their contacts with all neighbours is least, between
+//                                 that and 2 R_d, touching (the smoothing of C.3.2)
+//
+// Random directions are functions of (seed, id of the mother).
+// In: m, Pa. Out: unit vector; half the distance of the daughters' centres (m).
+#pragma once
+
+#include "micro/cells/cell_population.h"
+#include "micro/engine/tensor.h"
+#include "micro/terms/sphere_contacts.h"
+
+namespace turgor
+{
+enum class DivisionDirection
+{
+  random,
+  random_in_plane,
+  least_stress,
+  given
+};
+
+struct CellDivision
+{
+  DivisionDirection direction = DivisionDirection::least_stress;
+  Vector<3> axis = Vector<3>::UnitZ();
+  bool least_energy = true;
+  std::uint64_t seed = 1;
+
+  /// stress: any positive multiple of the cell's.
+  Vector<3> choose(std::uint64_t mother_id, const Tensor2<3> &stress) const;
+
+  /// m; neighbours: those of the contacts' list. radius and modulus: of each daughter.
+  double half_distance(const CellPopulation &cells, const SphereContacts &contacts, std::uint32_t mother,
+                       const Vector<3> &direction, double radius, double modulus) const;
+};
+} // namespace turgor

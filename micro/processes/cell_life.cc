@@ -1,0 +1,175 @@
+#include "micro/processes/cell_life.h"
+
+#include "micro/cells/cell_stress.h"
+#include "micro/cells/outer_cells.h"
+#include "micro/engine/gathered.h"
+
+#include <cmath>
+#include <utility>
+
+namespace turgor
+{
+CellLife::CellLife(const CellLifeParameters &parameters_)
+  : parameters(parameters_)
+  , V_0(sphere_volume(parameters_.birth_radius))
+{}
+
+void CellLife::declare_fields(Particles<3> &particles) const
+{
+  for (const char *name : {"reference_volume", "strain", "phase", "cycle_time", "bulk_modulus"})
+    particles.declare(name);
+  if (parameters.death.rim == Rim::necrotic && parameters.death.linear)
+    particles.declare("volume_at_death");
+}
+
+void CellLife::draw(CellPopulation &cells, const std::size_t i) const
+{
+  const CellVariability &vary = parameters.variability;
+  const std::uint64_t id = cells.id[i];
+  Particles<3> &p = cells.particles;
+  p.field("cycle_time")[i] = vary(parameters.cycle_time, id, Varied::cycle_time);
+  p.field("bulk_modulus")[i] = vary(parameters.bulk_modulus, id, Varied::bulk_modulus);
+  p.field("modulus")[i] = vary(parameters.modulus, id, Varied::modulus) / (1. - parameters.poisson * parameters.poisson);
+}
+
+void CellLife::add(CellPopulation &cells, const Vector<3> &x, const double phase) const
+{
+  const std::size_t i = cells.add(x, parameters.birth_radius, parameters.modulus);
+  draw(cells, i);
+  const double T = cells.particles.field("cycle_time")[i];
+  double V_ref = V_0, reached = 0.;
+  parameters.cycle.advance(parameters.growth, V_0, T, 1., phase * T, reached, V_ref);
+  cells.particles.field("reference_volume")[i] = V_ref;
+  cells.particles.field("phase")[i] = phase;
+  cells.particles.field("radius")[i] = sphere_radius(V_ref);
+}
+
+double CellLife::volume(const CellPopulation &cells, const std::size_t i) const
+{
+  return compressed_volume(cells.particles.field("reference_volume")[i], cells.particles.field("strain")[i]);
+}
+
+const std::vector<double> &CellLife::measure_pressures(const CellPopulation &cells, const SphereContacts &contacts,
+                                                       const std::vector<std::unique_ptr<Surroundings>> &surroundings,
+                                                       const unsigned int threads)
+{
+  cell_virials(cells.particles, contacts, threads, virial);
+  for (const auto &around : surroundings)
+    around->add_virial(cells.particles, virial);
+  const std::vector<double> &V_ref = cells.particles.field("reference_volume"), &eps = cells.particles.field("strain");
+  pressure.resize(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    pressure[i] = -virial[i].trace() / (3. * compressed_volume(V_ref[i], eps[i]));
+  return pressure;
+}
+
+void CellLife::advance(CellPopulation &cells, const SphereContacts &contacts,
+                       const std::vector<std::unique_ptr<Surroundings>> &surroundings, const double dt,
+                       const unsigned int threads,
+                       const std::function<void(const std::vector<std::uint32_t> &)> &gather_others)
+{
+  measure_pressures(cells, contacts, surroundings, threads);
+  Particles<3> &p = cells.particles;
+  std::vector<double> &V_ref = p.field("reference_volume"), &eps = p.field("strain"), &phase = p.field("phase"),
+                      &T = p.field("cycle_time"), &K = p.field("bulk_modulus"), &R = p.field("radius");
+  std::vector<double> *V_at_death = p.has("volume_at_death") ? &p.field("volume_at_death") : nullptr;
+  const CellDeath &death = parameters.death;
+  const CellCycle &cycle = parameters.cycle;
+  const OuterCells outer = death.rim != Rim::none ? find_outer_cells(p) : OuterCells();
+
+  struct Division
+  {
+    std::uint32_t mother;
+    double left; ///< of dt, s
+    Vector<3> offset;
+  };
+  std::vector<Division> divisions_now;
+  std::vector<unsigned char> gone(cells.size(), 0);
+  bool any_gone = false;
+  for (std::uint32_t i = 0; i < cells.size(); ++i)
+    {
+      const double rest = parameters.volume.strain_at_rest(pressure[i], K[i]);
+      if (!cells.alive(i))
+        {
+          const double T_lys = parameters.variability(death.lysis_time, cells.id[i], Varied::lysis_time);
+          eps[i] = relaxed_strain(eps[i], rest, dt, death.linear ? parameters.relaxation : T_lys);
+          if (cells.state[i] == CellState::necrotic)
+            {
+              const bool ended = death.linear ? death.shrink(V_ref[i], (*V_at_death)[i], T_lys, dt) : rest - eps[i] < CellDeath::nearly;
+              if (ended)
+                {
+                  cells.state[i] = CellState::lysed;
+                  gone[i] = death.remove;
+                  any_gone = any_gone || death.remove;
+                }
+            }
+          continue;
+        }
+      eps[i] = relaxed_strain(eps[i], rest, dt, parameters.relaxation);
+      const bool deep = death.rim != Rim::none && outer.edge - (p.position(i) - outer.centre).norm() > death.rim_thickness;
+      if (deep && death.rim == Rim::necrotic
+          && death.dies(HUGE_VAL, pressure[i],
+                        parameters.variability(death.necrosis_pressure, cells.id[i], Varied::necrosis_pressure)))
+        {
+          if (V_at_death)
+            (*V_at_death)[i] = V_ref[i];
+          death.die(V_ref[i], eps[i]);
+          cells.state[i] = CellState::necrotic;
+          ++deaths;
+          continue;
+        }
+      const double f = parameters.growth.factor(eps[i]);
+      const bool resting = cells.state[i] == CellState::quiescent;
+      const bool rests = (deep && death.rim == Rim::quiescent) || cycle.rests(resting, phase[i], f);
+      cells.state[i] = rests ? CellState::quiescent : CellState::proliferating;
+      if (rests)
+        continue;
+      const double left = cycle.advance(parameters.growth, V_0, T[i], f, dt, phase[i], V_ref[i]);
+      if (left >= 0.)
+        divisions_now.push_back({i, left, Vector<3>::Zero()});
+    }
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    R[i] = sphere_radius(compressed_volume(V_ref[i], eps[i]));
+  if (divisions_now.empty() && !any_gone)
+    return;
+
+  const double half = std::cbrt(0.5);
+  for (Division &division : divisions_now)
+    {
+      const std::uint32_t i = division.mother;
+      const Vector<3> along = parameters.division.choose(cells.id[i], virial[i]);
+      division.offset = parameters.division.half_distance(cells, contacts, i, along, half * R[i], p.field("modulus")[i]) * along;
+    }
+  std::vector<std::uint32_t> source, place(cells.size());
+  for (std::uint32_t i = 0; i < cells.size(); ++i)
+    if (!gone[i])
+      {
+        place[i] = std::uint32_t(source.size());
+        source.push_back(i);
+      }
+    else
+      ++removed;
+  const std::size_t kept = source.size();
+  for (const Division &division : divisions_now)
+    source.push_back(division.mother);
+  cells.gather(source);
+  gather_others(source);
+  pressure = gathered(pressure, source);
+  for (std::size_t k = 0; k < divisions_now.size(); ++k)
+    {
+      const Division &division = divisions_now[k];
+      for (const auto &[i, sign] : {std::pair(std::size_t(place[division.mother]), 1.), std::pair(kept + k, -1.)})
+        {
+          cells.id[i] = cells.next_id++;
+          draw(cells, i);
+          V_ref[i] *= 0.5;
+          phase[i] = 0.;
+          cycle.advance(parameters.growth, V_0, T[i], 1., division.left, phase[i], V_ref[i]);
+          R[i] = sphere_radius(compressed_volume(V_ref[i], eps[i]));
+          for (int d = 0; d < 3; ++d)
+            p.x[d][i] += sign * division.offset[d];
+        }
+      ++divisions;
+    }
+}
+} // namespace turgor

@@ -1,0 +1,135 @@
+#include "micro/scenarios/cell_culture.h"
+
+#include "micro/engine/binary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace turgor
+{
+namespace
+{
+/// m; the pair list looks farther than adhesion holds on.
+double skin_of(const CultureParameters &p)
+{
+  const double R = 0.5 * p.life.birth_radius * std::cbrt(2.), E = 0.5 * p.life.modulus / (1. - p.life.poisson * p.life.poisson);
+  const double hold = p.law == "jkr" ? -JkrContact{p.adhesion}.release(R, 0.6 * E) : 0.; // the softest pairs hold longest
+  return std::max(0.2 * p.life.birth_radius, 1.1 * hold);
+}
+} // namespace
+
+ContactLaw contact_law(const CultureParameters &parameters)
+{
+  if (parameters.law == "hertz")
+    return HertzContact();
+  if (parameters.law == "jkr")
+    return JkrContact{parameters.adhesion};
+  return ExtendedHertzContact{parameters.adhesion};
+}
+
+CellCulture::CellCulture(const CultureParameters &parameters_, std::vector<std::unique_ptr<Surroundings>> surroundings_,
+                         const unsigned int threads_)
+  : life(parameters_.life)
+  , surroundings(std::move(surroundings_))
+  , parameters(parameters_)
+  , threads(threads_)
+  , contacts(contact_law(parameters_), skin_of(parameters_))
+  , friction(parameters_.friction)
+  , motion(
+      parameters_.motion, contacts, friction,
+      [this](Particles<3> &particles) {
+        for (const auto &around : surroundings)
+          around->add_forces(particles);
+      },
+      threads_)
+  , h(parameters_.interval > 0. ? parameters_.interval :
+                                  3. * parameters_.growth_tolerance * parameters_.life.cycle_time / std::numbers::ln2)
+{
+  life.declare_fields(cells.particles);
+}
+
+std::vector<std::string> CellCulture::term_names() const
+{
+  std::vector<std::string> names = {SphereContacts::name(contact_law(parameters)), "medium_friction"};
+  if (parameters.friction.normal > 0. || parameters.friction.tangential > 0.)
+    names.push_back("cell_friction");
+  for (const auto &around : surroundings)
+    names.push_back(around->name());
+  return names;
+}
+
+void CellCulture::contact_forces()
+{
+  for (auto &f : cells.particles.f)
+    std::fill(f.begin(), f.end(), 0.);
+  contacts.add_forces(cells.particles, threads);
+  for (const auto &around : surroundings)
+    around->add_forces(cells.particles);
+}
+
+const std::vector<double> &CellCulture::pressures()
+{
+  contact_forces();
+  return life.measure_pressures(cells, contacts, surroundings, threads);
+}
+
+void CellCulture::set_friction()
+{
+  const std::vector<double> &R = cells.particles.field("radius");
+  gamma.resize(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    gamma[i] = 4. * std::numbers::pi * R[i] * R[i] * parameters.medium_friction;
+  for (const auto &around : surroundings)
+    around->add_friction(cells.particles, gamma);
+}
+
+void CellCulture::advance(const double end)
+{
+  const double until = std::min(end, t + h);
+  contact_forces();
+  life.advance(cells, contacts, surroundings, until - t, threads, [this](const std::vector<std::uint32_t> &source) {
+    contacts.gather(source);
+    motion.gather(source);
+    for (const auto &around : surroundings)
+      around->gather(source);
+  });
+  for (const auto &around : surroundings)
+    around->update(cells, t);
+  set_friction();
+  while (t < until)
+    {
+      const double dt = motion.step(cells.particles, gamma, until - t);
+      for (const auto &around : surroundings)
+        around->advance(cells.particles, dt);
+      t = until - t > dt ? t + dt : until;
+      ++steps;
+    }
+}
+
+void CellCulture::save(std::ostream &out) const
+{
+  write_binary(out, t);
+  write_binary(out, steps);
+  for (const std::uint64_t number : {life.divisions, life.deaths, life.removed})
+    write_binary(out, number);
+  cells.save(out);
+  contacts.save(out);
+  motion.save(out);
+  for (const auto &around : surroundings)
+    around->save(out);
+}
+
+void CellCulture::load(std::istream &in)
+{
+  read_binary(in, t);
+  read_binary(in, steps);
+  for (std::uint64_t *number : {&life.divisions, &life.deaths, &life.removed})
+    read_binary(in, *number);
+  cells.load(in);
+  contacts.load(in, cells.particles);
+  motion.load(in);
+  for (const auto &around : surroundings)
+    around->load(in);
+}
+} // namespace turgor

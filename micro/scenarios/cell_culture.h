@@ -1,0 +1,75 @@
+// A population of centre-based cells with all that moves it: contacts, friction, the over-damped engine, surroundings, and the
+// life of the cells between its steps. What the scenes of spheroids and monolayers run.
+//
+// An interval of length h: life at its start (volumes, divisions, deaths over h), then the engine's steps until its end. h follows
+// from a tolerance: an uncompressed cell's radius grows by at most that share within h, h = 3 tolerance T/ln 2. Both the
+// coupling and C.3 are first order in h.
+//
+// Checkpoints are taken between intervals; a resumed run has the bits of one that was never stopped.
+#pragma once
+
+#include "micro/engine/overdamped.h"
+#include "micro/processes/cell_life.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace turgor
+{
+struct CultureParameters
+{
+  CellLifeParameters life;
+  std::string law = "jkr";      ///< hertz | extended_hertz | jkr
+  double adhesion = 1e-4;       ///< W, J/m^2
+  FrictionParameters friction{.normal = 5e10, .tangential = 5e10, .tolerance = 1e-5};
+  double medium_friction = 5e8; ///< N s/m^3, of the cell's surface 4 pi R^2
+  OverdampedParameters motion;
+  double growth_tolerance = 2e-3;
+  double interval = 0.; ///< h, s; 0: from the tolerance
+};
+
+ContactLaw contact_law(const CultureParameters &parameters);
+
+class CellCulture
+{
+public:
+  CellCulture(const CultureParameters &parameters, std::vector<std::unique_ptr<Surroundings>> surroundings, unsigned int threads);
+
+  /// One interval, or what is left of it until `end` (s).
+  void advance(double end);
+
+  /// Pa, of all cells, at the present positions.
+  const std::vector<double> &pressures();
+
+  double time() const { return t; }
+  double interval() const { return h; } ///< s
+  void restart_clock() { t = 0.; }
+
+  CellPopulation cells;
+  CellLife life;
+  std::vector<std::unique_ptr<Surroundings>> surroundings;
+  std::uint64_t steps = 0;
+
+  std::vector<std::string> term_names() const;
+  const SphereContacts &contact() const { return contacts; }
+  std::uint64_t rejected() const { return motion.rejected(); }
+  std::uint64_t solver_iterations() const { return friction.total_iterations(); }
+  double next_step() const { return motion.next_step(); }
+
+  void save(std::ostream &out) const;
+  void load(std::istream &in);
+
+private:
+  void contact_forces(); ///< contacts at the present positions
+  void set_friction();
+
+  CultureParameters parameters;
+  unsigned int threads;
+  SphereContacts contacts;
+  Friction friction;
+  Overdamped motion;
+  std::vector<double> gamma;
+  double t = 0., h;
+};
+} // namespace turgor

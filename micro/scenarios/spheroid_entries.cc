@@ -1,0 +1,124 @@
+#include "micro/scenarios/spheroid_entries.h"
+
+#include "micro/io/run_context.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <cstdio>
+
+namespace turgor
+{
+void CultureEntries::declare(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  CellLifeParameters &life = numbers.life;
+  prm.enter_subsection("Cell");
+  prm.add_parameter("Birth radius", life.birth_radius, "Of a newborn cell, uncompressed; it divides at twice the volume. Units: m.",
+                    Double(1e-9, 1.));
+  prm.add_parameter("Cycle time", life.cycle_time, "Mean T of uncompressed cells, mitosis included. Units: s.", Double(1., 1e12));
+  prm.add_parameter("Modulus", life.modulus, "Mean Young's modulus of the contacts. Units: Pa.", Double(1e-3, 1e12));
+  prm.add_parameter("Poisson ratio", life.poisson, "Of the contacts. Units: none.", Double(0., 0.5));
+  prm.add_parameter("Bulk modulus", life.bulk_modulus, "Mean K_0, without stress (C.1). Units: Pa.", Double(1e-3, 1e12));
+  prm.add_parameter("Strain hardening", life.volume.hardening, "K = K_0 V_ref/V (C.2). Units: none.", Bool());
+  prm.add_parameter("Relaxation time", life.relaxation, "T_rel of the volume (C.3); 0: at once. Units: s.", Double(0., 1e12));
+  prm.add_parameter("Variability", life.variability.spread,
+                    "Standard deviation over the mean of T, E, K_0, T_lys and p_th, clamped at 4 of them. Units: none.",
+                    Double(0., 0.24));
+  prm.add_parameter("Seed", seed, "Of all that is drawn at random. Units: none.", Double(0., 1e15));
+  prm.leave_subsection();
+
+  prm.enter_subsection("Contact");
+  prm.add_parameter("Law", numbers.law, "hertz (2.5), extended_hertz (2.7) or jkr (2.8, 2.9). Units: none.",
+                    Selection("hertz|extended_hertz|jkr"));
+  prm.add_parameter("Adhesion", numbers.adhesion, "Energy of adhesion W. Units: J/m^2.", Double(0., 1e3));
+  prm.add_parameter("Normal friction", numbers.friction.normal, "Between cells, along their line, of the contact's area. Units: N s/m^3.",
+                    Double(0., 1e20));
+  prm.add_parameter("Tangential friction", numbers.friction.tangential,
+                    "Between cells, across their line, of the contact's area. Units: N s/m^3.", Double(0., 1e20));
+  prm.add_parameter("Medium friction", numbers.medium_friction, "With medium or matrix, of the cell's surface. Units: N s/m^3.",
+                    Double(1e-3, 1e20));
+  prm.leave_subsection();
+
+  prm.enter_subsection("Growth");
+  prm.add_parameter("Rate", rate, "constant or exponential (C.5). Units: none.", Selection("constant|exponential"));
+  prm.add_parameter("Inhibition", inhibition, "By volumetric strain: none, hill (5.2) or linear (5.4.2). Units: none.",
+                    Selection("none|hill|linear"));
+  prm.add_parameter("Threshold", life.growth.threshold, "Strain at which the growth is half. Units: none.", Double(1e-6, 1e6));
+  prm.add_parameter("Exponent", life.growth.exponent, "n of the Hill law. Units: none.", Double(0.1, 1e4));
+  prm.add_parameter("Quiescence below", life.cycle.quiescence_below,
+                    "alpha_qui: share of the free growth below which a cell before its restriction point rests. Units: none.",
+                    Double(0., 1.));
+  prm.add_parameter("Reversible rest", life.cycle.reversible, "Resting cells go on when they are less compressed. Units: none.", Bool());
+  prm.add_parameter("Restriction point", life.cycle.restriction, "Phase of the cycle. Units: none.", Double(0., 1.));
+  prm.add_parameter("Division at", division_at, "Twice the volume (size) or after the cycle time (time). Units: none.",
+                    Selection("size|time"));
+  prm.add_parameter("Mitosis time", life.cycle.mitosis, "In which newborn cells do not grow. Units: s.", Double(0., 1e12));
+  prm.leave_subsection();
+
+  prm.enter_subsection("Division");
+  prm.add_parameter("Direction", direction, "random, random_in_plane, least_stress or given. Units: none.",
+                    Selection("random|random_in_plane|least_stress|given"));
+  prm.add_parameter("Axis", axis, "Where Direction = given: x, y, z. Units: none.", List(Double(-1e6, 1e6), 3, 3, ","));
+  prm.add_parameter("Distance", distance, "Of the pair: inside the mother, or least_energy. Units: none.",
+                    Selection("inside|least_energy"));
+  prm.leave_subsection();
+
+  prm.enter_subsection("Death");
+  prm.add_parameter("Rim", rim, "What happens below the viable rim: none, quiescent (Model II) or necrotic (Model I). Units: none.",
+                    Selection("none|quiescent|necrotic"));
+  prm.add_parameter("Rim thickness", life.death.rim_thickness, "lambda. Units: m.", Double(0., 1.));
+  prm.add_parameter("Necrosis pressure", life.death.necrosis_pressure, "Mean p_th. Units: Pa.", Double(0., 1e12));
+  prm.add_parameter("Lysis time", life.death.lysis_time, "Mean T_lys. Units: s.", Double(1., 1e12));
+  prm.add_parameter("Solid fraction", life.death.solid_fraction, "phi. Units: none.", Double(0.01, 1.));
+  prm.add_parameter("Lysis", lysis, "delayed (C.1.3) or linear (2.12). Units: none.", Selection("delayed|linear"));
+  prm.add_parameter("Remove lysed", life.death.remove, "Take the remains away. Units: none.", Bool());
+  prm.leave_subsection();
+
+  prm.enter_subsection("Motion");
+  prm.add_parameter("Method", method, "euler, heun or implicit. Units: none.", Selection("euler|heun|implicit"));
+  prm.add_parameter("Tolerance", numbers.motion.tolerance, "Error of a step over the mean radius. Units: none.", Double(1e-9, 1.));
+  prm.add_parameter("Growth tolerance", numbers.growth_tolerance,
+                    "Growth of a radius between steps of the cells' life, over the radius. Units: none.", Double(1e-6, 0.1));
+  prm.add_parameter("Solver tolerance", numbers.friction.tolerance, "Residual of the friction matrix over the forces. Units: none.",
+                    Double(1e-14, 0.1));
+  prm.leave_subsection();
+}
+
+void CultureEntries::check() const
+{
+  const CellLifeParameters &life = numbers.life;
+  if (numbers.law == "jkr" && !(numbers.adhesion > 0.))
+    throw InputError("Contact/Adhesion is 0, but Law = jkr needs it positive (J/m^2): without adhesion JKR is Law = hertz.");
+  if (numbers.law != "hertz" && numbers.adhesion > 0.1 * life.modulus * life.birth_radius)
+    throw InputError("Contact/Adhesion is " + std::to_string(numbers.adhesion)
+                     + " J/m^2, but has to be at most a tenth of Modulus times Birth radius ("
+                     + std::to_string(0.1 * life.modulus * life.birth_radius) + "): contacts would be as wide as the cells.");
+  if (life.cycle.mitosis > 0.5 * life.cycle_time)
+    throw InputError("Growth/Mitosis time is " + std::to_string(life.cycle.mitosis)
+                     + " s, but has to be at most half of Cell/Cycle time (" + std::to_string(life.cycle_time) + " s).");
+  if (seed != std::floor(seed))
+    throw InputError("Cell/Seed is " + std::to_string(seed) + ", but has to be a whole number.");
+  if (direction == "given" && !(parameters().life.division.axis.norm() > 0.))
+    throw InputError("Division/Axis is " + axis + ", but Direction = given needs one that is not zero.");
+}
+
+CultureParameters CultureEntries::parameters() const
+{
+  CultureParameters result = numbers;
+  CellLifeParameters &life = result.life;
+  life.growth.exponential = rate == "exponential";
+  life.growth.inhibition = inhibition == "none" ? Inhibition::none : inhibition == "hill" ? Inhibition::hill : Inhibition::linear;
+  life.cycle.timer = division_at == "time";
+  life.division.direction = direction == "random"          ? DivisionDirection::random :
+                            direction == "random_in_plane" ? DivisionDirection::random_in_plane :
+                            direction == "given"           ? DivisionDirection::given :
+                                                             DivisionDirection::least_stress;
+  std::sscanf(axis.c_str(), "%lf , %lf , %lf", &life.division.axis[0], &life.division.axis[1], &life.division.axis[2]);
+  life.division.least_energy = distance == "least_energy";
+  life.division.seed = life.variability.seed = std::uint64_t(seed);
+  life.death.rim = rim == "none" ? Rim::none : rim == "quiescent" ? Rim::quiescent : Rim::necrotic;
+  life.death.linear = lysis == "linear";
+  result.motion.method = method == "euler" ? OverdampedMethod::euler : method == "heun" ? OverdampedMethod::heun : OverdampedMethod::implicit;
+  return result;
+}
+} // namespace turgor

@@ -1,0 +1,61 @@
+#include "micro/scenarios/spheroid_free.h"
+
+#include "micro/io/run_context.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace turgor
+{
+double doubling_time(const double T, const double spread)
+{
+  const double s2 = spread * spread;
+  const double growth = s2 > 0. ? (1. - std::sqrt(1. - 2. * s2 * std::numbers::ln2)) / s2 : std::numbers::ln2;
+  return T * std::numbers::ln2 / growth;
+}
+
+std::string SpheroidFree::description() const
+{
+  return "A tumour spheroid from a few centre-based cells in free suspension: growth, division, a viable rim.";
+}
+
+void SpheroidFree::report(RunContext &context, const GrowthTable &table, CellCulture &culture) const
+{
+  const double T = entries.numbers.life.cycle_time, end = culture.time();
+  const std::vector<double> time = table.column("time"), cells = table.column("cells"), radius = table.column("radius");
+  const double expected = doubling_time(T, entries.numbers.life.variability.spread);
+  context.result("doubling_time_closed_form", expected, "s");
+  const double whole = std::max(1., std::floor(end / T) - 1.), from = end - whole * T;
+  if (from >= 0.)
+    {
+      const double rate = fitted_slope(time, cells, from, end, true);
+      if (rate > 0.)
+        {
+          context.result("doubling_time", std::numbers::ln2 / rate, "s");
+          context.result("doubling_time_error", std::numbers::ln2 / rate / expected - 1., "1");
+        }
+      double mean = 0., count = 0., worst = 0.;
+      for (std::size_t k = 0; k < time.size(); ++k)
+        if (time[k] >= from)
+          {
+            mean += std::log(cells[k]) - rate * (time[k] - from);
+            count += 1.;
+          }
+      for (std::size_t k = 0; k < time.size(); ++k)
+        if (time[k] >= from)
+          worst = std::max(worst, std::abs(std::expm1(std::log(cells[k]) - rate * (time[k] - from) - mean / count)));
+      context.result("deviation_from_exponential", worst, "1");
+    }
+  if (entries.rim != "none" && end > T)
+    {
+      const double l = entries.numbers.life.death.rim_thickness, R = 0.5 * (radius.back() + radius[radius.size() / 2]);
+      const double speed = fitted_slope(time, radius, 0.5 * end, end, false);
+      context.result("radial_speed", speed, "m/s");
+      if (R > l)
+        context.result("radial_speed_closed_form", l * std::numbers::ln2 / expected * (1. - l / R + l * l / (3. * R * R)), "m/s");
+    }
+}
+
+std::unique_ptr<Scenario> make_spheroid_free() { return std::make_unique<SpheroidFree>(); }
+} // namespace turgor

@@ -1,0 +1,27 @@
+// Scene `spheroid_free`: a spheroid from a few cells in free suspension (thesis 5.4.2, C.2.1).
+//
+//   doubling time    from the slope of log N over the last whole cycles, against its closed form: cells whose cycle times are
+//                    Gaussian, T (1 + s xi), grow as N ~ exp(Lambda t) with 2 <exp(-Lambda T_i)> = 1, so
+//                    Lambda T = (1 - sqrt(1 - 2 s^2 ln 2))/s^2
+//   exponential      largest deviation of N from that line in that time, over N: synchronous first cells make steps
+//   rim              with a rim of thickness l, growth at its own rate ln 2/T: dR/dt = l ln 2/T (1 - l/R + l^2/(3 R^2))
+#pragma once
+
+#include "micro/scenarios/spheroid_scene.h"
+
+namespace turgor
+{
+class SpheroidFree : public SpheroidScene
+{
+public:
+  std::string description() const override;
+
+protected:
+  void report(RunContext &context, const GrowthTable &table, CellCulture &culture) const override;
+};
+
+/// s; of a population of mean cycle time T (s) and relative spread s.
+double doubling_time(double T, double spread);
+
+std::unique_ptr<Scenario> make_spheroid_free();
+} // namespace turgor

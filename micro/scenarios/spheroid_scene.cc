@@ -1,0 +1,260 @@
+#include "micro/scenarios/spheroid_scene.h"
+
+#include "micro/cells/outer_cells.h"
+#include "micro/engine/binary.h"
+#include "micro/engine/counter_random.h"
+#include "micro/io/field_file.h"
+#include "micro/io/run_context.h"
+#include "micro/scenarios/shared_entries.h"
+#include "micro/scenarios/stepping.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+namespace turgor
+{
+std::vector<double> GrowthTable::column(const std::string &name) const
+{
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    throw std::logic_error("growth.csv has no column " + name);
+  std::vector<double> values;
+  for (const auto &row : rows)
+    values.push_back(row[std::size_t(found - names.begin())]);
+  return values;
+}
+
+double fitted_slope(const std::vector<double> &time, const std::vector<double> &value, const double from, const double to,
+                    const bool logarithmic)
+{
+  double n = 0., t = 0., y = 0., tt = 0., ty = 0.;
+  for (std::size_t k = 0; k < time.size(); ++k)
+    if (time[k] >= from && time[k] <= to)
+      {
+        const double v = logarithmic ? std::log(value[k]) : value[k], s = time[k] - from;
+        n += 1.;
+        t += s;
+        y += v;
+        tt += s * s;
+        ty += s * v;
+      }
+  const double spread = n * tt - t * t;
+  return spread > 0. ? (n * ty - t * y) / spread : 0.;
+}
+
+void SpheroidScene::declare_parameters(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  prm.add_parameter("First cells", first_cells, "Number of cells at the start. Units: none.", Integer(1, 10000000));
+  prm.add_parameter("First phases", phases,
+                    "Of the first cells: synchronous (all newborn) or spread (ages of exponential growth). Units: none.",
+                    Selection("synchronous|spread"));
+  prm.add_parameter("Duration", duration, "Simulated time. Units: s.", Double(0., 1e12));
+  prm.add_parameter("Most cells", most_cells, "The run ends when there are so many; 0: no limit. Units: none.", Double(0., 1e9));
+  prm.add_parameter("Samples", samples, "Rows of growth.csv. Units: none.", Integer(10, 1000000));
+  prm.add_parameter("Frames", frames, "Frames of the field file after the first; 0 writes no fields. Units: none.",
+                    Integer(0, 100000));
+  declare_checkpoints(prm, checkpoints);
+  entries.declare(prm);
+  declare_more(prm);
+}
+
+void SpheroidScene::check() const
+{
+  entries.check();
+  check_more();
+}
+
+double SpheroidScene::first_phase(const std::size_t i) const
+{
+  if (phases == "synchronous")
+    return 0.;
+  return -std::log2(1. - 0.5 * random_uniform(mix_bits(std::uint64_t(entries.seed) ^ 0x7068617365ull), i));
+}
+
+void SpheroidScene::seed(CellCulture &culture) const
+{
+  // The sites of a face-centred cubic (a monolayer: square) lattice nearest to the origin.
+  const double spacing = 1.8 * entries.numbers.life.birth_radius;
+  const int reach = int(std::ceil(flat ? std::sqrt(double(first_cells)) : std::cbrt(double(first_cells)))) + 2;
+  std::vector<std::array<int, 4>> sites; // distance squared, then the site
+  for (int z = flat ? 0 : -reach; z <= (flat ? 0 : reach); ++z)
+    for (int y = -reach; y <= reach; ++y)
+      for (int x = -reach; x <= reach; ++x)
+        if (flat || (x + y + z) % 2 == 0)
+          sites.push_back({x * x + y * y + z * z, x, y, z});
+  std::sort(sites.begin(), sites.end());
+  const double unit = flat ? spacing : spacing / std::numbers::sqrt2;
+  for (std::size_t i = 0; i < first_cells; ++i)
+    culture.life.add(culture.cells, unit * Vector<3>(sites[i][1], sites[i][2], sites[i][3]), first_phase(i));
+}
+
+std::vector<double> SpheroidScene::row_of(CellCulture &culture) const
+{
+  const CellPopulation &cells = culture.cells;
+  const std::vector<double> &pressure = culture.pressures();
+  const OuterCells outer = find_outer_cells(cells.particles);
+  double volume = 0., living = 0., weighted = 0., strain = 0., in_section = 0., gyration = 0.;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      const double V = culture.life.volume(cells, i);
+      volume += V;
+      if (cells.alive(i))
+        {
+          living += V;
+          weighted += V * pressure[i];
+          strain += V * cells.particles.field("strain")[i];
+        }
+      gyration += (cells.particles.position(i) - outer.centre).squaredNorm() / double(cells.size());
+      in_section += flat || std::abs(cells.particles.x[2][i] - outer.centre[2]) < 5e-6;
+    }
+  const double area = std::numbers::pi * outer.edge * outer.edge;
+  std::vector<double> row = {culture.time(),
+                             double(cells.size()),
+                             double(cells.count(CellState::proliferating)),
+                             double(cells.count(CellState::quiescent)),
+                             double(cells.count(CellState::necrotic)),
+                             double(cells.count(CellState::lysed)),
+                             outer.edge,
+                             std::sqrt((flat ? 2. : 5. / 3.) * gyration),
+                             volume,
+                             living > 0. ? weighted / living : 0.,
+                             living > 0. ? strain / living : 0.,
+                             in_section / area * 100e-12};
+  for (const auto &around : culture.surroundings)
+    for (const auto &value : around->values(cells))
+      row.push_back(value.value);
+  return row;
+}
+
+void SpheroidScene::write_frame(FieldFile &file, CellCulture &culture) const
+{
+  const CellPopulation &cells = culture.cells;
+  const Particles<3> &p = cells.particles;
+  FieldFrame frame;
+  frame.time = culture.time();
+  std::vector<double> volume, state;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      for (int d = 0; d < 3; ++d)
+        frame.points.push_back(p.x[d][i]);
+      volume.push_back(culture.life.volume(cells, i));
+      state.push_back(double(cells.state[i]));
+    }
+  frame.fields = {{"radius [m]", 1, p.field("radius")},
+                  {"volume [m^3]", 1, volume},
+                  {"pressure [Pa]", 1, culture.pressures()},
+                  {"strain", 1, p.field("strain")},
+                  {"phase", 1, p.field("phase")},
+                  {"state", 1, state}};
+  file.write(frame);
+}
+
+void SpheroidScene::run(RunContext &context)
+{
+  const CultureParameters parameters = culture_parameters();
+  CellCulture culture(parameters, make_surroundings(), context.threads());
+  GrowthTable table;
+  std::uint64_t done = 0;
+  const auto read_all = [&](std::istream &in) {
+    read_binary(in, done);
+    std::uint64_t count = 0;
+    read_binary(in, count);
+    table.rows.resize(count);
+    for (auto &row : table.rows)
+      read_binary(in, row);
+    culture.load(in);
+  };
+  const auto write_all = [&](std::ostream &out) {
+    write_binary(out, done);
+    write_binary(out, std::uint64_t(table.rows.size()));
+    for (const auto &row : table.rows)
+      write_binary(out, row);
+    culture.save(out);
+  };
+  const bool resumed = context.load_checkpoint(read_all);
+  if (!resumed)
+    seed(culture);
+  context.active(culture.term_names(), culture.cells.particles.field_names());
+
+  std::vector<Column> columns = {{"time", "s"},   {"cells", ""},  {"proliferating", ""}, {"quiescent", ""},
+                                 {"necrotic", ""}, {"lysed", ""},  {"radius", "m"},       {"gyration_radius", "m"}, {"volume", "m^3"},
+                                 {"pressure", "Pa"}, {"strain", "1"}, {"density", "1/(100 um^2)"}};
+  for (const auto &around : culture.surroundings)
+    for (const auto &value : around->values(culture.cells))
+      columns.push_back({value.name, value.unit});
+  for (const Column &column : columns)
+    table.names.push_back(column.name);
+  const auto file = context.series("growth", columns);
+  std::unique_ptr<FieldFile> fields;
+  if (frames > 0 && context.is_writer())
+    fields = std::make_unique<FieldFile>(context.directory(), "cells", resumed);
+
+  std::string good; // the state at the last row: what a run that fails leaves
+  const auto record = [&] {
+    table.rows.push_back(row_of(culture));
+    file->add_row(table.rows.back());
+    std::ostringstream state;
+    write_all(state);
+    good = state.str();
+  };
+  if (!resumed)
+    {
+      record();
+      if (fields)
+        write_frame(*fields, culture);
+    }
+  const std::uint64_t last = std::uint64_t(std::ceil(duration / culture.interval()));
+  const std::uint64_t sample_every = steps_between(last, samples), frame_every = steps_between(last, frames);
+  const StepCheckpoints keep(
+    context, last, checkpoints, [&] { context.save_checkpoint(write_all); },
+    [&] { return "at t = " + std::to_string(culture.time() / 3600.) + " h"; });
+  bool full = false;
+  while (culture.time() < duration && !full)
+    {
+      try
+        {
+          culture.advance(duration);
+        }
+      catch (const std::runtime_error &error)
+        {
+          context.save_checkpoint([&](std::ostream &out) { out << good; });
+          throw RunFailed("at t = " + std::to_string(culture.time() / 3600.) + " h with " + std::to_string(culture.cells.size())
+                          + " cells " + error.what() + " The checkpoint holds the last good state.");
+        }
+      ++done;
+      full = most_cells > 0. && double(culture.cells.size()) >= most_cells;
+      const bool end = full || culture.time() >= duration;
+      if (end || done % sample_every == 0)
+        record();
+      if (fields && (end || (frame_every > 0 && done % frame_every == 0)))
+        write_frame(*fields, culture);
+      context.progress(culture.time() / duration, std::to_string(culture.cells.size()) + " cells");
+      if (!end)
+        keep.after_step(done);
+    }
+  report_growth(context, table, culture);
+  report(context, table, culture);
+}
+
+void SpheroidScene::report_growth(RunContext &context, const GrowthTable &table, CellCulture &culture) const
+{
+  const std::vector<double> &last = table.rows.back();
+  const std::vector<std::pair<std::string, std::string>> final_values = {
+    {"cells", ""},       {"proliferating", ""}, {"quiescent", ""}, {"necrotic", ""},          {"lysed", ""},
+    {"radius", "m"},     {"gyration_radius", "m"}, {"volume", "m^3"},     {"pressure", "Pa"}, {"strain", "1"},          {"density", "1/(100 um^2)"}};
+  context.result("time", culture.time(), "s");
+  for (std::size_t k = 0; k < final_values.size(); ++k)
+    context.result(final_values[k].first, last[k + 1], final_values[k].second);
+  context.result("divisions", double(culture.life.divisions), "");
+  context.result("deaths", double(culture.life.deaths), "");
+  context.result("interval", culture.interval(), "s");
+  context.result("steps", double(culture.steps), "");
+  context.result("rejected_steps", double(culture.rejected()), "");
+}
+} // namespace turgor

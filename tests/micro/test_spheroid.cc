@@ -1,0 +1,233 @@
+// Scenes of growing cells: growth against its closed form, the same bits on any number of threads and after a stop with divisions
+// and deaths on the way, the rim, the relaxation of a compressed spheroid, bad input.
+#include "micro/scenarios/monolayer.h"
+#include "micro/scenarios/spheroid_free.h"
+#include "micro/scenarios/spheroid_relaxation.h"
+#include "tests/memory_context.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <deal.II/base/parameter_handler.h>
+
+using namespace turgor;
+
+namespace
+{
+using Rows = std::vector<std::vector<double>>;
+
+template <class Scene>
+void read(Scene &scene, const std::string &text)
+{
+  dealii::ParameterHandler prm;
+  scene.declare_parameters(prm);
+  prm.parse_input_from_string(text);
+  scene.check();
+}
+
+struct Outcome
+{
+  Rows rows;
+  std::map<std::string, double> results;
+};
+
+template <class Scene>
+Outcome run(const std::string &text, const unsigned int threads = 1, const unsigned long stop_at = 0)
+{
+  test::Disk disk;
+  Outcome outcome;
+  for (bool resume = false;; resume = true)
+    {
+      Scene scene;
+      read(scene, text);
+      test::MemoryContext context(disk, resume);
+      context.use_threads = threads;
+      context.stop_at = resume ? 0 : stop_at;
+      try
+        {
+          scene.run(context);
+          outcome.rows = disk.series.at("growth");
+          outcome.results = context.results;
+          return outcome;
+        }
+      catch (const RunStopped &)
+        {
+          BOOST_REQUIRE(!resume);
+        }
+    }
+}
+
+// Small, crowded, with everything that happens to cells: inhibition, rest, divisions, deaths from a low pressure on, lysis, removal.
+const std::string eventful = R"(
+set First cells = 40
+set First phases = spread
+set Duration = 130000
+set Samples = 20
+set Frames = 0
+set Checkpoints = 0
+subsection Cell
+  set Modulus = 800
+end
+subsection Growth
+  set Inhibition = hill
+  set Threshold = 0.005
+  set Quiescence below = 0.95
+end
+subsection Death
+  set Rim = necrotic
+  set Rim thickness = 12e-6
+  set Necrosis pressure = 10
+  set Lysis time = 20000
+  set Remove lysed = true
+end
+subsection Motion
+  set Tolerance = 5e-3
+  set Growth tolerance = 5e-3
+end
+)";
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(spheroid)
+
+BOOST_AUTO_TEST_CASE(a_population_with_scattered_cycles_doubles_a_little_faster)
+{
+  // 2 <exp(-Lambda T_i)> = 1 by quadrature over the Gaussian
+  const double s = 0.1, rate = std::numbers::ln2 / doubling_time(1., s);
+  double sum = 0., weight = 0.;
+  for (int k = -4000; k <= 4000; ++k)
+    {
+      const double xi = k / 1000., w = std::exp(-0.5 * xi * xi);
+      sum += w * std::exp(-rate * (1. + s * xi));
+      weight += w;
+    }
+  BOOST_TEST(2. * sum / weight == 1., boost::test_tools::tolerance(1e-4)); // clamped at 4 sigma: 6e-5 of the weight
+  BOOST_TEST(doubling_time(17., 0.) == 17., boost::test_tools::tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(synchronous_cells_without_spread_double_every_cycle)
+{
+  const Outcome out = run<SpheroidFree>(R"(
+set First cells = 3
+set Duration = 200000
+set Samples = 100
+set Frames = 0
+subsection Cell
+  set Variability = 0
+end
+subsection Growth
+  set Inhibition = none
+end
+subsection Motion
+  set Tolerance = 1e-2
+  set Growth tolerance = 1e-2
+end
+)");
+  for (const auto &row : out.rows)
+    {
+      const double cycles = row[0] / 61200.;
+      if (std::abs(cycles - std::round(cycles)) > 1e-6)
+        BOOST_TEST(row[1] == 3. * std::exp2(std::floor(cycles)));
+    }
+  BOOST_TEST(out.rows.back()[1] == 24.);
+  BOOST_TEST(out.results.at("divisions") == 21.);
+}
+
+BOOST_AUTO_TEST_CASE(same_bits_on_two_threads_and_after_a_stop)
+{
+  const Outcome whole = run<SpheroidFree>(eventful);
+  BOOST_TEST(whole.results.at("divisions") > 20.);
+  BOOST_TEST(whole.results.at("deaths") > 5.);
+  BOOST_TEST(whole.rows.back()[1] < 40. + whole.results.at("divisions")); // some are gone
+  BOOST_TEST(whole.rows.back()[3] > 0.);                                    // some rest
+  const Outcome two = run<SpheroidFree>(eventful, 2);
+  BOOST_CHECK(two.rows == whole.rows);
+  BOOST_CHECK(two.results == whole.results);
+  for (const unsigned long stop_at : {15ul, 70ul})
+    {
+      const Outcome resumed = run<SpheroidFree>(eventful, 1, stop_at);
+      BOOST_CHECK(resumed.rows == whole.rows);
+      BOOST_CHECK(resumed.results == whole.results);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(cells_below_the_rim_rest)
+{
+  const Outcome out = run<SpheroidFree>(R"(
+set First cells = 200
+set First phases = spread
+set Duration = 20000
+set Samples = 10
+set Frames = 0
+subsection Growth
+  set Inhibition = none
+end
+subsection Death
+  set Rim = quiescent
+  set Rim thickness = 15e-6
+end
+subsection Motion
+  set Tolerance = 1e-2
+  set Growth tolerance = 1e-2
+end
+)");
+  // of a sphere of R the part below the rim is (1 - l/R)^3, by centres
+  const double R = out.rows.back()[6], share = out.rows.back()[3] / out.rows.back()[1];
+  BOOST_CHECK_SMALL(share - std::pow(1. - 15e-6 / R, 3), 0.1);
+}
+
+BOOST_AUTO_TEST_CASE(a_monolayer_stays_flat)
+{
+  const std::string text = R"(
+set First cells = 7
+set First phases = spread
+set Duration = 130000
+set Samples = 10
+set Frames = 0
+subsection Motion
+  set Tolerance = 1e-2
+  set Growth tolerance = 1e-2
+end
+)";
+  const Outcome out = run<Monolayer>(text);
+  BOOST_TEST(out.rows.back()[1] > 20.);
+  // flat: a disc of cells of about 100 um^2, no heap
+  BOOST_TEST(out.rows.back()[11] > 0.4);
+  BOOST_TEST(out.rows.back()[11] < 1.5);
+  Monolayer scene;
+  BOOST_CHECK_EXCEPTION(read(scene, "subsection Division\nset Direction = least_stress\nend"), InputError,
+                        [](const InputError &e) { return std::string(e.what()).find("divide in its plane") != std::string::npos; });
+}
+
+BOOST_AUTO_TEST_CASE(a_compressed_spheroid_recovers)
+{
+  const std::string text = R"(
+set First cells = 40
+set Duration = 60000
+set Samples = 200
+set Frames = 0
+subsection Motion
+  set Tolerance = 5e-3
+end
+subsection Cell
+)";
+  const auto of = [&](const char *T_rel) { return run<SpheroidRelaxation>(text + "set Relaxation time = " + T_rel + "\nend\n").results; };
+  const auto slow = of("18000"), fast = of("0");
+  BOOST_TEST(slow.at("radius_compressed") < 0.95 * slow.at("radius_at_rest"));
+  BOOST_TEST(slow.at("radius_at_rest") == fast.at("radius_at_rest"), boost::test_tools::tolerance(0.02));
+  BOOST_TEST(slow.at("relaxation_time") > fast.at("relaxation_time"));
+}
+
+BOOST_AUTO_TEST_CASE(wrong_entries_are_named)
+{
+  const auto says = [](const std::string &text, const std::string &part) {
+    SpheroidFree scene;
+    BOOST_CHECK_EXCEPTION(read(scene, text), InputError,
+                          [&](const InputError &e) { return std::string(e.what()).find(part) != std::string::npos; });
+  };
+  says("subsection Contact\nset Law = jkr\nset Adhesion = 0\nend", "Adhesion is 0");
+  says("subsection Contact\nset Adhesion = 1\nend", "at most a tenth of Modulus times Birth radius");
+  says("subsection Growth\nset Mitosis time = 50000\nend", "at most half of Cell/Cycle time");
+  says("subsection Cell\nset Seed = 1.5\nend", "has to be a whole number");
+  says("subsection Division\nset Direction = given\nset Axis = 0, 0, 0\nend", "one that is not zero");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
