@@ -46,12 +46,14 @@ def runs(part):
                 fluid = dict(gap, **{"Cell/Fluid viscosity": "%g" % (1e-3 * viscosity)})
                 for seed in (1, 2, 3):
                     yield "%s, viscosity x %d, tissue %d" % (structure, viscosity, seed), dict(fluid, **{"Tissue seed": "%d" % seed})
-                yield "%s, viscosity x %d, weak lamella" % (structure, viscosity), dict(fluid, **{"Lamella strength": "2e6"})
+                yield "%s, viscosity x %d, weak lamella" % (structure, viscosity), dict(fluid, **{"Lamella strength": "2.5e6"})
             yield "%s, slow" % structure, dict(gap, Speed="1", Damping="2e4")
 
 
-def run(program, part, label, settings):
+def run(program, part, label, settings, keep):
     with tempfile.TemporaryDirectory() as directory:
+        if keep:
+            directory, settings = os.path.join(keep, part, re.sub("[^a-z0-9]+", "_", label)), dict(settings, Frames="12")
         command = [program, "run", os.path.join(ROOT, "inputs", "tissue_%s.prm" % part), "-o", directory, "--quiet", "--threads", "1"]
         for name, value in dict(SIZE, **settings).items():
             command += ["--set", "%s=%s" % (name, value)]
@@ -75,7 +77,7 @@ def read(path):
         return list(csv.DictReader(file))
 
 
-def study(program, part, directory, jobs, only):
+def study(program, part, directory, jobs, only, keep):
     table, curves = os.path.join(directory, part + ".csv"), os.path.join(directory, part + "_curves.csv")
     wanted = list(runs(part))
     rows = {row["run"]: row for row in read(table)}
@@ -83,7 +85,7 @@ def study(program, part, directory, jobs, only):
     for point in read(curves):
         points.setdefault(point["run"], []).append([point[k] for k in ["run"] + KEPT])
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        waiting = [pool.submit(run, program, part, *one) for one in wanted if one[0] not in rows and re.search(only, one[0])]
+        waiting = [pool.submit(run, program, part, *one, keep) for one in wanted if one[0] not in rows and re.search(only, one[0])]
         for done in concurrent.futures.as_completed(waiting):
             row, curve = done.result()
             rows[row["run"]], points[row["run"]] = row, curve[::4] # every fourth sample is plenty for a curve
@@ -110,10 +112,11 @@ def main():
     parser.add_argument("--program", default=os.path.join(ROOT, "turgor"))
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--only", default="", help="regular expression: runs with another label are left for later")
+    parser.add_argument("--keep", default="", help="directory in which the runs stay, with fields for pictures")
     options = parser.parse_args()
     os.makedirs(options.output, exist_ok=True)
     for part in options.parts:
-        study(options.program, part, options.output, options.jobs, options.only)
+        study(options.program, part, options.output, options.jobs, options.only, options.keep)
 
 
 if __name__ == "__main__":

@@ -156,6 +156,37 @@ double oscillation(const std::vector<TissueSample> &history, const std::size_t w
   return *high > *low ? falls / (*high - *low) : 0.;
 }
 
+Sigmoid fit_sigmoid(const std::vector<TissueSample> &history, double TissueSample::*count)
+{
+  Sigmoid best;
+  double mean = 0., variance = 0.;
+  for (const TissueSample &s : history)
+    mean += s.*count / double(history.size());
+  for (const TissueSample &s : history)
+    variance += (s.*count - mean) * (s.*count - mean);
+  if (!(variance > 0.))
+    return best;
+  const double end = history.back().strain;
+  best.explained = -std::numeric_limits<double>::infinity();
+  for (int k = 1; k <= 200; ++k)
+    for (double width = 0.005 * end; width < end; width *= 1.1)
+      {
+        const double centre = end * k / 200.;
+        double yy = 0., yc = 0., cc = 0.;
+        for (const TissueSample &s : history)
+          {
+            const double y = 1. / (1. + std::exp(-(s.strain - centre) / width)), c = s.*count;
+            yy += y * y;
+            yc += y * c;
+            cc += c * c;
+          }
+        const double explained = 1. - (cc - yc * yc / yy) / variance;
+        if (explained > best.explained)
+          best = {yc / yy, centre, width, explained};
+      }
+  return best;
+}
+
 double strain_reaching(const std::vector<TissueSample> &history, double TissueSample::*count, const double value)
 {
   for (const TissueSample &s : history)

@@ -47,6 +47,15 @@ double at_strain(const std::vector<TissueSample> &history, double TissueSample::
 /// Oscillation of the transmitted force: how much it falls on its way, sum of falls of its mean over `window` samples, over its range.
 double oscillation(const std::vector<TissueSample> &history, std::size_t window);
 
+/// A logistic curve through a growing count, least squares: count = height/(1 + exp(-(strain - centre)/width)).
+struct Sigmoid
+{
+  double height = 0., centre = 0., width = 0.;
+  double explained = 0.; ///< share of the variance
+};
+/// Centre and width on a grid of 1/200 of the largest strain and of 10 %.
+Sigmoid fit_sigmoid(const std::vector<TissueSample> &history, double TissueSample::*count);
+
 /// First strain at which a growing count reaches `value`; -1 if it never does.
 double strain_reaching(const std::vector<TissueSample> &history, double TissueSample::*count, double value);
 } // namespace turgor

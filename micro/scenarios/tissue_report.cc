@@ -172,6 +172,10 @@ void TissueLoading::Run::report_failure()
       for (const int share : {10, 50, 90})
         context.result("strain_at_" + std::to_string(share) + "_percent_of_failures",
                        strain_reaching(history, &TissueSample::failed_cells, 0.01 * share * failed), "");
+      const Sigmoid sigmoid = fit_sigmoid(history, &TissueSample::failed_cells);
+      context.result("failure_sigmoid_centre", sigmoid.centre, "");
+      context.result("failure_sigmoid_width", sigmoid.width, "");
+      context.result("failure_sigmoid_explains", sigmoid.explained, "");
       context.result("failed_depth_first", at_strain(history, &TissueSample::failed_depth,
                                                      strain_reaching(history, &TissueSample::failed_cells, 0.25 * failed)), "");
       context.result("failed_depth", history.back().failed_depth, "");

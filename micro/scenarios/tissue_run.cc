@@ -53,14 +53,29 @@ void TissueLoading::Run::go()
   report();
 }
 
+void TissueLoading::Run::hold_walls(const bool held)
+{
+  Particles<2> &p = system.particles;
+  const double inverse = held ? 0. : 1. / tissue->node_mass;
+  for (const Group &g : p.groups)
+    std::fill(p.inverse_mass.begin() + g.begin, p.inverse_mass.begin() + g.fluid, inverse);
+}
+
 void TissueLoading::Run::inflate()
 {
+  // The fluid is laid with pressures of 1 MPa from place to place, which would throw wall nodes through each other (150 m/s):
+  // it settles between walls that are held.
+  const std::uint64_t settle_steps = inflation_steps / 20;
   const auto where = [] { return std::string("while the tissue was inflated"); };
   const Osmosis osmosis(scene.cell.turgor, 200. / scene.inflation_time, 7. * scene.cell.fluid_modulus);
   const StepCheckpoints keep(context, inflation_steps, 0, [&] { checked_save(where()); }, where);
   while (step < inflation_steps)
     {
-      integrator->step(dt, scene.inflation_damping);
+      if (step == 0)
+        hold_walls(true);
+      if (step == settle_steps)
+        hold_walls(false);
+      integrator->step(dt, (step < settle_steps ? 10. : 1.) * scene.inflation_damping);
       ++step;
       if (yielding)
         yielding->apply(system);

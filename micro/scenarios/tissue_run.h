@@ -26,6 +26,7 @@ public:
 private:
   // tissue_run.cc
   void inflate();
+  void hold_walls(bool held);
   void squeeze(bool resumed);
   void step_once();
   bool processes();                                   ///< between steps; true when a force has changed

@@ -113,6 +113,7 @@ BOOST_AUTO_TEST_CASE(the_honeycomb_forms_and_gaps_open)
   BOOST_TEST(sparse.at("void_fraction") > 0.02);
   // contact: far less than the spacing of 12.5 um
   BOOST_TEST(sparse.at("deepest_overlap") < 1e-6);
+  BOOST_TEST(sparse.at("crossed_bonds") == 0.);
   BOOST_TEST(dense.at("impact_stress_at_5_percent") > 0.);
 }
 
@@ -176,6 +177,14 @@ BOOST_AUTO_TEST_CASE(measures_by_hand)
   BOOST_TEST(at_strain(history, &TissueSample::bottom, 0.45) == 1.5, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(strain_reaching(history, &TissueSample::failed_cells, 2.) == 0.5, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(strain_reaching(history, &TissueSample::failed_cells, 5.) == -1.);
+  BOOST_TEST(fit_sigmoid({history[0], history[1]}, &TissueSample::failed_cells).height == 0.); // nothing failed
+  for (TissueSample &s : history)
+    s.failed_cells = 10. / (1. + std::exp(-(s.strain - 0.3) / 0.05));
+  const Sigmoid sigmoid = fit_sigmoid(history, &TissueSample::failed_cells);
+  BOOST_TEST(sigmoid.height == 10., boost::test_tools::tolerance(0.01));
+  BOOST_TEST(sigmoid.centre == 0.3, boost::test_tools::tolerance(0.02));
+  BOOST_TEST(sigmoid.width == 0.05, boost::test_tools::tolerance(0.1)); // the grid
+  BOOST_TEST(sigmoid.explained > 0.999);
 }
 
 BOOST_AUTO_TEST_CASE(a_wall_pulled_follows_the_law)

@@ -1,0 +1,176 @@
+#!/usr/bin/python3
+"""Tables and pictures of what tissue_impact_matrix.py has measured.
+
+    /usr/bin/python3 inputs/studies/tissue_impact_figures.py doc/results/tissue_impact
+
+Prints the tables of its README (Markdown) and writes failure.png (share of failed cells over strain, a logistic curve fitted to the
+mean of the tissues: share = F/(1 + exp(-(strain - e0)/w))), impact.png (force on both plates) and compression.png (stress, and
+modulus over void fraction) beside the tables. What has not been run is left out.
+"""
+import csv
+import os
+import re
+import sys
+
+import numpy as np
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "app", "plots"))
+from drawing import ACCENT, ALONG, INK, plt, style  # noqa: E402
+
+CELLS = 25
+
+
+def read(directory, part):
+    """{run: results}, {run: {column: array}}; runs that ended with a sentence are left out."""
+    def rows(name):
+        path = os.path.join(directory, name)
+        if not os.path.exists(path):
+            return []
+        with open(path, newline="", encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+    results = {r["run"]: {k: float(v) for k, v in r.items() if v and k not in ("run", "status")}
+               for r in rows(part + ".csv") if r["status"] == "finished"}
+    curves = {}
+    for row in rows(part + "_curves.csv"):
+        for name, value in row.items():
+            if name != "run":
+                curves.setdefault(row["run"], {}).setdefault(name, []).append(float(value))
+    return results, {run: {k: np.array(v) for k, v in curve.items()} for run, curve in curves.items()}
+
+
+def logistic(strain, share):
+    """F, e0, w and the share of the variance that the curve explains; least squares on a grid of e0 and w."""
+    best = None
+    for e0 in np.linspace(0.02, 0.3, 141):
+        for w in np.geomspace(0.002, 0.1, 60):
+            shape = 1 / (1 + np.exp(-(strain - e0) / w))
+            height = min(1.0, (shape @ share) / (shape @ shape))
+            left = ((share - height * shape) ** 2).sum()
+            if best is None or left < best[0]:
+                best = (left, height, e0, w)
+    return best[1], best[2], best[3], 1 - best[0] / ((share - share.mean()) ** 2).sum()
+
+
+def table(head, lines):
+    print("| " + " | ".join(head) + " |\n" + "|---" * len(head) + "|")
+    for line in lines:
+        print("| " + " | ".join(line) + " |")
+    print()
+
+
+def spread(values, scale=1.0, digits=3):
+    """mean (least ... most)"""
+    values = [scale * v for v in values]
+    text = "%.*g" % (digits, np.mean(values))
+    return text if len(values) == 1 else text + " (%.*g ... %.*g)" % (digits, min(values), digits, max(values))
+
+
+def failure(directory):
+    results, curves = read(directory, "failure")
+    kinds = {}
+    for run in results:
+        kinds.setdefault(re.sub(", tissue [0-9]", "", run), []).append(run)
+    if not kinds:
+        return
+    at = np.linspace(0, 0.299, 150)
+    shown = {k: r for k, r in kinds.items() if re.fullmatch(".*viscosity x 10*", k)}
+    figure, axes = plt.subplots(1, max(1, len(shown)), figsize=(3.1 * max(1, len(shown)), 2.9), sharey=True, squeeze=False)
+    lines = []
+    panel = 0
+    for kind, runs in kinds.items():
+        def of(name):
+            return [results[r][name] for r in runs if name in results[r]]
+        shares = np.array([np.interp(at, curves[r]["strain"], curves[r]["failed_cells"] / CELLS) for r in runs])
+        F, e0, w, explained = logistic(at, shares.mean(axis=0)) if shares.max() > 0.1 else (0, 0, 0, 0)
+        first = [e for e in of("strain_first_failure") if e >= 0]
+        peel = [(results[r]["first_ties_from_junction"], results[r]["last_ties_from_junction"]) for r in runs if results[r].get("broken_ties", 0) >= 10]
+        lines.append([kind, str(len(runs)), spread(first, 100), spread(of("strain_at_50_percent_of_failures"), 100), spread(of("failed_share"), 100),
+                      "%.3g, %.2g, %.2f" % (100 * e0, 100 * w, explained) if F else "-",
+                      spread(of("failed_depth_first"), 1, 2), spread(of("failed_depth"), 1, 2), spread(of("broken_bonds_at_junctions"), 100, 2),
+                      spread(of("broken_ties")), "; ".join("%.0f, %.0f" % (1e6 * a, 1e6 * b) for a, b in peel) or "-",
+                      "%.1g" % max(abs(x) for x in of("energy_balance_error")), "%g" % max(of("crossed_bonds"))])
+        if kind in shown:
+            axis = axes[0][panel]
+            for share in shares:
+                axis.plot(100 * at, 100 * share, color=ALONG, linewidth=0.8, alpha=0.6)
+            axis.plot(100 * at, 100 * shares.mean(axis=0), color=INK, linewidth=1.8, label="mean of %d" % len(runs))
+            if F:
+                axis.plot(100 * at, 100 * F / (1 + np.exp(-(at - e0) / w)), "--", color=ACCENT, linewidth=1.4, label="logistic")
+            axis.set_title(kind, fontsize=9, color=INK)
+            axis.set_xlabel("strain [%]", fontsize=9, color=INK)
+            axis.legend(frameon=False, fontsize=8, loc="upper left")
+            axis.set_ylim(0, 100)
+            style(axis)
+            panel += 1
+    axes[0][0].set_ylabel("failed cells [%]", fontsize=9, color=INK)
+    figure.tight_layout()
+    figure.savefig(os.path.join(directory, "failure.png"), dpi=130)
+    table(["tissue", "runs", "first failure, % strain", "half of the failures, %", "failed at the end, %", "logistic: e0 %, w %, R^2", "depth of the first quarter",
+           "depth at the end", "broken bonds at junctions, %", "broken ties", "ties from junction, first and last fifth, um", "energy balance, most", "crossed bonds"], lines)
+
+
+def impact(directory):
+    results, curves = read(directory, "impact")
+    names = [("centre_of_flattening_at_5_percent", 1, "centre of flattening at 5 %"), ("centre_of_flattening_at_10_percent", 1, "at 10 %"),
+             ("flattest_cell_at_5_percent", 100, "flattest cell at 5 %, %"), ("stretch_near_plate_at_5_percent", 1, "stretch below the plate at 5 %"),
+             ("transmitted_stress_at_5_percent", 1e-3, "transmitted at 5 %, kPa"), ("transmitted_stress_at_10_percent", 1e-3, "at 10 %, kPa"),
+             ("transmitted_stress_peak", 1e-6, "peak, MPa"), ("transmitted_oscillation", 1, "falls over range"),
+             ("largest_stretch_at_10_percent", 1, "largest stretch at 10 %"), ("energy_balance_error", 1, "energy balance"),
+             ("crossed_bonds", 1, "crossed bonds")]
+    table(["run"] + [n[2] for n in names], [[run] + ["%.3g" % (scale * r[name]) if scale != 1 or "stretch" not in name else "%.3f" % r[name]
+                                                     for name, scale, _ in names] for run, r in results.items()])
+    chosen = [(s, w) for s in ("dense", "sparse") for w in (1, 10) if any(r.startswith("%s, wall x %d," % (s, w)) for r in results)]
+    if not chosen:
+        return
+    figure, axes = plt.subplots(1, len(chosen), figsize=(3.4 * len(chosen), 2.9), squeeze=False)
+    for axis, (structure, wall) in zip(axes[0], chosen):
+        for k, viscosity in enumerate((1, 10, 100, 1000)):
+            curve = curves.get("%s, wall x %d, viscosity x %d" % (structure, wall, viscosity))
+            if curve:
+                axis.plot(100 * curve["strain"], curve["stress_bottom [Pa]"] / 1e6, color=plt.get_cmap("viridis")(0.28 * k), linewidth=1.4,
+                          label="viscosity x %d" % viscosity)
+        axis.set_title("%s, wall x %d" % (structure, wall), fontsize=9, color=INK)
+        axis.set_xlabel("strain [%]", fontsize=9, color=INK)
+        axis.legend(frameon=False, fontsize=8)
+        style(axis)
+    axes[0][0].set_ylabel("transmitted stress [MPa]", fontsize=9, color=INK)
+    figure.tight_layout()
+    figure.savefig(os.path.join(directory, "impact.png"), dpi=130)
+
+
+def compression(directory):
+    results, curves = read(directory, "compression")
+    if not results:
+        return
+    table(["run", "void fraction, %", "modulus at 2 to 6 %, MPa", "at 20 to 30 %, MPa", "ratio", "stress at 10 %, kPa", "at 20 %", "at 30 %",
+           "on the moving plate over the fixed one at 10 %", "energy balance", "crossed bonds"],
+          [[run, "%.2g" % (100 * r["void_fraction"]), "%.3g" % (1e-6 * r["modulus_start"]), "%.3g" % (1e-6 * r["modulus_later"]),
+            "%.2f" % (r["modulus_later"] / r["modulus_start"])] + ["%.3g" % (1e-3 * r["transmitted_stress_at_%d_percent" % e]) for e in (10, 20, 30)]
+           + ["%.2f" % (r["impact_stress_at_10_percent"] / r["transmitted_stress_at_10_percent"]), "%.1g" % r["energy_balance_error"], "%g" % r["crossed_bonds"]]
+           for run, r in results.items()])
+    figure, (left, right) = plt.subplots(1, 2, figsize=(8.6, 3.1))
+    for k, (run, r) in enumerate(results.items()):
+        curve = curves[run]
+        smooth = np.convolve(curve["stress_bottom [Pa]"], np.ones(5) / 5, "same")[2:-2]
+        left.plot(100 * curve["strain"][2:-2], smooth / 1e3, "--" if "elastic" in run else "-", linewidth=1.4,
+                  color=plt.get_cmap("viridis")(min(0.9, 10 * r["void_fraction"])), label="%.1f %% void%s" % (100 * r["void_fraction"], ", elastic" if "elastic" in run else ""))
+    left.set_xlabel("strain [%]", fontsize=9, color=INK)
+    left.set_ylabel("stress [kPa]", fontsize=9, color=INK)
+    left.legend(frameon=False, fontsize=8)
+    style(left)
+    for kind, mark in (("yielding", "o"), ("elastic", "s")):
+        points = sorted((100 * r["void_fraction"], r["modulus_start"] / 1e6) for run, r in results.items() if kind in run)
+        if points:
+            right.plot(*zip(*points), mark + "-", color=ACCENT if kind == "yielding" else ALONG, linewidth=1.2, label=kind + " walls")
+    right.set_xlabel("void fraction [%]", fontsize=9, color=INK)
+    right.set_ylabel("modulus at 2 to 6 % strain [MPa]", fontsize=9, color=INK)
+    right.set_ylim(bottom=0)
+    right.legend(frameon=False, fontsize=8)
+    style(right)
+    figure.tight_layout()
+    figure.savefig(os.path.join(directory, "compression.png"), dpi=130)
+
+
+if __name__ == "__main__":
+    for part in (compression, impact, failure):
+        part(sys.argv[1] if len(sys.argv) > 1 else "doc/results/tissue_impact")
