@@ -102,11 +102,12 @@ struct Cell
     state.counters["neighbours"] = neighbours / view.n;
     state.counters["listed"] = double(lists.fluid.neighbours.size()) / view.n;
     double faces[sph::quadratures] = {};
-    for (const sph::Fan &fan : lists.wall.fans)
+    for (const sph::FaceList &list : lists.wall.faces)
       for (int q = 0; q < sph::quadratures; ++q)
-        faces[q] += fan.faces[q];
+        faces[q] += list.count[q];
     for (int q = 0; q < sph::quadratures; ++q)
       state.counters["faces" + std::to_string(q)] = faces[q] / view.n;
+    state.counters["sides"] = double(lists.wall.rim_nodes.size()) / view.n; // of rims, with padding
     state.SetLabel(sph::sweeps<3>().name);
   }
 };

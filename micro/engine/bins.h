@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -64,7 +65,48 @@ public:
         }
   }
 
+  /// visit(first, last): points sorted()[first .. last) along the first direction; together at least all points nearer to p than
+  /// radius (m), which may be at most two widths.
+  template <typename Visit>
+  void near_runs(const double *p, const double radius, const Visit &visit) const
+  {
+    const double most = radius + 1e-6 * width, none = 0.;
+    int from[3] = {}, to[3] = {};
+    for (int d = 1; d < dim; ++d)
+      {
+        const int at = index(p[d], d);
+        from[d] = std::max(at - 2, 0);
+        to[d] = std::min(at + 2, count[d] - 1);
+      }
+    for (int z = from[2]; z <= to[2]; ++z)
+      {
+        const double z_away = dim == 3 ? away(p[dim - 1], z, dim - 1) : none;
+        for (int y = from[1]; y <= to[1]; ++y)
+          {
+            const double y_away = away(p[1], y, 1), left = most * most - y_away * y_away - z_away * z_away;
+            if (!(left > 0.))
+              continue;
+            const double half = std::sqrt(left);
+            const std::size_t row = (std::size_t(z) * count[1] + y) * count[0];
+            const std::uint32_t first = start[row + index(p[0] - half, 0)], last = start[row + index(p[0] + half, 0) + 1];
+            if (first < last)
+              visit(first, last);
+          }
+      }
+  }
+  const std::vector<std::uint32_t> &sorted() const { return order; }
+
 private:
+  /// How far p is from the bin along d; the bins at the rim have no outer side.
+  double away(const double p, const int bin, const int d) const
+  {
+    double distance = 0.;
+    if (bin > 0)
+      distance = std::max(distance, lo[d] + bin * width - p);
+    if (bin < count[d] - 1)
+      distance = std::max(distance, p - (lo[d] + (bin + 1) * width));
+    return distance;
+  }
   int index(const double value, const int d) const { return int(std::clamp((value - lo[d]) / width, 0., count[d] - 1.)); }
 
   double width, lo[dim];

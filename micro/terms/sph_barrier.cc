@@ -87,28 +87,23 @@ double add_barrier(const WallArcs &lists, Particles<2> &p, const Group &g, const
   return energy;
 }
 
-double add_barrier(const WallFans &lists, Particles<3> &p, const Group &g, const double range, const double height)
+double add_barrier(const WallFaces &lists, Particles<3> &p, const Group &g, const TriangleMesh &mesh, const double range,
+                   const double height)
 {
   double energy = 0.;
-  for (std::uint32_t i = 0; i < g.fluid_count(); ++i)
+  for (const sph::FaceList &list : lists.faces)
     {
-      const sph::Fan &fan = lists.fans[i];
-      const Vector<3> x = p.position(g.fluid + i);
-      for (std::uint32_t k = 0; k < fan.faces[0]; ++k)
+      const auto &corner = mesh.faces[list.face];
+      const std::uint32_t node[3] = {g.begin + corner[0], g.begin + corner[1], g.begin + corner[2]};
+      const Vector<3> a = p.position(node[0]), b = p.position(node[1]), c = p.position(node[2]), n = (b - a).cross(c - a);
+      const double limit = range * range * n.squaredNorm();
+      for (std::uint32_t k = 0; k < list.count[0]; ++k)
         {
-          std::uint32_t node[3];
-          Vector<3> r[3];
-          const std::uint16_t *corner = lists.corners.data() + fan.first_corner
-                                        + (k / sph::list_padding) * 3 * sph::list_padding + k % sph::list_padding;
-          for (int c = 0; c < 3; ++c)
-            {
-              node[c] = g.begin + lists.nodes[fan.first_node + corner[c * sph::list_padding]];
-              r[c] = p.position(node[c]) - x;
-            }
-          const Vector<3> n = (r[1] - r[0]).cross(r[2] - r[0]);
-          const double volume = n.dot(r[0]);
-          if (volume * volume < range * range * n.squaredNorm()) // the plane of the face is that near
-            energy += push_apart<3>(p, g.fluid + i, node, r, range, height);
+          const std::uint32_t i = g.fluid + lists.particles[list.first + k];
+          const Vector<3> x = p.position(i);
+          const double volume = n.dot(a - x);
+          if (volume * volume < limit) // the plane of the face is that near
+            energy += push_apart<3>(p, i, node, {a - x, b - x, c - x}, range, height);
         }
     }
   return energy;

@@ -18,5 +18,6 @@ namespace turgor
 constexpr double barrier_range = 0.3 / 2.6; ///< d_b over the support: 0.3 spacings
 
 double add_barrier(const WallArcs &arcs, Particles<2> &particles, const Group &group, double range, double height);
-double add_barrier(const WallFans &fans, Particles<3> &particles, const Group &group, double range, double height);
+double add_barrier(const WallFaces &faces, Particles<3> &particles, const Group &group, const TriangleMesh &mesh,
+                   double range, double height);
 } // namespace turgor

@@ -200,8 +200,13 @@ void SphFluid<dim>::add_forces(Particles<dim> &particles, const Box<dim> &, cons
   cell.ordering_energy = view.ordering * view.volume * (1. - view.scale);
   wall.collect(view, view.mean_pressure - view.ordering, particles);
   if (parameters.barrier > 0.)
-    cell.barrier_energy = add_barrier(cell.lists.wall, particles, g, barrier_range * parameters.support,
-                                      parameters.barrier * mass[group] / eos.reference_density());
+    {
+      const double range = barrier_range * parameters.support, height = parameters.barrier * mass[group] / eos.reference_density();
+      if constexpr (dim == 2)
+        cell.barrier_energy = add_barrier(cell.lists.wall, particles, g, range, height);
+      else
+        cell.barrier_energy = add_barrier(cell.lists.wall, particles, g, *mesh, range, height);
+    }
 }
 
 template <int dim>

@@ -27,24 +27,43 @@ void FluidNeighbours::build(const ListOrigin<dim> &origin, const std::uint32_t n
         }
     }
   const Bins<dim> bins(x, n, reach / 2., lo, hi);
-  neighbours.clear();
+  const std::vector<std::uint32_t> &order = bins.sorted();
+  std::vector<double> sorted[dim];
+  for (int d = 0; d < dim; ++d)
+    {
+      sorted[d].resize(n);
+      for (std::uint32_t k = 0; k < n; ++k)
+        sorted[d][k] = x[d][order[k]];
+    }
   first_neighbour.assign(1, 0);
+  std::size_t size = 0;
+  const auto make_room = [&](const std::size_t more) {
+    if (neighbours.size() < size + more)
+      neighbours.resize(size + size / 4 + more);
+  };
   for (std::uint32_t i = 0; i < n; ++i)
     {
       double at[dim];
       for (int d = 0; d < dim; ++d)
         at[d] = x[d][i];
-      bins.near(at, [&](const std::uint32_t j) {
-        double r2 = 0.;
-        for (int d = 0; d < dim; ++d)
-          r2 += (x[d][j] - at[d]) * (x[d][j] - at[d]);
-        if (j != i && r2 < reach2)
-          neighbours.push_back(std::uint16_t(j));
+      bins.near_runs(at, reach, [&](const std::uint32_t first, const std::uint32_t last) {
+        make_room(last - first + sph::list_padding);
+        std::uint16_t *const out = neighbours.data();
+        for (std::uint32_t k = first; k < last; ++k)
+          { // no branch: a third of the candidates are neighbours
+            double r2 = 0.;
+            for (int d = 0; d < dim; ++d)
+              r2 += (sorted[d][k] - at[d]) * (sorted[d][k] - at[d]);
+            out[size] = std::uint16_t(order[k]);
+            size += (order[k] != i) & (r2 < reach2);
+          }
       });
-      while (neighbours.size() % sph::list_padding != 0)
-        neighbours.push_back(std::uint16_t(n));
-      first_neighbour.push_back(std::uint32_t(neighbours.size()));
+      make_room(sph::list_padding);
+      while (size % sph::list_padding != 0)
+        neighbours[size++] = std::uint16_t(n);
+      first_neighbour.push_back(std::uint32_t(size));
     }
+  neighbours.resize(size);
 }
 
 void FluidNeighbours::clear(const std::uint32_t particles)

@@ -1,5 +1,5 @@
 // Who is near whom in one cell of the SPH fluid: for every fluid particle the fluid particles of the same cell
-// and the faces of the wall within reach, in the form the sweeps read (arcs of a ring in 2D, fans of triangles in 3D).
+// and the faces of the wall within reach, in the form the sweeps read (arcs of a ring in 2D; in 3D for every triangle the particles).
 //
 // A triangle's quadrature is chosen here, by its distance over its size, and kept until the next build: sums switch
 // quadrature only then. Faces that are gone (an opened wall) are left out.
@@ -28,21 +28,29 @@ struct WallArcs
 };
 
 /// The wall's part in 3D.
-struct WallFans
+struct WallFaces
 {
-  std::vector<sph::Fan> fans; ///< one a fluid particle
-  std::vector<std::uint16_t> nodes, corners;
-  std::uint32_t largest = 0; ///< nodes of a fan
+  std::vector<sph::FaceList> faces; ///< those in reach of a particle
+  std::vector<std::uint16_t> particles;
+  std::size_t kept = 0;             ///< doubles for CellView<3>::kept
+
+  std::vector<sph::Rim> rims;
+  std::vector<std::uint16_t> rim_nodes;
+  std::vector<double> toward;
+  std::vector<sph::Doubt> doubts;
+  std::uint32_t longest = 0; ///< rim
 
   /// slack: how far a particle can come nearer to a face before the next build; near: faces that can come nearer than
   /// this are in quadrature 0, m.
   void build(const ListOrigin<3> &origin, std::uint32_t wall_count, const TriangleMesh &mesh, double reach, double slack,
              double near, const std::vector<unsigned char> *gone);
   void clear(std::uint32_t particles);
-  std::size_t memory_bytes() const
-  {
-    return fans.capacity() * sizeof(sph::Fan) + (nodes.capacity() + corners.capacity()) * 2;
-  }
+  std::size_t memory_bytes() const;
+
+private:
+  /// middle, size: of the faces, m.
+  void build_rims(const ListOrigin<3> &origin, std::uint32_t wall_count, const TriangleMesh &mesh,
+                  const std::vector<Vector<3>> &middle, const std::vector<double> &size, double slack);
 };
 
 /// Fluid particles of one cell: neighbours of each.
@@ -62,7 +70,7 @@ template <int dim>
 struct SphLists
 {
   FluidNeighbours fluid;
-  std::conditional_t<dim == 2, WallArcs, WallFans> wall;
+  std::conditional_t<dim == 2, WallArcs, WallFaces> wall;
 
   std::size_t memory_bytes() const { return fluid.memory_bytes() + wall.memory_bytes(); }
 };

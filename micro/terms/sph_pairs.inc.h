@@ -77,7 +77,7 @@ void sum_kernels(CellView<dim> &c)
           V r[4];
           load_half_rows<row_doubles>(c.rows, c.neighbours + k, r);
           const V r2 = square_from<dim>(xi, r, tiny);
-          const V u = r2 * rsqrt(r2) * viR;
+          const V u = root(r2) * viR;
           const V w = positive(one - u), w2 = w * w;
           acc += w2 * w2 * (four * u + one);
         }

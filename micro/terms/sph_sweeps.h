@@ -87,15 +87,28 @@ struct Arc
   std::uint16_t first = 0, count = 0;
 };
 
-/// The faces within reach of a particle as triples of the nodes they join, these numbered among themselves (its fan).
-/// Faces stand in the order of quadratures; each quadrature begins a chunk of list_padding faces, given as
-/// list_padding first nodes, then the second, then the third ones; short chunks are padded with faces of no area.
-constexpr int quadratures = 4; ///< solid angle and 6 points on G; 6, 3, 1 points on D
-struct Fan
+/// 3D: the fluid particles that a face is in reach of, in the order of the quadratures they need of it (nearest first), each
+/// quadrature padded to list_padding with its last particle.
+constexpr int quadratures = 3; ///< 6 points on G, where the angle is exact; 3, 1 points on D
+constexpr int quadrature_points[quadratures] = {6, 3, 1};
+struct FaceList
 {
-  std::uint32_t first_node = 0, first_corner = 0; ///< offsets into fan_nodes and fan_corners
-  std::uint16_t nodes = 0, near_nodes = 0;        ///< near_nodes: those of quadrature 0; they come first
-  std::uint16_t faces[quadratures]{};
+  std::uint32_t face = 0, first = 0; ///< first: offset into face_particles
+  std::uint16_t count[quadratures]{};
+};
+
+/// 3D: a closed way along wall nodes [first, first + count) of rim_nodes around the faces of quadrature 0 that a particle sees,
+/// counter-clockwise seen from outside; the angle of all these faces is that of their rims.
+struct Rim
+{
+  std::uint32_t particle = 0, first = 0; ///< first: a multiple of list_padding
+  std::uint32_t count = 0;
+};
+
+/// 3D: a face of quadrature 0 that a particle may have behind it, seen along its `toward`.
+struct Doubt
+{
+  std::uint32_t particle = 0, face = 0;
 };
 
 template <int dim>
@@ -123,12 +136,22 @@ struct CellView<3> : CellBase<3>
   const double *wall_x = nullptr, *wall_v = nullptr; ///< m, m/s; wall_v unused without viscosity
   double *wall_f = nullptr;                          ///< N, accumulated
   double *wall_drag = nullptr;                       ///< scratch, unused without viscosity
-  const Fan *fans = nullptr;                         ///< n
-  const std::uint16_t *fan_nodes = nullptr;          ///< wall nodes
-  const std::uint16_t *fan_corners = nullptr;        ///< 3 a face, numbers within the fan
-  double *scratch = nullptr;                         ///< 4 doubles for every fan_nodes entry: support * d gamma / d node
-  double *fan_scratch = nullptr;                     ///< 12 doubles for every node of the largest fan
-  double *own_drag = nullptr;                        ///< 4 n scratch, unused without viscosity
+  const std::uint16_t *corners = nullptr;            ///< wall nodes, 3 a face
+  const FaceList *face_lists = nullptr;              ///< of the faces in reach of any particle
+  std::uint32_t n_faces = 0;                         ///< of these
+  const std::uint16_t *face_particles = nullptr;
+  const Rim *rims = nullptr;                         ///< in the order of the particles
+  std::uint32_t n_rims = 0;
+  const std::uint16_t *rim_nodes = nullptr;
+  const double *toward = nullptr;                    ///< 3 n, unit vectors to a near face
+  const Doubt *doubts = nullptr;
+  std::uint32_t n_doubts = 0;
+  // Scratch, 64-byte aligned.
+  double *own = nullptr, *pull = nullptr, *own_drag = nullptr; ///< 4 (n + 1) each; own_drag unused without viscosity
+  double *rim_pull = nullptr;                        ///< 4 for every rim node: 8 pi support * d gamma / d node
+  double *rim_scratch = nullptr;                     ///< 8 (longest rim + 2 list_padding)
+  double *kept = nullptr;                            ///< for every particle of face_particles 1 + points of its quadrature
+  std::uint16_t *active = nullptr;                   ///< quadratures for every face: chunks within the support
 };
 
 template <int dim>

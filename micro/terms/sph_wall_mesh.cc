@@ -34,7 +34,7 @@ double add_volume(const TriangleMesh &mesh, const double *rows, double *slopes)
 } // namespace
 
 template <>
-WallView<3>::WallView(const WallFans &lists_, const Group &group_, const WallSettings &settings_)
+WallView<3>::WallView(const WallFaces &lists_, const Group &group_, const WallSettings &settings_)
   : lists(lists_)
   , group(group_)
   , settings(settings_)
@@ -43,28 +43,40 @@ WallView<3>::WallView(const WallFans &lists_, const Group &group_, const WallSet
 template <>
 std::size_t WallView<3>::doubles() const
 {
-  // positions, velocities, forces, drags, slopes; gradients; one fan; the fluid's drag
-  return round_up(4 * std::size_t(group.wall_count())) * 5 + round_up(4 * lists.nodes.size()) + round_up(12 * lists.largest)
-         + round_up(4 * std::size_t(group.fluid_count()));
+  // Wall: positions, velocities, forces, drags, slopes. Fluid: places, pulls, drags. Rims; what is kept of the faces.
+  return round_up(4 * std::size_t(group.wall_count())) * 5 + round_up(4 * (std::size_t(group.fluid_count()) + 1)) * 3
+         + 4 * lists.rim_nodes.size() + 8 * (round_up(lists.longest) + 2 * sph::list_padding) + lists.kept
+         + round_up(lists.faces.size());
 }
 
 template <>
 void WallView<3>::attach(sph::CellView<3> &view, const Particles<3> &particles, double *memory)
 {
   const std::uint32_t nw = group.wall_count();
-  const std::size_t rows = round_up(4 * std::size_t(nw));
+  const std::size_t rows = round_up(4 * std::size_t(nw)), fluid = round_up(4 * (std::size_t(group.fluid_count()) + 1));
   double *x = memory, *v = x + rows, *f = v + rows, *slope = f + 2 * rows;
   view.n_wall = nw;
   view.wall_x = x;
   view.wall_v = v;
   view.wall_f = f;
   view.wall_drag = f + rows;
-  view.scratch = slope + rows;
-  view.fan_scratch = view.scratch + round_up(4 * lists.nodes.size());
-  view.own_drag = view.fan_scratch + round_up(12 * lists.largest);
-  view.fans = lists.fans.data();
-  view.fan_nodes = lists.nodes.data();
-  view.fan_corners = lists.corners.data();
+  view.own = slope + rows;
+  view.pull = view.own + fluid;
+  view.own_drag = view.pull + fluid;
+  view.rim_pull = view.own_drag + fluid;
+  view.rim_scratch = view.rim_pull + 4 * lists.rim_nodes.size();
+  view.kept = view.rim_scratch + 8 * (round_up(lists.longest) + 2 * sph::list_padding);
+  view.active = reinterpret_cast<std::uint16_t *>(view.kept + lists.kept);
+  view.corners = settings.mesh->faces.data()->data();
+  view.face_lists = lists.faces.data();
+  view.n_faces = std::uint32_t(lists.faces.size());
+  view.face_particles = lists.particles.data();
+  view.rims = lists.rims.data();
+  view.n_rims = std::uint32_t(lists.rims.size());
+  view.rim_nodes = lists.rim_nodes.data();
+  view.toward = lists.toward.data();
+  view.doubts = lists.doubts.data();
+  view.n_doubts = std::uint32_t(lists.doubts.size());
   std::fill(f, f + rows, 0.);
   std::fill(slope, slope + rows, 0.);
   for (std::uint32_t k = 0; k < nw; ++k)

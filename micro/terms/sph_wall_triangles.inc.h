@@ -1,187 +1,261 @@
-// The wall's part of the sweeps of sph_sweeps.h in 3D: triangles, lane = triangle, all lengths over the support R.
-// Included by sph_sweeps.inc.h alone and under its rule: anonymous namespace, no inline function of a shared header.
+// The wall's part of the sweeps of sph_sweeps.h in 3D: face by face, lane = particle, all lengths over the support R and from the
+// face's centroid. Included by sph_sweeps.inc.h alone and under its rule: anonymous namespace, no inline function of a shared header.
 //
-// With a, b, c the corners from the particle, N = a . (b x c) (twice the area times the distance of the plane), Gauss points
-// r_g = sum_k l_k (corner k) and weights w_g, in units of 1/(8 pi):
-//   integral G r.n dS        = N S,   S = sum_g w_g g(|r_g|),  g = 4 pi R^3 G = 14 - 84 u^2 + 140 u^3 - 90 u^4 + 21 u^5 (u < 1)
-//   solid angle (Van Oosterom and Strackee 1983)  = 2 atan2(N, D),  D = |a||b||c| + (a.b)|c| + (b.c)|a| + (c.a)|b|
-//   integral D r.n dS        = N S with  g = -(1 - u)^5 (1 + 5 u + 15 u^2 + 21 u^3) / u^3
-// |r_g|^2 comes from the six products a.a ... c.a, its derivatives from sums over g: no Gauss point has coordinates. Quadratures
-// of 6 (degree 4), 3 (degree 2) and 1 points: Dunavant 1985, 10.1002/nme.1620210612.
+// A face with corners y_k, n = (y_1 - y_0) x (y_2 - y_0) (twice its area), Gauss points y_g = sum_k l_gk y_k and weights w_g gives to the
+// particle at x, with r_g = y_g - x, N = n . r (any point of the face), in units of 1/(8 pi):
+//   integral G r.n dS  = N S,   S = sum_g w_g g(|r_g|),  g = 4 pi R^3 G = 14 - 84 u^2 + 140 u^3 - 90 u^4 + 21 u^5 (u < 1)
+//     and minus twice the angle, which all near faces of a particle have together (sph_wall_rims.inc.h)
+//   integral D r.n dS  = N S with  g = -(1 - u)^5 (1 + 5 u + 15 u^2 + 21 u^3) / u^3
+//   d (N S) / d y_k    = S (y_k+1 - x) x (y_k+2 - x) + sum_g l_gk K_g r_g,   K_g = N w_g (1/u) dg/du
+// |r_g|^2 comes from |x|^2 and the three products x.y_k: no Gauss point has coordinates.
+// S and the K_g are kept: when the push P of every particle is known, what the face's corners feel follows from the sums of
+// P S, P S x, P K_g, P K_g x over the particles alone. Quadratures of 6 (degree 4), 3 (degree 2)
+// and 1 points: Dunavant 1985, 10.1002/nme.1620210612.
 #pragma once
 
-#include "micro/terms/sph_pairs.inc.h"
+#include "micro/terms/sph_wall_rims.inc.h"
 
 namespace turgor::sph
 {
 namespace
 {
-/// Three Gauss points that are alike: (alpha, beta, beta) and its turns, beta = (1 - alpha)/2, each of weight w.
+/// Three Gauss points that are alike: (alpha, beta, beta) and its turns, beta = (1 - alpha)/2, each of weight w. From the
+/// centroid they are the corners times delta = alpha - beta. (The centroid itself counts as the first of three.)
 struct Orbit
 {
   double w, alpha;
+  constexpr double beta() const { return 0.5 * (1. - alpha); }
+  constexpr double delta() const { return 1.5 * alpha - 0.5; }
 };
-constexpr Orbit six_points[2] = {{0.22338158967801147, 0.10810301816807023}, {0.10995174365532187, 0.81684757298045851}};
-constexpr Orbit three_points[1] = {{1. / 3., 2. / 3.}};
-
-struct Vec
+constexpr Orbit orbits[quadratures][2] = {
+  {{0.22338158967801147, 0.10810301816807023}, {0.10995174365532187, 0.81684757298045851}}, {{1. / 3., 2. / 3.}, {}}, {{1., 1. / 3.}, {}}};
+/// Weight of corner k in point g.
+constexpr double share_of(const int quadrature, const int g, const int k)
 {
-  V x, y, z;
-};
-inline V dot(const Vec &a, const Vec &b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline Vec cross(const Vec &a, const Vec &b)
-{
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-/// s p + t (i a + j b + k c)
-inline Vec combine(const V s, const Vec &p, const V t, const V i, const Vec &a, const V j, const Vec &b, const V k, const Vec &c)
-{
-  const V ti = t * i, tj = t * j, tk = t * k;
-  return {s * p.x + ti * a.x + tj * b.x + tk * c.x, s * p.y + ti * a.y + tj * b.y + tk * c.y,
-          s * p.z + ti * a.z + tj * b.z + tk * c.z};
+  const Orbit orbit = orbits[quadrature][g / 3];
+  return g % 3 == k ? orbit.alpha : orbit.beta();
 }
 
-/// At a Gauss point: g, (1/u) dg/du and the kernel over its peak.
-template <int quadrature>
-inline void profile(const V r2, V &value, V &slope, V &kernel)
+/// At a Gauss point of quadrature 0: g and (1/u) dg/du; `inside`: u < 1 in all lanes.
+template <bool inside>
+inline void profile_g(const V r2, V &value, V &slope)
 {
-  const V one = splat(1.), ir = rsqrt(r2), u = r2 * ir, w = positive(one - u), w2 = w * w;
-  kernel = w2 * w2 * (splat(4.) * u + one);
-  if constexpr (quadrature == 0)
+  const V u = root(r2);
+  value = splat(14.) + r2 * (splat(-84.) + u * (splat(140.) + u * (splat(-90.) + u * splat(21.))));
+  slope = splat(-168.) + u * (splat(420.) + u * (splat(-360.) + u * splat(105.)));
+  if constexpr (!inside)
     {
-      const V outside = ir * ir * ir;
-      value = select_less(u, one, splat(14.) + r2 * (splat(-84.) + u * (splat(140.) + u * (splat(-90.) + u * splat(21.)))),
-                          outside);
-      slope = select_less(u, one, splat(-168.) + u * (splat(420.) + u * (splat(-360.) + u * splat(105.))),
-                          splat(-3.) * outside * (ir * ir));
-    }
-  else
-    {
-      const V ir2 = ir * ir;
-      value = -(w2 * w2 * w) * (one + u * (splat(5.) + u * (splat(15.) + u * splat(21.)))) * (ir2 * ir);
-      slope = ir2 * (splat(42.) * kernel - splat(3.) * value);
+      const V one = splat(1.), iu = reciprocal(u), outside = iu * iu * iu;
+      value = select_less(u, one, value, outside);
+      slope = select_less(u, one, slope, splat(-3.) * outside * (iu * iu));
     }
 }
-
-/// What the fan of one particle is worked out in: rows of 4 doubles, a row a node.
-struct FanRows
+/// At a point of the others.
+inline void profile_d(const V r2, V &value, V &slope)
 {
-  double *from = nullptr;     ///< node minus particle, over R; length of this in column 3, where it is needed
-  double *velocity = nullptr; ///< particle minus node, m/s
-  double *drag = nullptr;     ///< out: sums of weight times tangential velocity
-  double *gradient = nullptr; ///< out: 8 pi R d gamma / d node
+  const V one = splat(1.), ir = rsqrt(r2), u = r2 * ir, w = positive(one - u), w2 = w * w, w4 = w2 * w2, ir2 = ir * ir;
+  value = -(w4 * w) * (one + u * (splat(5.) + u * (splat(15.) + u * splat(21.)))) * (ir2 * ir);
+  slope = ir2 * (splat(42.) * (w4 * (splat(4.) * u + one)) - splat(3.) * value);
+}
+/// The kernel over its peak.
+inline V profile_w(const V r2)
+{
+  const V one = splat(1.), u = root(r2), w = positive(one - u), w2 = w * w;
+  return w2 * w2 * (splat(4.) * u + one);
+}
+
+/// One face, all lanes alike; from its middle, over the support.
+struct Face
+{
+  double middle[4], corner[3][3];
+  Vec middles, at[3], n;
+  V square[3]; ///< of the corners' distances
+  // Viscous: unit normal, velocities of the corners less their mean; sums of weights and of weights times velocities
+  V inverse_n;
+  Vec normal, velocity[3];
+  double mean_velocity[3];
+  V weight[3];
+  Vec flow[3];
 };
 
-/// W faces; returns 8 pi times what they give to gamma.
-template <int quadrature, bool viscous>
-inline V sum_triangles(const FanRows &fan, const std::uint16_t *corner)
+inline void look_at(const CellView<3> &c, const std::uint32_t number, Face &face)
 {
-  const V tiny = splat(1e-24);
-  V column[4];
-  load_half_rows<4>(fan.from, corner, column);
-  const Vec a{column[0], column[1], column[2]};
-  const V la = column[3];
-  load_half_rows<4>(fan.from, corner + list_padding, column);
-  const Vec b{column[0], column[1], column[2]};
-  const V lb = column[3];
-  load_half_rows<4>(fan.from, corner + 2 * list_padding, column);
-  const Vec c{column[0], column[1], column[2]};
-  const V lc = column[3];
-  const Vec bxc = cross(b, c), cxa = cross(c, a), axb = cross(a, b);
-  const V N = dot(a, bxc), aa = dot(a, a), bb = dot(b, b), cc = dot(c, c), ab = dot(a, b), bc = dot(b, c), ca = dot(c, a);
-
-  // With s = a + b + c a point is beta s + (alpha - beta) a, so that |r|^2 takes three products, and of sum_g w slope l_j l_k
-  // everything but one term is common to the three points of an orbit.
-  const V sa = aa + ab + ca, sb = ab + bb + bc, sc = ca + bc + cc, ss = sa + sb + sc;
-  V S = splat(0.), Maa, Mbb, Mcc, Mab, Mbc, Mca, Ka, Kb, Kc;
-  if constexpr (quadrature == 3)
+  const double iR = 1. / c.support;
+  const std::uint16_t *node = c.corners + 3 * std::size_t(number);
+  for (int d = 0; d < 3; ++d)
     {
-      V slope, kernel;
-      profile<quadrature>(splat(1. / 9.) * ss + tiny, S, slope, kernel);
-      Maa = Mbb = Mcc = Mab = Mbc = Mca = splat(1. / 9.) * slope;
-      Ka = Kb = Kc = splat(1. / 3.) * kernel;
-    }
-  else
-    {
-      constexpr bool three = quadrature == 2;
-      Maa = Mbb = Mcc = Mab = Mbc = Mca = Ka = Kb = Kc = splat(0.);
-      for (int o = 0; o < (three ? 1 : 2); ++o)
-        {
-          const Orbit orbit = three ? three_points[0] : six_points[o];
-          const double w = orbit.w, alpha = orbit.alpha, beta = 0.5 * (1. - alpha), delta = alpha - beta;
-          const V base = splat(beta * beta) * ss + tiny, first = splat(2. * beta * delta), second = splat(delta * delta);
-          V value[3], slope[3], kernel[3];
-          profile<quadrature>(base + first * sa + second * aa, value[0], slope[0], kernel[0]);
-          profile<quadrature>(base + first * sb + second * bb, value[1], slope[1], kernel[1]);
-          profile<quadrature>(base + first * sc + second * cc, value[2], slope[2], kernel[2]);
-          S += splat(w) * (value[0] + value[1] + value[2]);
-          const V all = slope[0] + slope[1] + slope[2], own = splat(w * beta * beta) * all, mixed = splat(w * alpha * beta) * all,
-                  x = splat(w * (alpha * alpha - beta * beta)), y = splat(w * (beta * beta - alpha * beta));
-          Maa += own + x * slope[0];
-          Mbb += own + x * slope[1];
-          Mcc += own + x * slope[2];
-          Mbc += mixed + y * slope[0];
-          Mca += mixed + y * slope[1];
-          Mab += mixed + y * slope[2];
-          if constexpr (viscous)
-            {
-              const V common = splat(w * beta) * (kernel[0] + kernel[1] + kernel[2]), more = splat(w * delta);
-              Ka += common + more * kernel[0];
-              Kb += common + more * kernel[1];
-              Kc += common + more * kernel[2];
-            }
-        }
-    }
-  if constexpr (quadrature > 0)
-    if (all_zero(S))
-      return splat(0.); // the skin's faces: out of the support
-  V share = N * S;
-  if constexpr (quadrature == 0)
-    {
-      const V D = la * lb * lc + ab * lc + bc * la + ca * lb;
-      const V q = splat(4.) * reciprocal(N * N + D * D + splat(1e-30));
-      share -= splat(4.) * angle(N, D);
-      S -= q * D;
-      Maa += q * (lb * lc + bc) * reciprocal(la);
-      Mbb += q * (lc * la + ca) * reciprocal(lb);
-      Mcc += q * (la * lb + ab) * reciprocal(lc);
-      Mab += q * lc;
-      Mbc += q * la;
-      Mca += q * lb;
-    }
-  const Vec da = combine(S, bxc, N, Maa, a, Mab, b, Mca, c), db = combine(S, cxa, N, Mab, a, Mbb, b, Mbc, c),
-            dc = combine(S, axb, N, Mca, a, Mbc, b, Mcc, c);
-  add_to_rows(fan.gradient, corner, da.x, da.y, da.z);
-  add_to_rows(fan.gradient, corner + list_padding, db.x, db.y, db.z);
-  add_to_rows(fan.gradient, corner + 2 * list_padding, dc.x, dc.y, dc.z);
-
-  if constexpr (viscous)
-    {
-      // integral of W over the face / distance to its plane, split between its nodes
-      const Vec n{bxc.x + cxa.x + axb.x, bxc.y + cxa.y + axb.y, bxc.z + cxa.z + axb.z};
-      const V in = rsqrt(dot(n, n) + tiny), distance = N * in, least = splat(0.2); // half a particle spacing
-      const V weight = reciprocal(in * select_less(distance, least, least, distance)), in2 = in * in;
-      const V parts[3] = {Ka * weight, Kb * weight, Kc * weight};
+      double y[3];
       for (int k = 0; k < 3; ++k)
+        y[k] = (c.wall_x[4 * std::uint32_t(node[k]) + d] - c.wall_x[d]) * iR;
+      face.middle[d] = (y[0] + y[1] + y[2]) * (1. / 3.);
+      for (int k = 0; k < 3; ++k)
+        face.corner[k][d] = y[k] - face.middle[d];
+    }
+}
+
+template <bool viscous>
+inline void prepare(const CellView<3> &c, const std::uint32_t number, Face &face)
+{
+  look_at(c, number, face);
+  face.middles = splat(face.middle);
+  for (int k = 0; k < 3; ++k)
+    {
+      face.at[k] = splat(face.corner[k]);
+      face.square[k] = dot(face.at[k], face.at[k]);
+    }
+  const Vec &a = face.at[0], &b = face.at[1], &e = face.at[2];
+  face.n = cross({b.x - a.x, b.y - a.y, b.z - a.z}, {e.x - a.x, e.y - a.y, e.z - a.z});
+  if (!viscous)
+    return;
+  const std::uint16_t *node = c.corners + 3 * std::size_t(number);
+  face.inverse_n = rsqrt(dot(face.n, face.n) + splat(1e-24));
+  face.normal = {face.n.x * face.inverse_n, face.n.y * face.inverse_n, face.n.z * face.inverse_n};
+  double v[3][3];
+  for (int d = 0; d < 3; ++d)
+    {
+      for (int k = 0; k < 3; ++k)
+        v[k][d] = c.wall_v[4 * std::uint32_t(node[k]) + d];
+      face.mean_velocity[d] = (v[0][d] + v[1][d] + v[2][d]) * (1. / 3.);
+      for (int k = 0; k < 3; ++k)
+        v[k][d] -= face.mean_velocity[d];
+    }
+  for (int k = 0; k < 3; ++k)
+    {
+      face.velocity[k] = splat(v[k]);
+      face.weight[k] = splat(0.);
+      face.flow[k] = {splat(0.), splat(0.), splat(0.)};
+    }
+}
+
+/// No slip, W particles: integral of W over the face / distance to its plane, split between its corners.
+template <int quadrature>
+inline void drag_on_face(CellView<3> &c, Face &face, const std::uint16_t *j, const V r2[], const V N, const V factor)
+{
+  V share[3] = {splat(0.), splat(0.), splat(0.)};
+  for (int g = 0; g < quadrature_points[quadrature]; ++g)
+    {
+      const V kernel = splat(orbits[quadrature][g / 3].w) * profile_w(r2[g]);
+      for (int k = 0; k < 3; ++k)
+        share[k] += splat(share_of(quadrature, g, k)) * kernel;
+    }
+  const V least = splat(0.2); // half a particle spacing
+  const V over = factor * reciprocal(face.inverse_n * greater(N * face.inverse_n, least));
+  V row[4];
+  load_half_rows<row_doubles>(c.rows + Column<3>::velocity, j, row);
+  const Vec v{row[0] - splat(face.mean_velocity[0]), row[1] - splat(face.mean_velocity[1]), row[2] - splat(face.mean_velocity[2])};
+  const Vec &n = face.normal;
+  Vec f{splat(0.), splat(0.), splat(0.)};
+  for (int k = 0; k < 3; ++k)
+    {
+      const V q = share[k] * over;
+      Vec &flow = face.flow[k];
+      const Vec &w = face.velocity[k];
+      face.weight[k] += q;
+      flow = {flow.x + q * v.x, flow.y + q * v.y, flow.z + q * v.z};
+      f = {f.x + q * (w.x - v.x), f.y + q * (w.y - v.y), f.z + q * (w.z - v.z)};
+    }
+  const V across = dot(f, n);
+  const V out[4] = {f.x - across * n.x, f.y - across * n.y, f.z - across * n.z, splat(0.)};
+  add_to_rows(c.own_drag, j, out);
+}
+
+/// W particles; false, and nothing done, where all are out of the support.
+template <int quadrature, bool viscous>
+inline bool see_face(CellView<3> &c, Face &face, const std::uint16_t *j, const V live, double *kept)
+{
+  constexpr int points = quadrature_points[quadrature];
+  V own[4];
+  load_half_rows<4>(c.own, j, own);
+  const Vec p{own[0] - face.middles.x, own[1] - face.middles.y, own[2] - face.middles.z};
+  const V one = splat(1.), tiny = splat(1e-24), pp = dot(p, p);
+  V r2[points], value[points], slope[points];
+  if constexpr (points == 1)
+    r2[0] = greater(pp, tiny);
+  else
+    for (int k = 0; k < 3; ++k)
+      {
+        const V across = dot(p, face.at[k]);
+        for (int o = 0; o < points / 3; ++o)
+          {
+            const double delta = orbits[quadrature][o].delta();
+            r2[3 * o + k] = greater(pp + splat(delta * delta) * face.square[k] - splat(2. * delta) * across, tiny);
+          }
+      }
+  if constexpr (quadrature == 0)
+    {
+      V most = r2[0];
+      for (int g = 1; g < points; ++g)
+        most = greater(most, r2[g]);
+      if (any_less(one, most))
+        for (int g = 0; g < points; ++g)
+          profile_g<false>(r2[g], value[g], slope[g]);
+      else
+        for (int g = 0; g < points; ++g)
+          profile_g<true>(r2[g], value[g], slope[g]);
+    }
+  else
+    {
+      V least = r2[0];
+      for (int g = 1; g < points; ++g)
+        least = lesser(least, r2[g]);
+      if (!any_less(least, one))
+        return false;
+      for (int g = 0; g < points; ++g)
+        profile_d(r2[g], value[g], slope[g]);
+    }
+  const V N = -dot(face.n, p);
+  V S, all = splat(0.), shift[3] = {splat(0.), splat(0.), splat(0.)}; // shift: sum of delta K over the points of a corner
+  if constexpr (points == 1)
+    S = value[0];
+  else
+    {
+      S = splat(orbits[quadrature][0].w) * (value[0] + value[1] + value[2]);
+      if constexpr (points == 6)
+        S += splat(orbits[quadrature][1].w) * (value[3] + value[4] + value[5]);
+    }
+  S = live * S;
+  store(kept, S);
+  for (int o = 0; o < (points + 2) / 3; ++o)
+    {
+      const V weight = live * N * splat(orbits[quadrature][o].w);
+      for (int k = 0; k < 3 && 3 * o + k < points; ++k)
         {
-          load_half_rows<4>(fan.velocity, corner + k * list_padding, column);
-          const V normal = (column[0] * n.x + column[1] * n.y + column[2] * n.z) * in2;
-          add_to_rows(fan.drag, corner + k * list_padding, parts[k] * (column[0] - normal * n.x),
-                      parts[k] * (column[1] - normal * n.y), parts[k] * (column[2] - normal * n.z));
+          const V K = weight * slope[3 * o + k];
+          store(kept + (3 * o + k + 1) * W, K);
+          all += K;
+          if constexpr (points > 1)
+            shift[k] += splat(orbits[quadrature][o].delta()) * K;
         }
     }
-  return share;
+  V pull[4] = {N * S, S * face.n.x - all * p.x, S * face.n.y - all * p.y, S * face.n.z - all * p.z};
+  if constexpr (points > 1)
+    for (int k = 0; k < 3; ++k)
+      {
+        pull[1] += shift[k] * face.at[k].x;
+        pull[2] += shift[k] * face.at[k].y;
+        pull[3] += shift[k] * face.at[k].z;
+      }
+  add_to_rows(c.pull, j, pull);
+  if constexpr (viscous)
+    drag_on_face<quadrature>(c, face, j, r2, N, live * own[3]);
+  return true;
 }
 
 template <int quadrature, bool viscous>
-inline V sum_fan(const FanRows &rows, const Fan &fan, const std::uint16_t *&corner)
+inline void see_face_all(CellView<3> &c, Face &face, const std::uint32_t count, const std::uint16_t *&j, double *&kept,
+                         std::uint16_t &active)
 {
-  V share = splat(0.);
-  const std::uint32_t faces = fan.faces[quadrature];
-  for (std::uint32_t k = 0; k < faces; k += W)
-    share += sum_triangles<quadrature, viscous>(rows, corner + (k / list_padding) * 3 * list_padding + k % list_padding);
-  corner += (faces + list_padding - 1) / list_padding * 3 * list_padding;
-  return share;
+  constexpr int size = (1 + quadrature_points[quadrature]) * W;
+  std::uint32_t used = 0;
+  for (std::uint32_t k = 0, chunk = 0; k < count; k += W, ++chunk)
+    if (see_face<quadrature, viscous>(c, face, j + k, first_lanes(count - k), kept + chunk * size))
+      used = chunk + 1;
+    else
+      for (int l = 0; l < size; ++l)
+        kept[chunk * size + l] = 0.;
+  active = std::uint16_t(used);
+  kept += used * size;
+  j += (count + list_padding - 1) / list_padding * list_padding;
 }
 
 /// gamma of all particles and its gradients; density before scaling; the drag on the wall but for the factor 1/s.
@@ -189,98 +263,141 @@ template <bool viscous>
 void wall_shares(CellView<3> &c)
 {
   const double iR = 1. / c.support;
-  std::uint32_t largest = 0;
-  for (std::uint32_t i = 0; i < c.n; ++i)
-    largest = largest < c.fans[i].nodes ? c.fans[i].nodes : largest;
-  FanRows rows;
-  rows.from = c.fan_scratch;
-  rows.velocity = rows.from + 4 * largest;
-  rows.drag = rows.velocity + 4 * largest;
+  for (std::uint32_t i = 0; i <= c.n; ++i)
+    {
+      double *own = c.own + 4 * std::size_t(i);
+      for (int d = 0; d < 3; ++d)
+        own[d] = i < c.n ? (c.x[d][i] - c.wall_x[d]) * iR : 0.;
+      // W = 21/(2 pi R^3), area R^2/2, distance R; rho is still the plain sum: V/gamma = m/(s rho)
+      own[3] = viscous && i < c.n ? 2. * c.viscosity * c.mass / c.rho[i] * (21. / (4. * pi)) * iR * iR : 0.;
+      store_row(c.pull + 4 * std::size_t(i), splat_row(0.));
+      if (viscous)
+        store_row(c.own_drag + 4 * std::size_t(i), splat_row(0.));
+    }
   if (viscous)
     for (std::uint32_t k = 0; k < 4 * c.n_wall; ++k)
       c.wall_drag[k] = 0.;
-  for (std::uint32_t i = 0; i < c.n; ++i)
+  add_rims(c);
+  double *kept = c.kept;
+  Face face;
+  for (std::uint32_t f = 0; f < c.n_faces; ++f)
     {
-      const Fan &fan = c.fans[i];
-      const std::uint16_t *node = c.fan_nodes + fan.first_node, *corner = c.fan_corners + fan.first_corner;
-      rows.gradient = c.scratch + 4 * std::size_t(fan.first_node);
-      const double xi[3] = {c.x[0][i], c.x[1][i], c.x[2][i]};
-      for (std::uint32_t k = 0; k < fan.nodes; ++k)
-        {
-          const double *x = c.wall_x + 4 * std::uint32_t(node[k]);
-          double *from = rows.from + 4 * k, *gradient = rows.gradient + 4 * k;
-          for (int d = 0; d < 3; ++d)
-            {
-              from[d] = (x[d] - xi[d]) * iR;
-              gradient[d] = 0.;
-            }
-          gradient[3] = 0.;
-          if (k < fan.near_nodes)
-            from[3] = __builtin_sqrt(from[0] * from[0] + from[1] * from[1] + from[2] * from[2] + 1e-24);
-          else
-            from[3] = 0.;
-          if (viscous)
-            {
-              const double *v = c.wall_v + 4 * std::uint32_t(node[k]);
-              for (int d = 0; d < 3; ++d)
-                {
-                  rows.velocity[4 * k + d] = c.v[d][i] - v[d];
-                  rows.drag[4 * k + d] = 0.;
-                }
-              rows.velocity[4 * k + 3] = rows.drag[4 * k + 3] = 0.;
-            }
-        }
-      V share = sum_fan<0, viscous>(rows, fan, corner);
-      share += sum_fan<1, viscous>(rows, fan, corner);
-      share += sum_fan<2, viscous>(rows, fan, corner);
-      share += sum_fan<3, viscous>(rows, fan, corner);
+      const FaceList &list = c.face_lists[f];
+      const std::uint16_t *j = c.face_particles + list.first;
+      std::uint16_t *active = c.active + quadratures * std::size_t(f);
+      prepare<viscous>(c, list.face, face);
+      see_face_all<0, viscous>(c, face, list.count[0], j, kept, active[0]);
+      see_face_all<1, viscous>(c, face, list.count[1], j, kept, active[1]);
+      see_face_all<2, viscous>(c, face, list.count[2], j, kept, active[2]);
       if (viscous)
-        {
-          // W = 21/(2 pi R^3), area R^2/2, distance R; rho is still the plain sum: V/gamma = m/(s rho)
-          const double factor = 2. * c.viscosity * c.mass / c.rho[i] * (21. / (4. * pi)) * iR * iR;
-          double total[3] = {0., 0., 0.};
-          for (std::uint32_t k = 0; k < fan.nodes; ++k)
-            for (int d = 0; d < 3; ++d)
-              {
-                const double f = factor * rows.drag[4 * k + d];
-                c.wall_drag[4 * std::uint32_t(node[k]) + d] += f;
-                total[d] -= f;
-              }
-          for (int d = 0; d < 3; ++d)
-            c.own_drag[4 * i + d] = total[d];
-        }
-      correct(c, i, 1. + sum(share) * (1. / (8. * pi)));
+        for (int k = 0; k < 3; ++k)
+          {
+            const Vec &flow = face.flow[k], &w = face.velocity[k], &n = face.normal;
+            const V q = face.weight[k];
+            const Vec all{flow.x - q * w.x, flow.y - q * w.y, flow.z - q * w.z};
+            const V across = dot(all, n);
+            double *drag = c.wall_drag + 4 * std::uint32_t(c.corners[3 * std::size_t(list.face) + k]);
+            drag[0] += sum(all.x - across * n.x);
+            drag[1] += sum(all.y - across * n.y);
+            drag[2] += sum(all.z - across * n.z);
+          }
     }
+  for (std::uint32_t i = 0; i < c.n; ++i)
+    correct(c, i, 1. + c.pull[4 * std::size_t(i)] * (1. / (8. * pi)));
+}
+
+/// Sums of push S (x, 1) into `whole` and of push K_g (x, 1) into `point`.
+template <int quadrature>
+inline void sum_pushes(const CellView<3> &c, const std::uint32_t count, const std::uint32_t active, const std::uint16_t *&j,
+                       const double *&kept, Row &whole, Row *point)
+{
+  constexpr int points = quadrature_points[quadrature];
+  Row sums[points + 1];
+  sums[0] = whole;
+  for (int g = 0; g < points; ++g)
+    sums[g + 1] = splat_row(0.);
+  const std::uint32_t last = active * W < count ? active * W : count;
+  for (std::uint32_t k = 0; k < last; k += W, kept += (points + 1) * W)
+    for (std::uint32_t l = 0; l < W && k + l < last; ++l)
+      {
+        const Row x = load_row(c.own + 4 * std::uint32_t(j[k + l]));
+        for (int g = 0; g <= points; ++g)
+          sums[g] += x * splat_row(kept[g * W + l]);
+      }
+  whole = sums[0];
+  for (int g = 0; g < points; ++g)
+    point[g] = sums[g + 1];
+  j += (count + list_padding - 1) / list_padding * list_padding;
 }
 
 /// Forces between fluid and wall.
 template <bool viscous>
 void push_wall(CellView<3> &c)
 {
+  const double factor = 1. / (8. * pi * c.support), iR = 1. / c.support;
   for (std::uint32_t i = 0; i < c.n; ++i)
     {
-      const Fan &fan = c.fans[i];
-      if (fan.nodes == 0)
-        continue;
-      const std::uint16_t *node = c.fan_nodes + fan.first_node;
-      const double *gradient = c.scratch + 4 * std::size_t(fan.first_node);
-      const double push = c.push[i] / (8. * pi * c.support);
-      double total[4] = {0., 0., 0., 0.};
-      for (std::uint32_t k = 0; k < fan.nodes; ++k)
-        {
-          double *f = c.wall_f + 4 * std::uint32_t(node[k]);
-          for (int d = 0; d < 4; ++d)
+      double *own = c.own + 4 * std::size_t(i);
+      const double push = factor * c.push[i];
+      for (int d = 0; d < 3; ++d)
+        own[d] = push * (c.x[d][i] - c.wall_x[d]) * iR;
+      own[3] = push;
+    }
+  const double *kept = c.kept;
+  Face face;
+  for (std::uint32_t f = 0; f < c.n_faces; ++f)
+    {
+      const FaceList &list = c.face_lists[f];
+      const std::uint16_t *j = c.face_particles + list.first, *active = c.active + quadratures * std::size_t(f),
+                          *node = c.corners + 3 * std::size_t(list.face);
+      look_at(c, list.face, face);
+      Row whole = splat_row(0.), six[6], three[3], one[1];
+      sum_pushes<0>(c, list.count[0], active[0], j, kept, whole, six);
+      sum_pushes<1>(c, list.count[1], active[1], j, kept, whole, three);
+      sum_pushes<2>(c, list.count[2], active[2], j, kept, whole, one);
+      // sum over points and particles of P l_gk K_g (y_g - x), the particles' x from the face's middle now
+      double total[3][3] = {}; // corners
+      const auto add_points = [&](const int quadrature, const Row *point) {
+        for (int g = 0; g < quadrature_points[quadrature]; ++g)
+          for (int d = 0; d < 3; ++d)
             {
-              const double part = push * gradient[4 * k + d];
-              f[d] += part;
-              total[d] += part;
+              double y = face.middle[d];
+              if (quadrature_points[quadrature] > 1)
+                y += orbits[quadrature][g / 3].delta() * face.corner[g % 3][d];
+              const double pull = y * point[g][3] - point[g][d];
+              for (int k = 0; k < 3; ++k)
+                total[k][d] += share_of(quadrature, g, k) * pull;
+            }
+      };
+      if (active[0] > 0)
+        add_points(0, six);
+      if (active[1] > 0)
+        add_points(1, three);
+      if (active[2] > 0)
+        add_points(2, one);
+      double x[3];
+      for (int d = 0; d < 3; ++d)
+        x[d] = whole[d] - face.middle[d] * whole[3];
+      for (int k = 0; k < 3; ++k)
+        {
+          const double *b = face.corner[(k + 1) % 3], *e = face.corner[(k + 2) % 3];
+          double *force = c.wall_f + 4 * std::uint32_t(node[k]);
+          for (int d = 0; d < 3; ++d)
+            { // (b - x) x (e - x) = b x e - x x (e - b)
+              const int d1 = (d + 1) % 3, d2 = (d + 2) % 3;
+              force[d] += total[k][d] + whole[3] * (b[d1] * e[d2] - b[d2] * e[d1]) - (x[d1] * (e[d2] - b[d2]) - x[d2] * (e[d1] - b[d1]));
             }
         }
+    }
+  push_rims(c, factor);
+  for (std::uint32_t i = 0; i < c.n; ++i)
+    {
+      const double *pull = c.pull + 4 * std::size_t(i), push = factor * c.push[i];
       for (int d = 0; d < 3; ++d)
-        c.f[d][i] -= total[d];
+        c.f[d][i] -= push * pull[1 + d];
       if (viscous)
         for (int d = 0; d < 3; ++d)
-          c.f[d][i] += c.own_drag[4 * i + d] / c.scale;
+          c.f[d][i] += c.own_drag[4 * std::size_t(i) + d] / c.scale;
     }
   if (viscous)
     for (std::uint32_t k = 0; k < 4 * c.n_wall; ++k)

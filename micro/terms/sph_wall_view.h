@@ -30,7 +30,7 @@ template <int dim>
 class WallView
 {
 public:
-  using Lists = std::conditional_t<dim == 2, WallArcs, WallFans>;
+  using Lists = std::conditional_t<dim == 2, WallArcs, WallFaces>;
 
   WallView(const Lists &lists, const Group &group, const WallSettings &settings);
   std::size_t doubles() const; ///< of scratch needed, a multiple of 8
