@@ -2,12 +2,15 @@
 
 #include "app/plot_command.h"
 #include "app/ranks.h"
+#include "micro/io/resource_use.h"
 #include "micro/io/run_directory.h"
 #include "micro/io/stop_flag.h"
 
 #include <deal.II/base/multithread_info.h>
 
 #include <tbb/global_control.h>
+
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -27,6 +30,16 @@ struct Ending
 std::filesystem::path default_directory(const std::filesystem::path &file)
 {
   return std::filesystem::path("runs") / file.stem();
+}
+
+/// What this machine does not have is refused when it is asked for (std::bad_alloc, a sentence), not promised and then killed for.
+void keep_within_memory()
+{
+  rlimit limit = {};
+  if (getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur <= physical_memory())
+    return;
+  limit.rlim_cur = physical_memory();
+  setrlimit(RLIMIT_DATA, &limit);
 }
 
 /// The scene's own ending; an InputError passes through while nothing has been written.
@@ -55,7 +68,7 @@ Ending run_scene(Scenario &scenario, RunDirectory &directory)
     }
   catch (const std::bad_alloc &)
     {
-      return {1, "failed", "There is not enough memory for this run."};
+      return {1, "failed", "There is not enough memory for this run: take fewer cells, particles or elements."};
     }
   catch (const std::exception &why)
     {
@@ -71,6 +84,7 @@ std::string program_version()
 
 int run_command(const RunOptions &options, const ScenarioRegistry &registry, MpiSession *mpi)
 {
+  keep_within_memory();
   const Input input = load_input(options.file, options.overrides, registry);
   const unsigned int ranks = mpi != nullptr ? mpi->size() : 1;
   if (ranks > 1 && !input.scenario->uses_ranks())

@@ -1,6 +1,7 @@
 #include "coupling/tissue_bruise.h"
 
 #include "coupling/bruise.h"
+#include "coupling/tissue_size.h"
 #include "rve/make_rve.h"
 
 #include <deal.II/base/parameter_handler.h>
@@ -59,7 +60,7 @@ void TissueBruise::check() const
   {
     throw InputError(e.what());
   }
-  (void)make_rve(rve_parameters);
+  check_tissue_size(settings.tissue, *make_rve(rve_parameters));
 }
 
 void TissueBruise::run(RunContext &context)

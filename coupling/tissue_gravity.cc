@@ -1,5 +1,6 @@
 #include "coupling/tissue_gravity.h"
 
+#include "coupling/tissue_size.h"
 #include "rve/make_rve.h"
 
 #include <deal.II/base/parameter_handler.h>
@@ -55,7 +56,7 @@ void TissueGravity::check() const
   {
     throw InputError(e.what());
   }
-  (void)make_rve(rve_parameters);
+  check_tissue_size(settings.tissue, *make_rve(rve_parameters), double(settings.cells) * settings.cells * settings.cell_samples * settings.cell_samples);
 }
 
 void TissueGravity::run(RunContext &context)

@@ -2,6 +2,7 @@
 
 #include "coupling/rve_law.h"
 #include "coupling/tissue_output.h"
+#include "coupling/tissue_size.h"
 #include "macro/tissue.h"
 #include "rve/make_rve.h"
 
@@ -68,7 +69,7 @@ void TissueStatics::check() const
     // the same rule under the name the entry has here
     throw InputError("Tissue statics/Elements is " + std::to_string(elements) + ": " + e.what());
   }
-  (void)make_rve(rve_parameters);
+  check_tissue_size(piece, *make_rve(rve_parameters), double(cells) * cells * cell_samples * cell_samples);
 }
 
 void TissueStatics::run(RunContext &context)

@@ -1,6 +1,7 @@
 #include "micro/io/resource_use.h"
 
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 
@@ -13,6 +14,11 @@ double seconds(const timeval &time)
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 } // namespace
+
+std::uint64_t physical_memory()
+{
+  return static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
 
 ResourceMeter::ResourceMeter()
   : start(std::chrono::steady_clock::now())

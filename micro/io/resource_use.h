@@ -13,6 +13,9 @@ struct ResourceUse
   std::uint64_t peak_memory = 0;        ///< bytes
 };
 
+/// Of this machine, bytes.
+std::uint64_t physical_memory();
+
 class ResourceMeter
 {
 public:

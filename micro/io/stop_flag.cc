@@ -3,22 +3,43 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <ctime>
 
 namespace turgor
 {
 namespace
 {
 volatile std::sig_atomic_t requested = 0;
+timer_t timer;
+int seconds = 0; // 0: no timer
 
 extern "C" void turgor_stop_handler(const int signal_number)
 {
   if (requested != 0 && signal_number == SIGINT)
     ::_exit(130);
+  if (requested == 0 && seconds > 0)
+    {
+      itimerspec once = {};
+      once.it_value.tv_sec = seconds;
+      timer_settime(timer, 0, &once, nullptr);
+    }
   requested = 1;
+}
+
+extern "C" void turgor_patience_handler(int)
+{
+  if (requested == 0) // taken back
+    return;
+  // Nothing but what a signal handler may call.
+  static const char words[] = "turgor: asked to stop, it came to no place where it can and was ended. "
+                              "The last checkpoint, if there is one, is as it was: --resume continues from it.\n";
+  if (::write(STDERR_FILENO, words, sizeof words - 1) < 0)
+    ::_exit(130);
+  ::_exit(130);
 }
 } // namespace
 
-void install_stop_handler()
+void install_stop_handler(const int patience)
 {
   struct sigaction action = {};
   action.sa_handler = turgor_stop_handler;
@@ -27,6 +48,15 @@ void install_stop_handler()
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   sigaction(SIGUSR1, &action, nullptr); // what mpirun hands on to its ranks
+  if (seconds > 0)
+    return;
+  action.sa_handler = turgor_patience_handler;
+  sigaction(SIGPROF, &action, nullptr);
+  sigevent event = {};
+  event.sigev_notify = SIGEV_SIGNAL;
+  event.sigev_signo = SIGPROF;
+  if (timer_create(CLOCK_PROCESS_CPUTIME_ID, &event, &timer) == 0)
+    seconds = patience;
 }
 
 bool stop_was_requested()

@@ -198,6 +198,9 @@ def turgor_is_needed_by_the_sph_rve():
 
 for case_name, *rest in turgor_is_needed_by_the_sph_rve():
     add(case_name, rest)
+add("a_tissue_larger_than_the_machine", ["set Scenario = tissue_bruise\n",
+    RUN + ["--set", "Tissue/Elements x=4096", "--set", "Tissue/Elements y=4096"],
+    ["4096 x 4096 elements with 6.71e+07 RVEs need about", "GB of memory, this machine has", "take fewer elements"]])
 for case_name, *rest in general():
     add(case_name, rest)
 for scene_name in SCENES:

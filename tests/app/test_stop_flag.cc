@@ -1,0 +1,42 @@
+// A program that comes to no place where it can stop ends by itself, in CPU time, and says so.
+#include "micro/io/cpu_clock.h"
+#include "micro/io/stop_flag.h"
+#include "tests/app/temporary_directory.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+
+using namespace turgor;
+using namespace turgor::test;
+
+BOOST_AUTO_TEST_SUITE(stop_flag)
+
+BOOST_AUTO_TEST_CASE(what_does_not_stop_is_ended_with_a_sentence)
+{
+  const TemporaryDirectory directory;
+  const std::string said = (directory / "said").string();
+  const pid_t child = ::fork();
+  if (child == 0)
+    {
+      ::dup2(::open(said.c_str(), O_WRONLY | O_CREAT, 0666), STDERR_FILENO);
+      install_stop_handler(1);
+      std::raise(SIGTERM);
+      while (process_cpu_seconds() < 20.)
+        ;
+      ::_exit(7);
+    }
+  int status = 0;
+  BOOST_REQUIRE(::waitpid(child, &status, 0) == child);
+  BOOST_REQUIRE(WIFEXITED(status));
+  BOOST_TEST(WEXITSTATUS(status) == 130);
+  const std::string words = content(said);
+  BOOST_TEST(words.find("turgor: asked to stop") == 0u);
+  BOOST_TEST(words.find("--resume") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
