@@ -2,6 +2,7 @@
 
 #include "macro/binary.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace turgor
@@ -26,9 +27,8 @@ double CentralDifferences<dim>::limit_of_stability(double omega, double c)
 template <int dim>
 double CentralDifferences<dim>::stable_step() const
 {
-  return std::ldexp(this->parameters.cfl *
-                      limit_of_stability(this->stability.frequency(), this->stability.damping()),
-                    -static_cast<int>(halvings));
+  const double stable = this->parameters.cfl * limit_of_stability(this->stability.frequency(), this->stability.damping());
+  return std::ldexp(std::min(stable, this->parameters.tool.longest_step()), -static_cast<int>(halvings));
 }
 
 template <int dim>

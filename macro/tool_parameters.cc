@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
@@ -17,6 +18,12 @@ double ToolParameters::travel(const double time) const
   const double phase = speed * time / depth;
   // back at the surface it goes on as it came
   return phase < std::numbers::pi ? depth * std::sin(phase) : -(speed * time - std::numbers::pi * depth);
+}
+
+double ToolParameters::longest_step() const
+{
+  constexpr double steps_to_the_depth = 20.;
+  return active() ? depth / (speed * steps_to_the_depth) : std::numeric_limits<double>::infinity();
 }
 
 void ToolParameters::declare(dealii::ParameterHandler &prm)

@@ -20,7 +20,10 @@ struct ToolParameters
   double stiffness = 1.;            ///< kappa * distance of nodes / stiffness bound of the law
 
   bool active() const { return shape != "none"; }
-  double travel(double time) const; ///< m, s(t)
+  double travel(double time) const;
+
+  /// s; a longer step does not see the tool come and go, and makes energy of that.
+  double longest_step() const; ///< m, s(t)
 
   /// Declares the entries in the current subsection.
   void declare(dealii::ParameterHandler &prm);
