@@ -35,7 +35,7 @@ bool read_summary(CachedRun &run)
   return run.status == "finished";
 }
 
-void compute(CachedRun &run, const RunRequest &request, const bool fresh)
+void compute(CachedRun &run, const RunRequest &request, const bool fresh, const std::function<void(double)> &waiting)
 {
   std::filesystem::create_directories(run.directory.parent_path());
   const std::string log = run.directory.string() + ".log";
@@ -46,9 +46,9 @@ void compute(CachedRun &run, const RunRequest &request, const bool fresh)
     words.insert(words.end(), {"--set", value});
   std::vector<std::string> resumed = words;
   resumed.push_back("--resume");
-  ChildEnd end = run_child(fresh ? words : resumed, log);
+  ChildEnd end = run_child(fresh ? words : resumed, log, SIGTERM, waiting);
   if (end.code == 2 && !fresh) // a damaged checkpoint: this cache is ours to overwrite
-    end = run_child(words, log);
+    end = run_child(words, log, SIGTERM, waiting);
   run.status.clear();
   if (!read_summary(run) && run.status.empty())
     {

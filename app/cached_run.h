@@ -6,6 +6,7 @@
 #include "micro/io/resource_use.h"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,6 @@ CachedRun cached_run(const std::string &stem, const std::string &key, bool fresh
 /// Status, message and cost from the run's own summary; true when it has finished.
 bool read_summary(CachedRun &run);
 
-/// Runs it, from its last checkpoint unless fresh.
-void compute(CachedRun &run, const RunRequest &request, bool fresh);
+/// Runs it, from its last checkpoint unless fresh. waiting: as of run_child().
+void compute(CachedRun &run, const RunRequest &request, bool fresh, const std::function<void(double)> &waiting = {});
 } // namespace turgor

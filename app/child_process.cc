@@ -26,7 +26,8 @@ double seconds(const timeval &time)
 }
 } // namespace
 
-ChildEnd run_child(const std::vector<std::string> &words, const std::string &log, const int stop_signal)
+ChildEnd run_child(const std::vector<std::string> &words, const std::string &log, const int stop_signal,
+                   const std::function<void(double)> &waiting)
 {
   std::vector<std::string> copies = words;
   std::vector<char *> pointers;
@@ -60,6 +61,7 @@ ChildEnd run_child(const std::vector<std::string> &words, const std::string &log
       ::execvp(pointers[0], pointers.data());
       ::_exit(127);
     }
+  const auto since_start = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
   int status = 0;
   rusage usage = {};
   bool told = false;
@@ -73,12 +75,15 @@ ChildEnd run_child(const std::vector<std::string> &words, const std::string &log
           ::kill(child, stop_signal);
           told = true;
         }
-      if (ended != child)
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      if (ended == child)
+        break;
+      if (waiting)
+        waiting(since_start());
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
   ChildEnd end;
   end.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  end.use.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  end.use.wall_time = since_start();
   end.use.cpu_time = seconds(usage.ru_utime) + seconds(usage.ru_stime);
   end.use.peak_memory = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024u;
   if (end.code == 127)

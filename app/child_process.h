@@ -4,6 +4,7 @@
 #include "micro/io/resource_use.h"
 
 #include <csignal>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,9 @@ struct ChildEnd
 
 /// words[0] is the program (looked up in PATH). log: file for its stdout and stderr; empty: shared with ours.
 /// It reads nothing (stdin is /dev/null) and ends when we do. A stop signal of ours is passed on as stop_signal. Throws
-/// std::runtime_error when it cannot be started.
-ChildEnd run_child(const std::vector<std::string> &words, const std::string &log = "", int stop_signal = SIGTERM);
+/// std::runtime_error when it cannot be started. waiting: called some fifty times a second with the wall seconds so far.
+ChildEnd run_child(const std::vector<std::string> &words, const std::string &log = "", int stop_signal = SIGTERM,
+                   const std::function<void(double)> &waiting = {});
 
 /// Path of this program.
 std::string this_program();

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 
 namespace turgor
@@ -32,20 +33,89 @@ std::map<std::string, CachedRun> planned(const Validation &validation, const boo
   return runs;
 }
 
-/// Runs what is not there yet; false when one did not finish.
-bool run_all(const Validation &validation, std::map<std::string, CachedRun> &runs, const bool fresh)
+/// What is still to be run, in CPU seconds as the table has them from the last time, and how much of it is done.
+class Plan
+{
+public:
+  Plan()
+    : bar(true)
+  {}
+
+  void add(const double seconds)
+  {
+    total += seconds;
+    ++waiting_runs;
+  }
+
+  std::string head() const
+  {
+    return std::to_string(waiting_runs) + (waiting_runs == 1 ? " run, about " : " runs, about ") + ProgressBar::in_words(total - done) +
+           " of CPU time to go";
+  }
+
+  void waiting(const double seconds, const double expected, const std::string &what)
+  {
+    bar.update(total > 0. ? (done + std::min(seconds, 0.95 * expected)) / total : 0., what);
+  }
+
+  void finished(const double expected)
+  {
+    bar.clear();
+    done += expected;
+    --waiting_runs;
+  }
+
+private:
+  ProgressBar bar;
+  double total = 0., done = 0.; ///< s
+  unsigned int waiting_runs = 0;
+};
+
+bool to_be_run(const CachedRun &run)
+{
+  return run.status != "finished" && run.status != "failed"; // a failure that has its sentence would only be repeated
+}
+
+/// CPU seconds of one of the runs of each validation: as the table has it, else the mean of the others.
+std::map<std::string, double> expected_costs(const std::vector<Validation> &validations, const std::vector<ValidationResult> &table)
+{
+  std::map<std::string, double> cost;
+  double sum = 0.;
+  for (const Validation &validation : validations)
+    for (const ValidationResult &row : table)
+      if (row.name == validation.name && cost.count(row.name) == 0 && std::atof(row.cpu_time.c_str()) > 0.)
+        sum += cost[row.name] = std::atof(row.cpu_time.c_str()) / double(validation.runs.size());
+  const double mean = cost.empty() ? 60. : sum / double(cost.size());
+  for (const Validation &validation : validations)
+    cost.try_emplace(validation.name, mean);
+  return cost;
+}
+
+/// Runs what is not there yet; false when one did not finish. No failure of a run ends the validation.
+bool run_all(const Validation &validation, std::map<std::string, CachedRun> &runs, const bool fresh, Plan &plan, const double expected)
 {
   bool finished = true;
   for (auto &[label, run] : runs)
     {
-      if (run.status != "finished" && !stop_was_requested())
+      const std::string what = validation.runs.at(label).input.filename().string() + (label.empty() ? "" : " (" + label + ")");
+      if (to_be_run(run) && !stop_was_requested())
         {
-          std::cout << "  running " << validation.runs.at(label).input.filename().string() << (label.empty() ? "" : " (" + label + ")")
-                    << " ..." << std::endl;
-          compute(run, validation.runs.at(label), fresh);
+          std::cout << "  " << plan.head() << ": running " << what << " ..." << std::endl;
+          try
+            {
+              compute(run, validation.runs.at(label), fresh, [&](const double seconds) { plan.waiting(seconds, expected, what); });
+            }
+          catch (const std::exception &problem)
+            {
+              run.status = "failed";
+              run.message = problem.what();
+            }
+          plan.finished(expected);
           std::cout << "    " << run.status << " after " << ProgressBar::in_words(run.use.wall_time)
                     << (run.message.empty() ? "" : ": " + run.message) << std::endl;
         }
+      else if (run.status == "failed")
+        std::cout << "  " << what << " had failed (--fresh tries again): " << run.message << std::endl;
       finished = finished && run.status == "finished";
     }
   return finished;
@@ -57,7 +127,8 @@ std::vector<ValidationResult> measured(const Validation &validation, const std::
   double cpu = 0.;
   for (const auto &[label, run] : runs)
     {
-      directories[label] = run.directory;
+      if (run.status == "finished") // what a failed run had found before is no result
+        directories[label] = run.directory;
       cpu += run.use.cpu_time;
     }
   char seconds[40];
@@ -145,13 +216,19 @@ int validate_command(const ValidateOptions &options, const ScenarioRegistry &reg
   install_stop_handler();
   const std::filesystem::path table_file = root / "doc" / "results" / "validation.csv", document = root / "doc" / "validation.md";
   std::vector<ValidationResult> table = read_results(table_file);
+  const std::map<std::string, double> costs = expected_costs(validations, table);
+  Plan plan;
+  for (const auto &[validation, runs] : wanted)
+    for (const auto &[label, run] : runs)
+      if (to_be_run(run))
+        plan.add(costs.at(validation->name));
   std::vector<std::string> lost;
   bool failed = false;
   for (std::size_t k = 0; k < wanted.size() && !stop_was_requested(); ++k)
     {
       auto &[validation, runs] = wanted[k];
       std::cout << "[" << k + 1 << "/" << wanted.size() << "] " << validation->name << std::endl;
-      const bool finished = run_all(*validation, runs, options.fresh);
+      const bool finished = run_all(*validation, runs, options.fresh, plan, costs.at(validation->name));
       if (stop_was_requested())
         break;
       failed = failed || !finished;

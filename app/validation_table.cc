@@ -36,7 +36,7 @@ double look_up(const std::string &reference, const std::map<std::string, std::fi
   const std::string name = colon == std::string::npos ? reference : reference.substr(colon + 1);
   const auto found = directories.find(label);
   if (found == directories.end())
-    throw std::runtime_error("'" + reference + "': there is no run with the label '" + label + "'.");
+    throw std::runtime_error("'" + reference + "': no finished run with the label '" + label + "'.");
   const auto json = nlohmann::json::parse(read_whole(found->second / "summary.json"));
   if (!json.contains("results") || !json["results"].contains(name))
     throw std::runtime_error("'" + name + "' is no result of " + (found->second / "summary.json").string() + ".");
