@@ -105,6 +105,16 @@ void Bruise::results(RunContext &context, const Tissue<2> &tissue, const RveLaw<
   }
   context.result("permanent_stretch_max", memory.largest_permanent, "1");
   context.result("permanent_stretch_mean", s.permanent / s.area, "1");
+  // Of the block as a whole: its mean deformation, and the mean of both plates' nominal pressure carried over to a Cauchy stress as in a
+  // homogeneous block, sigma_xx = P_xx / F_yy (F without shear).
+  dealii::Tensor<2, 2> mean;
+  for (std::size_t q = 0; q < tissue.deformation().size(); ++q)
+    mean += tissue.mesh().gauss_weight[q] * tissue.deformation()[q];
+  mean /= tissue.size()[0] * tissue.size()[1];
+  context.result("final_mean_F_xx", mean[0][0], "1");
+  context.result("final_mean_F_yy", mean[1][1], "1");
+  context.result("final_plates_stress_xx", -0.5 * (tissue.state().tool.force + tissue.state().tool.support) / (tissue.size()[1] * mean[1][1]),
+                 "Pa");
   context.result("tool_work", tissue.state().tool_work, "J/m");
   context.result("energy_dissipated_by_flow", s.by_flow, "J/m");
   context.result("energy_dissipated_by_failure", s.by_failure, "J/m");
