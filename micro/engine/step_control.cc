@@ -11,13 +11,16 @@ namespace turgor
 namespace
 {
 constexpr std::uint64_t steps_between_looks = 100;
+constexpr double smoothing = 40.; // of viscosity, over the Reynolds number of a spacing
 }
 
 template <int dim>
-StepControl<dim>::StepControl(ParticleSystem<dim> &system_, const double fraction_, const double spacings_a_step_)
+StepControl<dim>::StepControl(ParticleSystem<dim> &system_, const double fraction_, const double spacings_a_step_,
+                              const double kinematic_viscosity)
   : system(&system_)
   , fraction(fraction_)
   , spacings_a_step(spacings_a_step_)
+  , viscosity(kinematic_viscosity)
 {
   const double bound = system->stable_time_step();
   step = fraction * std::min(bound, measure_stable_step(*system, bound).dt);
@@ -58,7 +61,10 @@ double StepControl<dim>::step_of_speed() const
           square += (p.v[d][i] - mean[d]) * (p.v[d][i] - mean[d]);
       fastest = std::max(fastest, square / (g.end - g.begin));
     }
-  return fastest > 0. ? spacings_a_step * spacing / std::sqrt(fastest) : HUGE_VAL;
+  if (!(fastest > 0.))
+    return HUGE_VAL;
+  const double v = std::sqrt(fastest);
+  return spacings_a_step * (spacing + smoothing * viscosity / v) / v;
 }
 
 template <int dim>

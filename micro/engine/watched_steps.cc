@@ -13,18 +13,20 @@ constexpr double most_parts = 1000.; // beyond it the run diverges, and its own 
 }
 
 template <int dim>
-WatchedSteps<dim>::WatchedSteps(ParticleSystem<dim> &system_, const double fraction_, const double spacings_a_step_)
+WatchedSteps<dim>::WatchedSteps(ParticleSystem<dim> &system_, const double fraction_, const double spacings_a_step_,
+                                const double kinematic_viscosity)
   : system(system_)
   , fraction(fraction_)
   , spacings_a_step(spacings_a_step_)
+  , viscosity(kinematic_viscosity)
   , plain(system_)
-  , control(system_, fraction_, spacings_a_step_)
+  , control(system_, fraction_, spacings_a_step_, kinematic_viscosity)
 {}
 
 template <int dim>
 void WatchedSteps<dim>::begin_here()
 {
-  control = StepControl<dim>(system, fraction, spacings_a_step);
+  control = StepControl<dim>(system, fraction, spacings_a_step, viscosity);
 }
 
 template <int dim>

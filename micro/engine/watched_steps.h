@@ -15,7 +15,7 @@ class WatchedSteps
 {
 public:
   /// As of StepControl. Measures the present state; begin_here() does so again after a change from outside.
-  WatchedSteps(ParticleSystem<dim> &system, double fraction, double spacings_a_step = 0.007);
+  WatchedSteps(ParticleSystem<dim> &system, double fraction, double spacings_a_step = collision_spacings, double kinematic_viscosity = 0.);
 
   void begin_here();
 
@@ -32,7 +32,7 @@ public:
 
 private:
   ParticleSystem<dim> &system;
-  double fraction, spacings_a_step;
+  double fraction, spacings_a_step, viscosity;
   KickDriftKick<dim> plain;
   StepControl<dim> control;
   std::uint64_t count = 0, extra = 0;

@@ -144,7 +144,7 @@ void CellEndurance::run(RunContext &context)
   Particles<2> &particles = system.particles;
   context.active(system.term_names(), particles.field_names());
 
-  WatchedSteps<2> integrator(system, step_fraction);
+  WatchedSteps<2> integrator(system, step_fraction, collision_spacings, cell.fluid_viscosity / cell.fluid_density);
   Progress at;
   at.dt = integrator.safe_step();
   const std::uint64_t last = std::uint64_t(steps);

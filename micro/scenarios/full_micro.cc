@@ -179,7 +179,7 @@ void FullMicro::run(RunContext &context)
   Particles<2> &particles = system.particles;
   context.active(system.term_names(), particles.field_names());
 
-  WatchedSteps<2> integrator(system, step_fraction);
+  WatchedSteps<2> integrator(system, step_fraction, collision_spacings, cell.fluid_viscosity / cell.fluid_density);
   Progress at;
   at.dt = integrator.safe_step();
   at.steps = std::uint64_t(std::ceil(end_time / at.dt));

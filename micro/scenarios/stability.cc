@@ -138,7 +138,7 @@ Stability::Trial Stability::attempt(RunContext &context, SphPatch &wet, const st
   Trial trial;
   std::optional<StepControl<2>> own;
   if (fixed == 0.)
-    own.emplace(system, step_fraction);
+    own.emplace(system, step_fraction, collision_spacings, cell.fluid_viscosity / cell.fluid_density);
   double dt = own ? own->dt() : fixed;
   trial.first_step = dt;
   const double cpu = process_cpu_seconds();
