@@ -178,7 +178,8 @@ EquilibriumReport HydrostaticRve::find_equilibrium(const RveState<2> &committed,
   return report;
 }
 
-EquilibriumReport HydrostaticRve::break_bonds(const Tensor2<2> &F, std::vector<double> &x, Scratch &scratch) const
+EquilibriumReport HydrostaticRve::break_bonds(const Tensor2<2> &F, std::vector<double> &x, Scratch &scratch,
+                                              const EquilibriumSettings &search) const
 {
   const Tensor2<2> H = F * network.patch().lattice;
   WallHistory &history = scratch.history;
@@ -208,7 +209,7 @@ EquilibriumReport HydrostaticRve::break_bonds(const Tensor2<2> &F, std::vector<d
       const double before = scratch.evaluation.energy;
       history.broken[bond] = 1;
       history.failed[cell] = 1;
-      const EquilibriumReport report = scratch.equilibrium.solve(x, H, settings.equilibrium);
+      const EquilibriumReport report = scratch.equilibrium.solve(x, H, search);
       total.iterations += report.iterations;
       total.residual = report.residual;
       if (!report.converged)
@@ -220,6 +221,38 @@ EquilibriumReport HydrostaticRve::break_bonds(const Tensor2<2> &F, std::vector<d
       network.evaluate(x, H, NetworkOrder::energy, scratch.evaluation, &history);
       history.failure_dissipated += before - scratch.evaluation.energy;
     }
+}
+
+EquilibriumReport HydrostaticRve::drag_on(const RveState<2> &committed, const Tensor2<2> &F, std::vector<double> &x, Scratch &scratch) const
+{
+  const ParenchymaPatch &patch = network.patch();
+  const double spring = patch.tie_stiffness / patch.parameters.lamella_ratio, share = scratch.history.pressure_share;
+  EquilibriumReport report;
+  for (const double part : {1e-4, 1e-3, 1e-2, 1e-1})
+    {
+      scratch.history = virgin;
+      network.unpack(committed.history, scratch.history);
+      scratch.history.pressure_share = share;
+      EquilibriumSettings dragged = settings.equilibrium;
+      dragged.drag = part * spring;
+      map(F * committed.F.inverse(), committed.unknowns, x);
+      const std::vector<double> start = x;
+      report = scratch.equilibrium.solve(x, F * patch.lattice, dragged);
+      if (report.converged)
+        {
+          const EquilibriumReport after = break_bonds(F, x, scratch, dragged);
+          report.converged = after.converged;
+          report.message = after.message;
+          report.iterations += after.iterations;
+        }
+      if (!report.converged)
+        continue;
+      // What is not in balance, the drag itself.
+      for (std::size_t d = 0; d < x.size(); ++d)
+        report.residual = std::max(report.residual, dragged.drag * std::abs(x[d] - start[d]) / network.force_scale());
+      break;
+    }
+  return report;
 }
 
 RveCondition HydrostaticRve::condition(const WallHistory &history) const
@@ -297,11 +330,21 @@ RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor
       EquilibriumReport report = find_equilibrium(committed, F, x, scratch);
       if (report.converged && settings.walls.failure())
         {
-          const EquilibriumReport after = break_bonds(F, x, scratch);
+          const EquilibriumReport after = break_bonds(F, x, scratch, settings.equilibrium);
           report.converged = after.converged;
           report.message = after.message;
           report.iterations += after.iterations;
           report.residual = std::max(report.residual, after.residual);
+        }
+      if (!report.converged && settings.walls.failure() && scratch.history.failed_cells() > 0)
+        {
+          const EquilibriumReport after = drag_on(committed, F, x, scratch);
+          const std::string first = report.message;
+          const int before = report.iterations;
+          report = after;
+          report.iterations += before;
+          if (!report.converged)
+            report.message = first;
         }
       answer.diagnostics.converged = report.converged;
       answer.diagnostics.message = report.message;

@@ -14,6 +14,10 @@
 // on until no bond is beyond: a crack runs as far as it goes by itself. All of it becomes history with the trial state, so a
 // rejected step leaves no trace.
 //
+// A torn network may have no equilibrium near by: loose ends and drained cells that fold up. Where none is found, its nodes are dragged:
+// springs of 1e-4 (up to 0.1, the least that helps) of a wall spring tie them to where the affine motion puts them, one damped step on the way
+// to equilibrium; the next call goes on from there. The force left over is told as the residual; what drag takes counts as dissipated.
+//
 // In: F (no unit), F_dot (1/s). Out: see rve.h. State: node positions (m), x and y interleaved; history: WallHistory::pack().
 #pragma once
 
@@ -62,7 +66,9 @@ private:
   struct Scratch;
   EquilibriumReport find_equilibrium(const RveState<2> &committed, const Tensor2<2> &F, std::vector<double> &x,
                                      Scratch &scratch) const;
-  EquilibriumReport break_bonds(const Tensor2<2> &F, std::vector<double> &x, Scratch &scratch) const;
+  EquilibriumReport break_bonds(const Tensor2<2> &F, std::vector<double> &x, Scratch &scratch, const EquilibriumSettings &search) const;
+  /// Where a torn RVE finds no equilibrium: the least drag with which it comes to rest.
+  EquilibriumReport drag_on(const RveState<2> &committed, const Tensor2<2> &F, std::vector<double> &x, Scratch &scratch) const;
   RveCondition condition(const WallHistory &history) const;
   Tensor4<2> tangent(const std::vector<double> &x, const Tensor2<2> &F, const Tensor2<2> &F_dot, bool relaxed,
                      Scratch &scratch, bool &regular) const;

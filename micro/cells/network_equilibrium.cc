@@ -31,6 +31,21 @@ NetworkEquilibrium::NetworkEquilibrium(const HydrostaticNetwork &network_, std::
   build_pattern();
 }
 
+void NetworkEquilibrium::evaluate(const std::vector<double> &x, const Tensor2<2> &H, const NetworkOrder order, NetworkEvaluation &out) const
+{
+  network.evaluate(x, H, order, out, history);
+  if (!(drag > 0.))
+    return;
+  for (std::size_t d = 0; d < x.size(); ++d)
+    {
+      const double away = x[d] - anchor[d];
+      if (order == NetworkOrder::energy)
+        out.energy += 0.5 * drag * away * away;
+      else
+        out.gradient[d] += drag * away;
+    }
+}
+
 void NetworkEquilibrium::build_pattern()
 {
   const ParenchymaPatch &patch = network.patch();
@@ -139,7 +154,7 @@ Eigen::SparseMatrix<double> NetworkEquilibrium::system(const std::vector<double>
 
 bool NetworkEquilibrium::factorise(const double shift)
 {
-  assemble(shift);
+  assemble(shift + drag);
   return solver.factorise() && solver.negative_pivots() == static_cast<unsigned int>(n_cells);
 }
 
@@ -213,6 +228,9 @@ EquilibriumReport NetworkEquilibrium::solve(std::vector<double> &x, const Tensor
   double shift = 0.;
   bool minimum = true; // the last Hessian was positive definite
   x_trial.resize(x.size());
+  drag = settings.drag;
+  if (drag > 0.)
+    anchor = x;
 
   evaluate(x, H, NetworkOrder::hessian, now);
   report.residual = residual(now);

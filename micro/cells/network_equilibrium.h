@@ -11,6 +11,9 @@
 // residual falls as Newton's method should. A stationary point that is no minimum (walls about to
 // buckle) is left along the direction of most negative curvature, so what is found is a minimum.
 //
+// With drag every node is tied to where it starts by a weak spring: one damped (proximal) step towards the minimum, for networks with
+// loose ends, whose minimum is far, flat or not there at all.
+//
 // Rigid translation is pinned at node 0 unless nodes are clamped. In: x (m, warm start) and H (m).
 // Out: x and how it was reached. Never NaN: a failed search returns the best x and a sentence.
 #pragma once
@@ -28,6 +31,7 @@ struct EquilibriumSettings
 {
   double tolerance = 1e-9;           ///< largest unbalanced force / (turgor * spacing * depth)
   unsigned int max_iterations = 300; ///< Newton iterations
+  double drag = 0.;                  ///< N/m, of the spring that ties a node to where it starts
   std::function<void()> each_iteration = {}; ///< called before each; what it throws ends the search
 };
 
@@ -73,13 +77,13 @@ private:
   double residual(const NetworkEvaluation &at) const;
   bool leave_saddle(std::vector<double> &x, const Tensor2<2> &H);
 
-  void evaluate(const std::vector<double> &x, const Tensor2<2> &H, const NetworkOrder order, NetworkEvaluation &out) const
-  {
-    network.evaluate(x, H, order, out, history);
-  }
+  /// With the springs of drag in energy and gradient.
+  void evaluate(const std::vector<double> &x, const Tensor2<2> &H, NetworkOrder order, NetworkEvaluation &out) const;
 
   const HydrostaticNetwork &network;
   const WallHistory *history = nullptr;
+  double drag = 0.;           ///< N/m, of the last solve()
+  std::vector<double> anchor; ///< m, where it started
   std::vector<int> unknown; ///< per degree of freedom: index in the system, -1 where fixed
   int n_free = 0, n_cells = 0, size = 0;
   BlockLdlt solver;
