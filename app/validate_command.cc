@@ -11,6 +11,7 @@
 #include "micro/io/stop_flag.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
@@ -55,7 +56,7 @@ public:
 
   void waiting(const double seconds, const double expected, const std::string &what)
   {
-    bar.update(total > 0. ? (done + std::min(seconds, 0.95 * expected)) / total : 0., what);
+    bar.update(total > 0. ? (done + expected * (1. - std::exp(-seconds / expected))) / total : 0., what);
   }
 
   void finished(const double expected)

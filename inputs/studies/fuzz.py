@@ -37,7 +37,11 @@ SMALL_TISSUE = {"Columns": (1, 3), "Rows": (1, 3), "End strain": 0.1, "Speed": (
                 "Cell/Nodes per side": [4, 6, 8, 10]}
 SMALL_ROUND = {"Cell/Frequency": (3, 6), "Cell/Fluid particles": (100, 600), "Cell/Anneal steps": (100, 2000),
                "Cell/Yield drop": [0, 0, 0, 0.5]}
+SMALL_SPHEROID = {"First cells": (1, 20), "Duration": (3600, 200000), "Most cells": (0, 100)}
 SCENES = {
+    "spheroid_free": SMALL_SPHEROID,
+    "monolayer": SMALL_SPHEROID,
+    "spheroid_relaxation": dict(SMALL_SPHEROID, **{"Settling time": 7200}),
     "full_micro": {"End time": 1e-6},
     "stability": {"Hold steps": (100, 500), "Bisections": 2},
     "static_lattice": {"Columns": (1, 4), "Rows": (1, 4)},
@@ -159,12 +163,14 @@ def not_finite(directory):
 
 
 def ended(process, seconds):
-    """Waits until the process has ended or used so many seconds of CPU (ten times as long where it uses none)."""
-    start, tick = time.monotonic(), os.sysconf("SC_CLK_TCK")
+    """Waits until the process has ended, used so many seconds of CPU, or used none for two minutes."""
+    before, since, tick = -1.0, time.monotonic(), os.sysconf("SC_CLK_TCK")
     while process.poll() is None:
         with open(f"/proc/{process.pid}/stat", encoding="utf-8") as file:
             used = sum(int(x) for x in file.read().rpartition(")")[2].split()[11:13]) / tick
-        if used > seconds or time.monotonic() - start > 60.0 + 10.0 * seconds:
+        if used != before:
+            before, since = used, time.monotonic()
+        if used > seconds or time.monotonic() - since > 120.0:
             return False
         time.sleep(0.02)
     return True
