@@ -90,12 +90,13 @@ def picture(directory, name):
         right.plot(strain, table["failed_cells"], color=ACCENT, linewidth=1.8, label="failed cells")
         right.set_ylabel("failed cells", color=ACCENT, fontsize=9)
         right.set_ylim(bottom=0)
-        twin = right.twinx()
-        twin.plot(strain, table["broken_ties"], color=ALONG, linewidth=1.4)
-        twin.set_ylabel("broken lamella ties", color=ALONG, fontsize=9)
-        twin.set_ylim(bottom=0)
-        twin.tick_params(labelsize=8, colors=INK)
-        twin.spines["top"].set_visible(False)
+        if table["broken_ties"].max() > 0:
+            twin = right.twinx()
+            twin.plot(strain, table["broken_ties"], color=ALONG, linewidth=1.4)
+            twin.set_ylabel("broken lamella ties", color=ALONG, fontsize=9)
+            twin.set_ylim(bottom=0)
+            twin.tick_params(labelsize=8, colors=INK)
+            twin.spines["top"].set_visible(False)
     else:
         rows = read_table(os.path.join(directory, "rows.csv"))
         names = [n for n in rows if n.startswith("row_")]

@@ -1,21 +1,25 @@
 #!/usr/bin/python3
 """Tables and pictures of what tissue_impact_matrix.py has measured.
 
-    /usr/bin/python3 inputs/studies/tissue_impact_figures.py doc/results/tissue_impact
+    /usr/bin/python3 inputs/studies/tissue_impact_figures.py doc/results/tissue_impact [RUNS]
 
 Prints the tables of its README (Markdown) and writes failure.png (share of failed cells over strain, a logistic curve fitted to the
 mean of the tissues: share = F/(1 + exp(-(strain - e0)/w))), impact.png (force on both plates) and compression.png (stress, and
 modulus over void fraction) beside the tables. What has not been run is left out.
+RUNS: where tissue_impact_matrix.py --keep has put the runs; then also the cells themselves, at true scale: PART_cells.png.
 """
 import csv
 import os
 import re
 import sys
 
+import matplotlib
 import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "app", "plots"))
-from drawing import ACCENT, ALONG, INK, plt, style  # noqa: E402
+from aggregate import draw  # noqa: E402
+from drawing import ACCENT, ALONG, INK, plt, read_table, style  # noqa: E402
+from fields import frames  # noqa: E402
 
 CELLS = 25
 
@@ -83,7 +87,7 @@ def failure(directory):
         shares = np.array([np.interp(at, curves[r]["strain"], curves[r]["failed_cells"] / CELLS) for r in runs])
         F, e0, w, explained = logistic(at, shares.mean(axis=0)) if shares.max() > 0.1 else (0, 0, 0, 0)
         first = [e for e in of("strain_first_failure") if e >= 0]
-        peel = [(results[r]["first_ties_from_junction"], results[r]["last_ties_from_junction"]) for r in runs if results[r].get("broken_ties", 0) >= 10]
+        peel = [(results[r]["first_ties_from_wall_end"], results[r]["last_ties_from_wall_end"]) for r in runs if results[r].get("broken_ties", 0) >= 10]
         lines.append([kind, str(len(runs)), spread(first, 100), spread(of("strain_at_50_percent_of_failures"), 100), spread(of("failed_share"), 100),
                       "%.3g, %.2g, %.2f" % (100 * e0, 100 * w, explained) if F else "-",
                       spread(of("failed_depth_first"), 1, 2), spread(of("failed_depth"), 1, 2), spread(of("broken_bonds_at_junctions"), 100, 2),
@@ -93,7 +97,7 @@ def failure(directory):
             axis = axes[0][panel]
             for share in shares:
                 axis.plot(100 * at, 100 * share, color=ALONG, linewidth=0.8, alpha=0.6)
-            axis.plot(100 * at, 100 * shares.mean(axis=0), color=INK, linewidth=1.8, label="mean of %d" % len(runs))
+            axis.plot(100 * at, 100 * shares.mean(axis=0), color=INK, linewidth=1.8, label="mean of %d tissues" % len(runs) if len(runs) > 1 else "one tissue")
             if F:
                 axis.plot(100 * at, 100 * F / (1 + np.exp(-(at - e0) / w)), "--", color=ACCENT, linewidth=1.4, label="logistic")
             axis.set_title(kind, fontsize=9, color=INK)
@@ -106,7 +110,7 @@ def failure(directory):
     figure.tight_layout()
     figure.savefig(os.path.join(directory, "failure.png"), dpi=130)
     table(["tissue", "runs", "first failure, % strain", "half of the failures, %", "failed at the end, %", "logistic: e0 %, w %, R^2", "depth of the first quarter",
-           "depth at the end", "broken bonds at junctions, %", "broken ties", "ties from junction, first and last fifth, um", "energy balance, most", "crossed bonds"], lines)
+           "depth at the end", "broken bonds at junctions, %", "broken ties", "ties from the end of their wall, first and last fifth, um", "energy balance, most", "crossed bonds"], lines)
 
 
 def impact(directory):
@@ -142,11 +146,21 @@ def compression(directory):
     results, curves = read(directory, "compression")
     if not results:
         return
-    table(["run", "void fraction, %", "modulus at 2 to 6 %, MPa", "at 20 to 30 %, MPa", "ratio", "stress at 10 %, kPa", "at 20 %", "at 30 %",
-           "on the moving plate over the fixed one at 10 %", "energy balance", "crossed bonds"],
-          [[run, "%.2g" % (100 * r["void_fraction"]), "%.3g" % (1e-6 * r["modulus_start"]), "%.3g" % (1e-6 * r["modulus_later"]),
-            "%.2f" % (r["modulus_later"] / r["modulus_start"])] + ["%.3g" % (1e-3 * r["transmitted_stress_at_%d_percent" % e]) for e in (10, 20, 30)]
-           + ["%.2f" % (r["impact_stress_at_10_percent"] / r["transmitted_stress_at_10_percent"]), "%.1g" % r["energy_balance_error"], "%g" % r["crossed_bonds"]]
+    def modulus(run, low, high):
+        curve = curves[run]
+        strain, force = curve["strain"], 0.5 * (curve["stress_top [Pa]"] + curve["stress_bottom [Pa]"])
+        inside = (strain >= low) & (strain <= high)
+        return np.polyfit(strain[inside], force[inside], 1)[0] / 1e6
+
+    def stress(run, strain):
+        curve = curves[run]
+        return 0.5e-3 * np.interp(strain, curve["strain"], np.convolve(curve["stress_top [Pa]"] + curve["stress_bottom [Pa]"], np.ones(3) / 3, "same"))
+
+    table(["run", "void fraction, %", "modulus at 2 to 10 %, MPa", "at 20 to 29 %, MPa", "ratio", "stress at 10 %, kPa", "at 20 %", "at 29 %",
+           "on the moving plate over the fixed one at 20 %", "crossed bonds"],
+          [[run, "%.2g" % (100 * r["void_fraction"]), "%.3g" % modulus(run, 0.02, 0.1), "%.3g" % modulus(run, 0.2, 0.29),
+            "%.2f" % (modulus(run, 0.2, 0.29) / modulus(run, 0.02, 0.1))] + ["%.3g" % stress(run, e) for e in (0.1, 0.2, 0.29)]
+           + ["%.2f" % (r["impact_stress_at_20_percent"] / r["transmitted_stress_at_20_percent"]), "%g" % r["crossed_bonds"]]
            for run, r in results.items()])
     figure, (left, right) = plt.subplots(1, 2, figsize=(8.6, 3.1))
     for k, (run, r) in enumerate(results.items()):
@@ -159,11 +173,11 @@ def compression(directory):
     left.legend(frameon=False, fontsize=8)
     style(left)
     for kind, mark in (("yielding", "o"), ("elastic", "s")):
-        points = sorted((100 * r["void_fraction"], r["modulus_start"] / 1e6) for run, r in results.items() if kind in run)
+        points = sorted((100 * r["void_fraction"], modulus(run, 0.02, 0.1)) for run, r in results.items() if kind in run)
         if points:
             right.plot(*zip(*points), mark + "-", color=ACCENT if kind == "yielding" else ALONG, linewidth=1.2, label=kind + " walls")
     right.set_xlabel("void fraction [%]", fontsize=9, color=INK)
-    right.set_ylabel("modulus at 2 to 6 % strain [MPa]", fontsize=9, color=INK)
+    right.set_ylabel("modulus at 2 to 10 % strain [MPa]", fontsize=9, color=INK)
     right.set_ylim(bottom=0)
     right.legend(frameon=False, fontsize=8)
     style(right)
@@ -171,6 +185,32 @@ def compression(directory):
     figure.savefig(os.path.join(directory, "compression.png"), dpi=130)
 
 
+def cells(directory, runs, part, chosen, moments):
+    """Kept runs (folder, title) below each other, at the given frames beside each other."""
+    chosen = [(os.path.join(runs, part, folder), title) for folder, title in chosen
+              if os.path.exists(os.path.join(runs, part, folder, "summary.json"))]
+    if not chosen:
+        return
+    figure, axes = plt.subplots(len(chosen), len(moments), figsize=(2.5 * len(moments), 2.15 * len(chosen)), squeeze=False)
+    norm = matplotlib.colors.Normalize(100, 500)
+    for row, (run, title) in zip(axes, chosen):
+        table = read_table(os.path.join(run, "loading.csv"))
+        every = frames(run, "cells")
+        start = (every[0].points[:, 1].min() * 1e6, table["plate_top [m]"][0] * 1e6, -150, 780)
+        for axis, moment in zip(row, moments):
+            draw(axis, every[moment * (len(every) - 1) // 12], table, start, norm, plt.get_cmap("viridis"))
+        row[0].text(-0.02, 0.5, title, rotation=90, fontsize=9, color=INK, transform=row[0].transAxes, va="center", ha="right")
+    figure.tight_layout()
+    figure.savefig(os.path.join(directory, part + "_cells.png"), dpi=100)
+
+
 if __name__ == "__main__":
-    for part in (compression, impact, failure):
-        part(sys.argv[1] if len(sys.argv) > 1 else "doc/results/tissue_impact")
+    where = sys.argv[1] if len(sys.argv) > 1 else "doc/results/tissue_impact"
+    for work in (compression, impact, failure):
+        work(where)
+    if len(sys.argv) > 2:
+        cells(where, sys.argv[2], "failure", [("%s_viscosity_x_%d_tissue_1" % (s, v), "%s, viscosity x %d" % (s, v)) for s in ("dense", "sparse") for v in (1, 1000)],
+              (0, 4, 6, 8, 12))
+        cells(where, sys.argv[2], "impact", [("%s_wall_x_%d_viscosity_x_%d" % (s, w, v), "%s, wall x %d, viscosity x %d" % (s, w, v)) for s, w, v in
+                                             (("dense", 1, 1), ("dense", 1, 1000), ("dense", 10, 1), ("sparse", 1, 1))], (0, 2, 4, 8, 12))
+        cells(where, sys.argv[2], "compression", [("gap_%d_um_yielding" % g, "gap %d um" % g) for g in (0, 10, 20, 24)], (0, 4, 8, 12))

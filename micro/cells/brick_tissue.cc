@@ -196,8 +196,11 @@ std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, co
       const std::uint32_t count = bonds_on[wall.on];
       for (std::uint32_t k = 0; k <= count; ++k)
         if (std::min(k, count - k) * tissue->spacing >= brick.gap - eps)
-          ties.push_back({particles.groups[wall.cell].begin + (first_on[wall.on] + k) % ring_nodes,
-                          particles.groups[facing->second.cell].begin + (first_on[facing->second.on] + count - k) % ring_nodes, {{0, 0}}});
+          {
+            ties.push_back({particles.groups[wall.cell].begin + (first_on[wall.on] + k) % ring_nodes,
+                            particles.groups[facing->second.cell].begin + (first_on[facing->second.on] + count - k) % ring_nodes, {{0, 0}}});
+            tissue->tie_from_end.push_back(std::min(k, count - k));
+          }
     }
 
   tissue->wall = &system.add(std::make_unique<RingWall>(law, shapes, single.bending_stiffness, tissue->spacing, single.node_mass));

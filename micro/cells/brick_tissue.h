@@ -51,6 +51,7 @@ struct BrickTissue
   double spacing = 0.;                ///< m, mean length of a bond at rest
   double spring_stiffness = 0.;       ///< N/m, of one wall spring at rest
   double node_mass = 0.;              ///< kg
+  std::vector<std::uint32_t> tie_from_end; ///< per tie: bonds between it and the nearer end of the wall that two cells share
   std::vector<std::vector<std::uint32_t>> junctions; ///< per cell: its nodes (in the ring) where three cells meet
 
   /// Bonds between a node of the ring and the nearest place where three cells meet; the whole ring where there is none.

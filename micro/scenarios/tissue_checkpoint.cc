@@ -25,7 +25,7 @@ void TissueLoading::Run::save(std::ostream &out) const
   write_binary(out, broken_bonds);
   write_binary(out, broken_at_junction);
   write_binary(out, broken_ties);
-  for (const double value : {deepest, most_crossed, released, created, heat, heating_before})
+  for (const double value : {deepest, most_crossed, released, created, flowed, heat, heating_before})
     write_binary(out, value);
   if (tissue->damage)
     tissue->damage->save(out);
@@ -56,7 +56,7 @@ void TissueLoading::Run::load(std::istream &in)
   read_binary(in, broken_bonds);
   read_binary(in, broken_at_junction);
   read_binary(in, broken_ties);
-  for (double *value : {&deepest, &most_crossed, &released, &created, &heat, &heating_before})
+  for (double *value : {&deepest, &most_crossed, &released, &created, &flowed, &heat, &heating_before})
     read_binary(in, *value);
   if (tissue->damage) // before the terms: lists of the fluid depend on it
     tissue->damage->load(in);
@@ -92,9 +92,9 @@ void TissueLoading::Run::require_energy(const std::string &where) const
   if (load_steps > 0 && now - given > 0.02 * (start_energy + std::abs(plates->work())))
     {
       std::ostringstream sentence;
-      sentence << "energy appeared from nothing " << where << " (step " << step << "): something moves too fast for its step. What was written "
-               << "before holds; use a smaller Step fraction (now " << scene.step_fraction << ") or a smaller End strain (now " << scene.end_strain
-               << ").";
+      sentence << "energy appeared from nothing " << where << " (step " << step << "): the plate or a torn wall moves too fast for the "
+               << "step. What was written before holds; use a smaller Speed (now " << scene.speed << " m/s), Step fraction (now " << scene.step_fraction
+               << ") or End strain (now " << scene.end_strain << ").";
       throw RunFailed(sentence.str());
     }
 }

@@ -117,9 +117,9 @@ double slope_between(const std::vector<TissueSample> &history, const double from
       {
         n += 1.;
         x += s.strain;
-        y += s.bottom;
+        y += 0.5 * (s.bottom + s.top);
         xx += s.strain * s.strain;
-        xy += s.strain * s.bottom;
+        xy += s.strain * 0.5 * (s.bottom + s.top);
       }
   const double spread = n * xx - x * x;
   return n >= 2. && spread > 0. ? (n * xy - x * y) / spread : 0.;

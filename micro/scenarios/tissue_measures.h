@@ -38,7 +38,7 @@ TissueSample measure(const BrickTissue &tissue, const TissueStart &start);
 /// Flattening 1 - height / height at the start, mean of every row of cells (the lowest first).
 std::vector<double> flattening_of_rows(const BrickTissue &tissue, const TissueStart &start, unsigned int rows);
 
-/// Slope of the force on the fixed plate against strain between two strains (N), least squares; 0 with less than two samples.
+/// Slope of the mean force on both plates (waves between them cancel) against strain between two strains (N), least squares; 0 with less than two samples.
 double slope_between(const std::vector<TissueSample> &history, double from, double to);
 
 /// Value of a member at a strain, linear between samples; the last one beyond them.

@@ -41,7 +41,7 @@ void TissueLoading::Run::record()
   loading->add_row({s.time, s.strain, s.top, s.bottom, s.top / area, s.bottom / area, (*plates)[1].position, mean_pressure(),
                     system.potential_energy(), system.kinetic_energy(), plates->work(), s.centre, s.flattest, s.stretch_near,
                     s.stretch, s.largest_stretch, s.failed_cells, s.broken_bonds, s.broken_ties, s.failed_depth,
-                    double(tissue->fluid->crossed()), released, heat, overlap, crossed});
+                    double(tissue->fluid->crossed()), released + flowed, heat, overlap, crossed});
   std::vector<double> row{s.time, s.strain};
   for (const double f : flattening_of_rows(*tissue, start, scene.brick.rows))
     row.push_back(f);
@@ -124,7 +124,7 @@ void TissueLoading::Run::report()
   context.result("deepest_overlap", deepest, "m");
   context.result("crossed_bonds", most_crossed, "");
   context.result("stress_at_end", history.back().bottom / area, "Pa");
-  context.result("modulus_start", slope_between(history, 0.02, 0.06) / area, "Pa");
+  context.result("modulus_start", slope_between(history, 0.02, 0.1) / area, "Pa");
   context.result("modulus_later", slope_between(history, 0.2, 0.3) / area, "Pa");
   for (const double e : {0.05, 0.1, 0.2, 0.3})
     if (e <= history.back().strain * (1. + 1e-9))
@@ -150,11 +150,13 @@ void TissueLoading::Run::report()
   context.result("transmitted_oscillation", oscillation(history, std::max<std::size_t>(1, history.size() / 80)), "");
   const double energy = system.potential_energy() + system.kinetic_energy(), given = start_energy + plates->work();
   context.result("plate_work", plates->work(), "J");
-  context.result("energy_unaccounted", given - energy - released, "J"); // what heat should be
+  context.result("energy_unaccounted", given - energy - released - flowed, "J"); // what heat should be
   context.result("energy_given_off_by_breaking", released, "J");
   context.result("energy_created_by_breaking", created, "J");
   context.result("heat", heat, "J");
-  context.result("energy_balance_error", (given - energy - released - heat) / (start_energy + std::abs(plates->work())), "");
+  context.result("energy_balance_error", (given - energy - released - flowed - heat) / (start_energy + std::abs(plates->work())), "");
+  if (tissue->flow)
+    context.result("energy_taken_by_flow", flowed, "J");
   if (tissue->flow)
     context.result("largest_permanent_stretch", tissue->flow->largest(), "");
   report_failure();
@@ -196,9 +198,9 @@ void TissueLoading::Run::report_failure()
       context.result("broken_ties", double(n), "");
       context.result("broken_tie_share", double(n) / double(tissue->ties->all().size()), "");
       context.result("strain_first_tie", strain_reaching(history, &TissueSample::broken_ties, 1.), "");
-      // peeling: the first fifth breaks near the junctions, the last fifth farther along the walls
-      context.result("first_ties_from_junction", mean(0, std::min(n, part)), "m");
-      context.result("last_ties_from_junction", mean(n - std::min(n, part), n), "m");
+      // peeling: the first fifth breaks near the ends of shared walls, where cells meet; the last fifth farther along the walls
+      context.result("first_ties_from_wall_end", mean(0, std::min(n, part)), "m");
+      context.result("last_ties_from_wall_end", mean(n - std::min(n, part), n), "m");
     }
 }
 } // namespace turgor

@@ -1,8 +1,8 @@
 // One run of an aggregate between plates: the tissue, its plates and processes, its history. Inflation and squeezing are in
 // tissue_run.cc, what is checked, saved and resumed in tissue_checkpoint.cc, what is written in tissue_report.cc.
 //
-// Energy (J): start + work of the plates = now + given off by breaking + turned to heat by the fluid's viscosity and the damping + error.
-// Breaking is measured where it happens; heat at the samples, by the trapezoidal rule. The error is reported.
+// Energy (J): start + work of the plates = now + given off by breaking + taken by the flow of walls + turned to heat by the fluid's
+// viscosity and the damping + error. Breaking and flow are measured where they happen; heat at the samples, by the trapezoidal rule. The error is reported.
 #pragma once
 
 #include "micro/engine/respa.h"
@@ -29,8 +29,8 @@ private:
   void hold_walls(bool held);
   void squeeze(bool resumed);
   void step_once();
+  double wall_energy() const;                         ///< J
   bool processes();                                   ///< between steps; true when a force has changed
-  std::uint32_t ring_distance(std::size_t tie) const; ///< bonds from a tie to the next place where three cells meet
   double strain() const { return (start.high - (*plates)[1].position) / start.height(); }
 
   // tissue_checkpoint.cc
@@ -69,7 +69,9 @@ private:
   TissueStart start;
   std::vector<TissueSample> history;
   double broken_bonds = 0., broken_at_junction = 0., deepest = 0., most_crossed = 0.;
-  double released = 0., created = 0., heat = 0., heating_before = 0.; ///< J, given off by what broke; of it negative; heat; W at the last sample
-  std::vector<double> broken_ties; ///< distance to the next junction (bonds), in the order in which they broke
+  double released = 0., created = 0.;         ///< J, given off by what broke; of it negative
+  double flowed = 0.;                         ///< J, taken by walls that yielded
+  double heat = 0., heating_before = 0.;      ///< J; W at the last sample
+  std::vector<double> broken_ties; ///< bonds to the end of its wall, in the order in which they broke
 };
 } // namespace turgor
