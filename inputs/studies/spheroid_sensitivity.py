@@ -4,20 +4,19 @@
 
 NAME: n, eps_tr, alpha_qui, K, T_lys, timer, friction, W, D, seeds, growth_law, calibration (each with the reference run), or all.
 
-A capsule of half the radius and half the wall, R = 50 um and H = 4 um (same H/R, hence the same pressure at the same strain), from
-confluence to 96 h after it: an eighth of the cells. Measured: dilatation (R - R_0)/R_0 at 24 and 48 h, its rate from 48 h to 96 h, density
+A smaller capsule of the same H/R, R = 40 um and H = 3.2 um (the same pressure at the same strain), from confluence to 96 h after it: a
+sixteenth of the cells. Measured: dilatation (R - R_0)/R_0 at 24 and 48 h, its rate from 48 h to 96 h, density
 at 48 h over that at confluence. The runs' results go to doc/results/spheroid/sensitivity.csv, the statements to statements.csv beside it.
 """
 import csv
 import json
 import os
 
-import numpy as np
-
 from table_of_runs import options_of, row_of, run_all, write_table
 
-R_0 = 50e-6
-SMALL = {"Capsule/Radius": R_0, "Capsule/Thickness": 4e-6, "Capsule/Time confined": 345600, "Frames": 0, "Checkpoints": 2}
+R_0 = 40e-6
+SMALL = {"Capsule/Radius": R_0, "Capsule/Thickness": 3.2e-6, "Capsule/Time confined": 345600, "First cells": 60,
+         "Frames": 0, "Checkpoints": 2}
 FRICTION = {"Contact/Normal friction": 5e10, "Contact/Tangential friction": 5e10, "Contact/Medium friction": 5e8, "Capsule/Friction": 2e10}
 
 
@@ -43,18 +42,33 @@ STUDIES = {
 }
 
 
+def at(t, times, values):
+    """Linear interpolation."""
+    for k in range(1, len(times)):
+        if t <= times[k]:
+            share = (t - times[k - 1]) / (times[k] - times[k - 1])
+            return values[k - 1] + share * (values[k] - values[k - 1])
+    return values[-1]
+
+
+def slope(times, values):
+    """Of the least squares line."""
+    mean_t, mean_v = sum(times) / len(times), sum(values) / len(values)
+    return sum((t - mean_t) * (v - mean_v) for t, v in zip(times, values)) / sum((t - mean_t)**2 for t in times)
+
+
 def measure(place):
     """{name: number} of a run."""
     with open(os.path.join(place, "growth.csv"), encoding="utf-8") as file:
         rows = list(csv.reader(file))
-    table = {name.split(" [")[0]: np.array([float(row[k]) for row in rows[1:]]) for k, name in enumerate(rows[0])}
+    table = {name.split(" [")[0]: [float(row[k]) for row in rows[1:]] for k, name in enumerate(rows[0])}
     start = json.load(open(os.path.join(place, "summary.json"), encoding="utf-8"))["results"]["confluence_time"]["value"]
-    hours = (table["time"] - start) / 3600
-    strain = table["capsule_radius"] / R_0 - 1
-    late = hours >= 48
-    return {"d24": np.interp(24, hours, strain), "d48": np.interp(48, hours, strain),
-            "rate": 24 * np.polyfit(hours[late], strain[late], 1)[0],
-            "density": np.interp(48, hours, table["density"]) / np.interp(0, hours, table["density"])}
+    hours = [(t - start) / 3600 for t in table["time"]]
+    strain = [r / R_0 - 1 for r in table["capsule_radius"]]
+    late = [k for k, t in enumerate(hours) if t >= 48]
+    return {"d24": at(24, hours, strain), "d48": at(48, hours, strain),
+            "rate": 24 * slope([hours[k] for k in late], [strain[k] for k in late]),
+            "density": at(48, hours, table["density"]) / at(0, hours, table["density"])}
 
 
 # (study, statement of the thesis, runs it needs, what has to hold for a yes)
