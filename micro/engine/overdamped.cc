@@ -28,7 +28,16 @@ void Overdamped::evaluate(Particles<3> &particles, const std::vector<double> &ga
   contacts.add_forces(particles, threads, trial);
   if (outer)
     outer(particles);
-  friction.velocities(particles, contacts, gamma, implicit_step, threads);
+  if (implicit_step > 0. && outer_stiffness)
+    {
+      drag.assign(gamma.size(), 0.);
+      outer_stiffness(particles, drag);
+      for (std::size_t i = 0; i < gamma.size(); ++i)
+        drag[i] = gamma[i] + implicit_step * drag[i];
+      friction.velocities(particles, contacts, drag, implicit_step, threads);
+    }
+  else
+    friction.velocities(particles, contacts, gamma, implicit_step, threads);
 }
 
 double Overdamped::step(Particles<3> &particles, const std::vector<double> &gamma, const double limit)
@@ -60,7 +69,7 @@ double Overdamped::step(Particles<3> &particles, const std::vector<double> &gamm
               particles.x[d][i] = x_before[d][i] + h * v_before[d][i];
           evaluate(particles, gamma, 0., true);
         }
-      double worst = 0.;
+      double worst = 0., total = 0.;
       bool finite = true;
       for (std::size_t i = 0; i < n; ++i)
         {
@@ -69,8 +78,11 @@ double Overdamped::step(Particles<3> &particles, const std::vector<double> &gamm
             change += (particles.v[d][i] - v_before[d][i]) * (particles.v[d][i] - v_before[d][i]);
           finite = finite && std::isfinite(change);
           worst = std::max(worst, change);
+          total += change;
         }
-      const double error = 0.5 * h * std::sqrt(worst);
+      const double largest = 0.5 * h * std::sqrt(worst);
+      const double error = !parameters.mean_error ? largest :
+                                                    std::max(0.5 * h * std::sqrt(total / double(n)), parameters.tolerance * 4. * largest);
       const double factor = error > 0. ? std::clamp(0.9 * std::sqrt(allowed / error), 0.2, 2.) : 2.;
       if (finite && error <= allowed)
         {
@@ -83,6 +95,19 @@ double Overdamped::step(Particles<3> &particles, const std::vector<double> &gamm
               }
           if (h >= dt || factor < 1.) // a step cut short by the limit says nothing against the long one
             dt = h * factor;
+          if (random_forces)
+            {
+              random_forces(particles, h, accepted);
+              for (auto &v : particles.v)
+                std::fill(v.begin(), v.end(), 0.);
+              friction.velocities_again(particles, contacts, threads);
+              for (int d = 0; d < 3; ++d)
+                for (std::size_t i = 0; i < n; ++i)
+                  particles.x[d][i] += h * particles.v[d][i];
+              for (int d = 0; d < 3; ++d)
+                particles.v[d] = v_before[d];
+            }
+          ++accepted;
           return h;
         }
       ++rejections;
@@ -110,6 +135,7 @@ void Overdamped::save(std::ostream &out) const
 {
   write_binary(out, dt);
   write_binary(out, rejections);
+  write_binary(out, accepted);
   for (const auto &v : v_before)
     write_binary(out, v);
 }
@@ -118,6 +144,7 @@ void Overdamped::load(std::istream &in)
 {
   read_binary(in, dt);
   read_binary(in, rejections);
+  read_binary(in, accepted);
   for (auto &v : v_before)
     read_binary(in, v);
 }

@@ -5,7 +5,13 @@
 //   heun      x += dt/2 (v(x) + v(x + dt v))                         second order, two solves
 //   implicit  x += dt w, (Gamma + dt K) w = F, K = -dF/dx            first order, one solve, no limit of stability
 //
-// Error of a step: dt/2 |v - v_before|, the largest of all cells, against tolerance times the mean radius; v_before is the
+// Forces from outside that stiffen with the way add h times their stiffness to the drag of implicit steps (isotropic). Random forces
+// (motility) move the cells after the step by themselves, x += h Gamma^-1 F_random(h), with the matrix of its last solution: weakly of
+// first order, and no business of the error below.
+//
+// Error of a step: dt/2 |v - v_before|, the largest of all cells, against tolerance times the mean radius; with mean_error the root
+// mean square instead, the largest at most a quarter of the radius: in a large population some cells always divide or
+// touch for the first time, and the largest error would keep all steps as short as theirs; v_before is the
 // velocity of the last step (heun: that of its own first stage). A step that errs more is
 // taken back and repeated with a shorter one. The next step: dt 0.9 sqrt(allowed/error), within [1/5, 2] of the last.
 #pragma once
@@ -32,6 +38,7 @@ struct OverdampedParameters
   double first_step = 1.;    ///< s
   double least_step = 1e-9;  ///< s; shorter: the step fails with a sentence
   double longest_step = 1e9; ///< s
+  bool mean_error = false;   ///< root mean square of all cells, not the largest
 };
 
 class Overdamped
@@ -40,6 +47,11 @@ public:
   /// outer: adds forces from outside (N) to particles.f; gamma: N s/m, per cell, filled in by the caller.
   Overdamped(const OverdampedParameters &parameters, SphereContacts &contacts, Friction &friction,
              std::function<void(Particles<3> &)> outer, unsigned int threads);
+
+  /// stiffness (N/m) += that of the outer forces, per cell, at the positions of their last evaluation.
+  std::function<void(const Particles<3> &, std::vector<double> &)> outer_stiffness;
+  /// particles.f = the random forces (N) of step number `step` of length h (s).
+  std::function<void(Particles<3> &, double h, std::uint64_t step)> random_forces;
 
   /// One accepted step of at most `limit` (s); its length. gamma: N s/m. Throws std::runtime_error when the step would
   /// become shorter than the least one.
@@ -63,7 +75,8 @@ private:
   std::function<void(Particles<3> &)> outer;
   unsigned int threads;
   double dt;
-  std::uint64_t rejections = 0;
+  std::uint64_t rejections = 0, accepted = 0;
+  std::vector<double> drag; ///< N s/m, gamma and what implicit steps add
   std::vector<double> x_before[3], v_before[3]; ///< v_before: empty before the first step
 };
 } // namespace turgor

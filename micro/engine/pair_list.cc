@@ -1,6 +1,9 @@
 #include "micro/engine/pair_list.h"
 
+#include "micro/engine/parallel.h"
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <stdexcept>
 
@@ -17,29 +20,34 @@ PairList<dim>::PairList(const double skin_)
 {}
 
 template <int dim>
-bool PairList<dim>::stale(const Particles<dim> &particles, const std::vector<double> &radius) const
+bool PairList<dim>::stale(const Particles<dim> &particles, const std::vector<double> &radius, const unsigned int threads) const
 {
   if (built_radius.size() != radius.size())
     return true;
   const double allowed = 0.5 * skin;
-  for (std::size_t i = 0; i < radius.size(); ++i)
-    {
-      const double left = allowed - std::max(0., radius[i] - built_radius[i]);
-      double moved = 0.;
-      for (int d = 0; d < dim; ++d)
-        {
-          const double step = particles.x[d][i] - built_at[d][i];
-          moved += step * step;
-        }
-      if (!(left > 0. && moved < left * left))
-        return true;
-    }
-  return false;
+  std::atomic<bool> result{false};
+  for_chunks(threads, Chunks(radius.size(), 4096), [&](std::size_t begin, std::size_t end) {
+    bool good = true;
+    for (std::size_t i = begin; i < end; ++i)
+      {
+        const double left = allowed - std::max(0., radius[i] - built_radius[i]);
+        double moved = 0.;
+        for (int d = 0; d < dim; ++d)
+          {
+            const double step = particles.x[d][i] - built_at[d][i];
+            moved += step * step;
+          }
+        good = good & (left > 0.) & (moved < left * left);
+      }
+    if (!good)
+      result = true;
+  });
+  return result;
 }
 
 template <int dim>
 void PairList<dim>::build(const Particles<dim> &particles, const std::vector<double> &radius,
-                          std::vector<unsigned char> &touching)
+                          std::vector<unsigned char> &touching, const unsigned int threads)
 {
   const std::uint32_t n = std::uint32_t(radius.size());
   std::array<const double *, dim> x;
@@ -51,13 +59,9 @@ void PairList<dim>::build(const Particles<dim> &particles, const std::vector<dou
   built_radius = radius;
   ++build_count;
 
-  const std::vector<Pair> list_before = std::move(list);
-  const std::vector<std::uint32_t> first_before = std::move(first_pair);
-  std::vector<unsigned char> touched = std::move(touching);
-  list.clear();
-  touching.clear();
-  first_pair.assign(1, 0);
-  std::vector<std::uint32_t> count(n + 1, 0);
+  const std::vector<Pair> list_before = touching.empty() ? std::vector<Pair>() : list;
+  const std::vector<std::uint32_t> first_before = touching.empty() ? std::vector<std::uint32_t>(1, 0) : first_pair;
+  const std::vector<unsigned char> touched = std::move(touching);
 
   const double widest = n > 0 ? *std::max_element(radius.begin(), radius.end()) : 0.;
   double low[dim], high[dim];
@@ -68,52 +72,74 @@ void PairList<dim>::build(const Particles<dim> &particles, const std::vector<dou
       high[d] = n > 0 ? *most : 0.;
     }
   const Bins<dim> bins(x.data(), n, 0.5 * (2. * widest + skin), low, high, 256.);
-  std::vector<std::uint32_t> near;
-  for (std::uint32_t i = 0; i < n; ++i)
-    {
-      std::array<double, dim> at;
-      for (int d = 0; d < dim; ++d)
-        at[d] = x[d][i];
-      near.clear();
-      bins.near(at.data(), [&](const std::uint32_t j) {
-        if (j <= i)
-          return;
-        double r2 = 0.;
+
+  // Pairs of each chunk of spheres i on their own, j > i; then one after another.
+  const Chunks chunks(n, 256);
+  if (found.size() < chunks.count())
+    found.resize(chunks.count());
+  first_pair.assign(n + 1, 0);
+  for_chunks(threads, chunks, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::uint32_t> &all = found[begin / chunks.size];
+    all.clear();
+    for (std::uint32_t i = std::uint32_t(begin); i < end; ++i)
+      {
+        std::array<double, dim> at;
         for (int d = 0; d < dim; ++d)
-          r2 += (x[d][j] - at[d]) * (x[d][j] - at[d]);
-        const double reach = radius[i] + radius[j] + skin;
-        if (r2 < reach * reach)
-          near.push_back(j);
-      });
-      std::sort(near.begin(), near.end());
-      for (const std::uint32_t j : near)
+          at[d] = x[d][i];
+        const std::size_t before_i = all.size();
+        const double reach_i = radius[i] + skin;
+        bins.near(at.data(), [&](const std::uint32_t j) {
+          if (j <= i)
+            return;
+          double r2 = 0.;
+          for (int d = 0; d < dim; ++d)
+            r2 += (x[d][j] - at[d]) * (x[d][j] - at[d]);
+          const double reach = reach_i + radius[j];
+          if (r2 < reach * reach)
+            all.push_back(j);
+        });
+        std::sort(all.begin() + std::ptrdiff_t(before_i), all.end());
+        first_pair[i + 1] = std::uint32_t(all.size() - before_i);
+      }
+  });
+  for (std::uint32_t i = 0; i < n; ++i)
+    first_pair[i + 1] += first_pair[i];
+  list.resize(first_pair[n]);
+  touching.assign(first_pair[n], 0);
+  for_chunks(threads, chunks, [&](std::size_t begin, std::size_t end) {
+    const std::uint32_t *j = found[begin / chunks.size].data();
+    for (std::uint32_t i = std::uint32_t(begin); i < end; ++i)
+      for (std::uint32_t p = first_pair[i]; p < first_pair[i + 1]; ++p, ++j)
         {
-          list.push_back({i, j});
-          unsigned char was = 0;
-          if (i + 1 < first_before.size() && !touched.empty())
+          list[p] = {i, *j};
+          if (i + 1 < first_before.size())
             {
-              const auto begin = list_before.begin() + first_before[i], end = list_before.begin() + first_before[i + 1];
-              const auto found = std::lower_bound(begin, end, j, [](const Pair &p, std::uint32_t k) { return p.j < k; });
-              was = found != end && found->j == j && touched[std::size_t(found - list_before.begin())];
+              const auto from = list_before.begin() + first_before[i], to = list_before.begin() + first_before[i + 1];
+              const auto was = std::lower_bound(from, to, *j, [](const Pair &pair, std::uint32_t k) { return pair.j < k; });
+              touching[p] = was != to && was->j == *j && touched[std::size_t(was - list_before.begin())];
             }
-          touching.push_back(was);
-          ++count[i + 1];
-          ++count[j + 1];
         }
-      first_pair.push_back(std::uint32_t(list.size()));
+  });
+
+  std::vector<std::uint32_t> next(n + 1, 0);
+  for (const Pair &pair : list)
+    {
+      ++next[pair.i + 1];
+      ++next[pair.j + 1];
     }
   for (std::uint32_t i = 0; i < n; ++i)
-    count[i + 1] += count[i];
-  first_of = count;
+    next[i + 1] += next[i];
+  first_of = next;
   pair_of.resize(2 * list.size());
   other_of.resize(2 * list.size());
   for (std::uint32_t p = 0; p < list.size(); ++p)
-    for (const auto &[own_sphere, other_sphere] : {std::pair(list[p].i, list[p].j), std::pair(list[p].j, list[p].i)})
-      {
-        const std::uint32_t slot = count[own_sphere]++;
-        pair_of[slot] = p;
-        other_of[slot] = other_sphere;
-      }
+    {
+      const auto [i, j] = list[p];
+      const std::uint32_t slot_i = next[i]++, slot_j = next[j]++;
+      pair_of[slot_i] = pair_of[slot_j] = p;
+      other_of[slot_i] = j;
+      other_of[slot_j] = i;
+    }
 }
 
 template <int dim>

@@ -26,10 +26,12 @@ public:
   /// m
   explicit PairList(double skin);
 
-  bool stale(const Particles<dim> &particles, const std::vector<double> &radius) const;
+  bool stale(const Particles<dim> &particles, const std::vector<double> &radius, unsigned int threads = 1) const;
 
-  /// touching: history of the pairs, kept for those that stay (false for new ones); same order as pairs().
-  void build(const Particles<dim> &particles, const std::vector<double> &radius, std::vector<unsigned char> &touching);
+  /// touching: history of the pairs, kept for those that stay (false for new ones); same order as pairs(). Empty before: no
+  /// history is looked for.
+  void build(const Particles<dim> &particles, const std::vector<double> &radius, std::vector<unsigned char> &touching,
+             unsigned int threads = 1);
 
   const std::vector<Pair> &pairs() const { return list; }
   /// Pairs of sphere i: entries [first[i], first[i + 1]) of own(); the other sphere is in other().
@@ -53,6 +55,7 @@ private:
   std::vector<Pair> list;
   std::vector<std::uint32_t> first_of, pair_of, other_of, first_pair;
   std::vector<double> built_at[dim], built_radius;
+  std::vector<std::vector<std::uint32_t>> found; ///< by chunks of spheres: the other ones of their pairs
   std::size_t build_count = 0;
 };
 

@@ -10,12 +10,15 @@
 //
 // A linearly implicit step, (Gamma + dt K) v = F with K = -dF/dx, has the same form: the contact's stiffness k adds
 // dt k to the normal friction of the pair, F/d (where it pulls) dt to the tangential one.
+// How it is solved: the matrix that conjugate gradients multiply with is kept in single precision (96 bytes for four links, its
+// vectors in double): that is what a core can stream. The residual that counts is the exact matrix's in double, computed at
+// the start and the end; where it is above the tolerance, a correction is solved for (iterative refinement). Rows are computed by one
+// thread in the order of the pair list, sums in the order of chunks: same bits on any number of threads.
 #pragma once
 
 #include "micro/engine/pair_list.h"
 #include "micro/terms/sphere_contacts.h"
 
-#include <array>
 #include <vector>
 
 namespace turgor
@@ -32,34 +35,57 @@ class Friction
 public:
   explicit Friction(const FrictionParameters &parameters);
 
-  /// gamma: N s/m, per cell; implicit_step (s): 0 explicit. Throws std::runtime_error with the residual when not solved.
+  /// particles.v from particles.f, started from particles.v. gamma: N s/m, per cell; implicit_step (s): 0 explicit. Throws
+  /// std::runtime_error with the residual when not solved.
   void velocities(Particles<3> &particles, const SphereContacts &contacts, const std::vector<double> &gamma,
                   double implicit_step, unsigned int threads);
 
+  /// The same matrix once more, for other forces (the contacts have not changed since).
+  void velocities_again(Particles<3> &particles, const SphereContacts &contacts, unsigned int threads);
+
   unsigned int iterations() const { return last_iterations; }
   std::uint64_t total_iterations() const { return all_iterations; }
+  std::size_t memory_bytes() const;
 
 private:
-  struct Block ///< symmetric 3 x 3: xx, xy, xz, yy, yz, zz
+  using Lanes = double __attribute__((vector_size(32)));
+  struct Row ///< a vector of a cell, the fourth number is 0
   {
-    double m[6]{};
+    Lanes v{};
   };
-  void assemble(const SphereContacts &contacts, const std::vector<double> &gamma, double implicit_step, unsigned int threads);
-  void multiply(const SphereContacts &contacts, const std::vector<std::array<double, 3>> &x,
-                std::vector<std::array<double, 3>> &y, unsigned int threads) const;
+  struct alignas(16) Links ///< four pairs of one cell; Gamma v = tangential v + difference e (e.v). Empty places: zeros and the cell itself
+  {
+    float e[3][4];
+    float tangential[4], difference[4]; ///< N s/m
+    std::uint32_t other[4];
+  };
+  struct alignas(16) Block ///< 3 x 3, the fourth numbers are 0
+  {
+    float column[3][4];
+  };
+  struct Coefficients ///< N s/m, of a pair
+  {
+    double normal, tangential;
+  };
+
+  bool none(double implicit_step) const;
+  Coefficients coefficients(const PairContact &contact, double implicit_step) const;
+  void assemble(const SphereContacts &contacts, unsigned int threads);
+  /// Row i of the single-precision matrix times x.
+  Lanes product(std::size_t i, const std::vector<Row> &x) const;
+  /// r = F - A v, exact matrix; its square.
+  double exact_residual(const Particles<3> &particles, const SphereContacts &contacts, unsigned int threads);
+  void correct(double target, double residual, unsigned int threads, double allowed);
+  void solve(Particles<3> &particles, const SphereContacts &contacts, unsigned int threads);
+  Lanes preconditioned(std::size_t i) const;
 
   FrictionParameters parameters;
-  struct Link ///< a pair seen from one of its cells
-  {
-    double e[3];
-    double tangential, difference; ///< N s/m; Gamma v = tangential v + difference e (e.v)
-    std::uint32_t other;
-  };
-  std::vector<Link> links; ///< in the order of the pair list's own()
-  std::vector<std::uint32_t> first; ///< links of cell i; only pairs in contact
-  std::vector<double> own;          ///< gamma
-  std::vector<Block> inverse;       ///< of the diagonal blocks
-  std::vector<std::array<double, 3>> v, r, z, s, As;
+  double step = 0.;                      ///< s, the implicit one of the last velocities()
+  std::vector<Links> links;
+  std::vector<std::uint32_t> first, end; ///< of cell i in links
+  std::vector<double> own;               ///< gamma
+  std::vector<Block> inverse;            ///< of the diagonal blocks
+  std::vector<Row> v, r, s, As, correction;
   std::vector<double> parts;
   unsigned int last_iterations = 0;
   std::uint64_t all_iterations = 0;

@@ -8,8 +8,9 @@
 
 namespace turgor
 {
-SphereContacts::SphereContacts(const ContactLaw &law_, const double skin)
+SphereContacts::SphereContacts(const ContactLaw &law_, const double skin, std::optional<LocalStiffness> stiffness_)
   : law(law_)
+  , stiffness(std::move(stiffness_))
   , pairs(skin)
 {}
 
@@ -20,36 +21,77 @@ std::string SphereContacts::name(const ContactLaw &law)
                                                      "extended_hertz_contact";
 }
 
-template <class Law>
-void SphereContacts::compute_pairs(const Law &one, const Particles<3> &particles, const unsigned int threads,
-                                   const bool trial)
+void SphereContacts::pack(const Particles<3> &particles, const unsigned int threads)
 {
-  const double *x = particles.x[0].data(), *y = particles.x[1].data(), *z = particles.x[2].data();
-  const double *radius = particles.field("radius").data(), *modulus = particles.field("modulus").data();
+  const std::vector<double> &radius = particles.field("radius"), &modulus = particles.field("modulus");
+  const std::size_t n = radius.size();
+  const Chunks chunks(n, 2048);
+  cells.resize(n);
+  for_chunks(threads, chunks, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      cells[i] = {{particles.x[0][i], particles.x[1][i], particles.x[2][i]}, radius[i], modulus[i]};
+  });
+  if (!stiffness)
+    return;
+  const double *volume = particles.has("reference_volume") ? particles.field("reference_volume").data() : nullptr;
+  for_chunks(threads, chunks, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      cells[i].reference = volume ? std::cbrt(volume[i] * (0.75 / std::numbers::pi)) : cells[i].radius;
+  });
+  const auto &first = pairs.first(), &other = pairs.other();
+  for_chunks(threads, chunks, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      {
+        Cell &own = cells[i];
+        double sum = 0., count = 0.;
+        for (std::uint32_t k = first[i]; k < first[i + 1]; ++k)
+          {
+            const Cell &c = cells[other[k]];
+            const double dx = c.x[0] - own.x[0], dy = c.x[1] - own.x[1], dz = c.x[2] - own.x[2];
+            const double r2 = dx * dx + dy * dy + dz * dz, reach = c.radius + own.radius;
+            if (r2 < reach * reach)
+              {
+                sum += 1. - std::sqrt(r2) / (c.reference + own.reference);
+                count += 1.;
+              }
+          }
+        if (count > 0.)
+          {
+            const LocalStiffness::Value g = (*stiffness)(sum / count);
+            own.slope = own.modulus * g.slope; // modulus: read by no other cell's sum
+            own.modulus *= g.factor;
+          }
+      }
+  });
+}
+
+template <class Law>
+void SphereContacts::compute_pairs(const Law &one, const unsigned int threads, const bool trial)
+{
   const std::vector<Pair> &list = pairs.pairs();
   std::atomic<std::size_t> coincide{list.size()};
   for_chunks(threads, Chunks(list.size(), 2048), [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p)
       {
-        const auto [i, j] = list[p];
+        const Cell &i = cells[list[p].i], &j = cells[list[p].j];
         PairContact &c = contact[p];
-        const double dx = x[j] - x[i], dy = y[j] - y[i], dz = z[j] - z[i], r2 = dx * dx + dy * dy + dz * dz;
-        const double reach = radius[i] + radius[j];
-        if (!Law::has_history && !(r2 < reach * reach))
+        const double dx = j.x[0] - i.x[0], dy = j.x[1] - i.x[1], dz = j.x[2] - i.x[2], r2 = dx * dx + dy * dy + dz * dz;
+        const double reach = i.radius + j.radius;
+        bool now = r2 < reach * reach;
+        double d = 0., R = 0., E = 0.;
+        if (now || (Law::has_history && touching[p]))
           {
-            c = PairContact();
-            if (!trial)
-              touching[p] = 0;
-            continue;
+            d = std::sqrt(r2);
+            R = i.radius * j.radius / reach;
+            E = in_series(i.modulus, j.modulus);
+            now = one.touching(R, E, reach - d, touching[p]);
           }
-        const double d = std::sqrt(r2), delta = reach - d;
-        const double R = in_series(radius[i], radius[j]), E = in_series(modulus[i], modulus[j]);
-        const bool now = one.touching(R, E, delta, touching[p]);
-        if (!trial)
+        if (Law::has_history && !trial)
           touching[p] = now;
         if (!now)
           {
-            c = PairContact();
+            if (c.distance != 0.)
+              c = PairContact();
             continue;
           }
         if (!(d > 0.))
@@ -57,9 +99,14 @@ void SphereContacts::compute_pairs(const Law &one, const Particles<3> &particles
             coincide = p;
             continue;
           }
-        const SphereContact s = one(R, E, delta);
+        const SphereContact s = one(R, E, reach - d);
         const double id = 1. / d;
         c = {{dx * id, dy * id, dz * id}, s.force, s.stiffness, s.area, s.energy, d};
+        if (stiffness && s.force > 0.)
+          { // d(1/E) = sum of d(1/E_i): dE = E^2 (dE_i/E_i^2 + dE_j/E_j^2)
+            const double a = E / i.modulus, b = E / j.modulus;
+            c.stiffness += s.force / E * (a * a * i.slope + b * b * j.slope) / (i.reference + j.reference);
+          }
       }
   });
   if (coincide < list.size())
@@ -71,12 +118,17 @@ void SphereContacts::compute_pairs(const Law &one, const Particles<3> &particles
 void SphereContacts::add_forces(Particles<3> &particles, const unsigned int threads, const bool trial)
 {
   const std::vector<double> &radius = particles.field("radius");
-  if (pairs.stale(particles, radius))
-    pairs.build(particles, radius, touching);
+  if (pairs.stale(particles, radius, threads))
+    {
+      if (!std::visit([](const auto &one) { return one.has_history; }, law))
+        touching.clear();
+      pairs.build(particles, radius, touching, threads);
+      contact.assign(pairs.pairs().size(), PairContact());
+    }
+  pack(particles, threads);
   contact.resize(pairs.pairs().size());
-  std::visit([&](const auto &one) { compute_pairs(one, particles, threads, trial); }, law);
-  const auto &first = pairs.first(), &own = pairs.own();
-  const std::vector<Pair> &list = pairs.pairs();
+  std::visit([&](const auto &one) { compute_pairs(one, threads, trial); }, law);
+  const auto &first = pairs.first(), &own = pairs.own(), &other = pairs.other();
   for_chunks(threads, Chunks(radius.size()), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       {
@@ -84,7 +136,7 @@ void SphereContacts::add_forces(Particles<3> &particles, const unsigned int thre
         for (std::uint32_t k = first[i]; k < first[i + 1]; ++k)
           {
             const PairContact &c = contact[own[k]];
-            const double f = list[own[k]].i == i ? -c.force : c.force;
+            const double f = other[k] > i ? -c.force : c.force;
             for (int d = 0; d < 3; ++d)
               sum[d] += f * c.e[d];
           }
@@ -129,6 +181,11 @@ double SphereContacts::pair_energy(const double radius_i, const double radius_j,
   const double delta = radius_i + radius_j - distance;
   return std::visit(
     [&](const auto &one) { return one.touching(R, E, delta, false) ? one(R, E, delta).energy : 0.; }, law);
+}
+
+std::size_t SphereContacts::memory_bytes() const
+{
+  return pairs.memory_bytes() + sizeof(PairContact) * contact.capacity() + touching.capacity() + sizeof(Cell) * cells.capacity();
 }
 
 void SphereContacts::save(std::ostream &out) const

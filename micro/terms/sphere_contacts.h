@@ -2,15 +2,25 @@
 // (sphere_contact.h has the laws). The forces go into a sum over each cell's own pairs; the friction matrix
 // (cell_friction.h) is assembled from the same pairs.
 //
-// Fields read: radius (m), modulus (Pa, E/(1 - nu^2) of each cell). Written: f (N).
+// Fields read: radius (m), modulus (Pa, E/(1 - nu^2) of each cell), with a local stiffness reference_volume (m^3) where there is one.
+// Written: f (N).
+//
+// Local stiffness (local_stiffness.h): before the pairs each cell's modulus is multiplied by g of its mean compression d_i over
+// the cells it overlaps. The forces then depend on all neighbours, and are no longer the slope of an energy; energy() is that of the
+// pairs at the present moduli. The stiffness of a pair counts what its own compression alone would do to both moduli: that of
+// uniform compression, an upper bound for implicit steps.
+//
+// For speed: what the pairs read of a cell is packed into one cache line first; a pair is computed once, in parallel over pairs.
 // Stress of a cell (thesis Eq. 2.13, 2.14 with the sign of errata): sigma_i = (1/V_i) sum_j f_ij (x) r_ij over its contacts,
 // r_ij from its centre to the contact plane, |r_ij| = (d + R_i - R_j)/2; p_i = -tr(sigma_i)/3.
 #pragma once
 
 #include "micro/engine/pair_list.h"
+#include "micro/terms/local_stiffness.h"
 #include "micro/terms/sphere_contact.h"
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -18,8 +28,8 @@ namespace turgor
 {
 using ContactLaw = std::variant<HertzContact, ExtendedHertzContact, JkrContact>;
 
-/// What one pair does; all zero where it does not touch.
-struct PairContact
+/// What one pair does; all zero where it does not touch. One cache line.
+struct alignas(64) PairContact
 {
   double e[3]{};        ///< unit vector from i to j
   double force = 0.;    ///< N, positive apart
@@ -32,8 +42,8 @@ struct PairContact
 class SphereContacts
 {
 public:
-  /// skin: m, of the pair list.
-  SphereContacts(const ContactLaw &law, double skin);
+  /// skin: m, of the pair list. stiffness: none, moduli stay what they are.
+  SphereContacts(const ContactLaw &law, double skin, std::optional<LocalStiffness> stiffness = {});
 
   static std::string name(const ContactLaw &law);
 
@@ -59,11 +69,21 @@ public:
   void save(std::ostream &out) const;
   void load(std::istream &in, const Particles<3> &particles);
 
+  std::size_t memory_bytes() const;
+
 private:
+  struct alignas(64) Cell ///< what pairs read
+  {
+    double x[3], radius, modulus;
+    double slope = 0., reference = 0.; ///< Pa: modulus over the compression; m: R_ref
+  };
+  void pack(const Particles<3> &particles, unsigned int threads);
   template <class Law>
-  void compute_pairs(const Law &law, const Particles<3> &particles, unsigned int threads, bool trial);
+  void compute_pairs(const Law &law, unsigned int threads, bool trial);
 
   ContactLaw law;
+  std::optional<LocalStiffness> stiffness;
+  std::vector<Cell> cells;
   PairList<3> pairs;
   std::vector<PairContact> contact;
   std::vector<unsigned char> touching;

@@ -1,6 +1,8 @@
 // A population of spheres in over-damped motion: pair list against all pairs, contact forces and momentum, the friction matrix
 // against a dense solution, two cells by hand.
 #include "micro/engine/counter_random.h"
+#include "micro/engine/overdamped.h"
+#include "micro/processes/cell_motility.h"
 #include "micro/terms/cell_friction.h"
 
 #include <boost/test/unit_test.hpp>
@@ -185,6 +187,164 @@ BOOST_AUTO_TEST_CASE(two_cells_by_hand)
   BOOST_TEST(p.v[0][0] == -p.v[0][1], boost::test_tools::tolerance(1e-10));
   // pressure of a cell: force times the way to the contact plane over 3 V
   BOOST_TEST(contacts.pressure(p, 0, 10.) == 2. / 3. * 1.5 / 30., boost::test_tools::tolerance(1e-14));
+}
+
+// Two cells of R_ref = R overlapping by 0.3 R: d = 0.15, both moduli are multiplied by g(0.15).
+BOOST_AUTO_TEST_CASE(local_stiffness_multiplies_the_moduli)
+{
+  const LocalStiffness stiffness = LocalStiffness::repaired_C9();
+  for (const ContactLaw &law : {ContactLaw(HertzContact()), ContactLaw(JkrContact{1e-4})})
+    {
+      Particles<3> p = crowd(2, 1);
+      p.field("radius") = {radius_0, radius_0};
+      p.field("modulus") = {400., 500.};
+      for (int d = 0; d < 3; ++d)
+        p.x[d] = {0., 0.};
+      p.x[0][1] = 1.7 * radius_0;
+      SphereContacts contacts(law, 1e-6, stiffness);
+      contacts.add_forces(p, 1);
+      const double g = stiffness(0.15).factor;
+      const SphereContact expected =
+        std::visit([&](const auto &one) { return one(0.5 * radius_0, g * in_series(400., 500.), 0.3 * radius_0); }, law);
+      BOOST_TEST(p.f[0][1] == expected.force, boost::test_tools::tolerance(1e-12));
+      // the stiffness is the slope of the force where all moduli follow
+      const auto force = [&](const double distance) {
+        p.x[0][1] = distance;
+        p.f[0] = {0., 0.};
+        contacts.add_forces(p, 1);
+        return p.f[0][1];
+      };
+      const double h = 1e-4 * radius_0, slope = (force(1.7 * radius_0 - h) - force(1.7 * radius_0 + h)) / (2. * h);
+      force(1.7 * radius_0);
+      if (std::holds_alternative<HertzContact>(law))
+        BOOST_TEST(contacts.contacts()[0].stiffness == slope, boost::test_tools::tolerance(1e-5));
+      else
+        BOOST_TEST(contacts.contacts()[0].stiffness >= 0.9 * slope); // W's part of the force does not grow with the modulus
+    }
+}
+
+// The mean over neighbours: a cell between a near and a far one has the modulus of their mean compression.
+BOOST_AUTO_TEST_CASE(local_stiffness_is_that_of_the_mean_compression)
+{
+  const LocalStiffness stiffness = LocalStiffness::repaired_C9();
+  Particles<3> p = crowd(3, 1);
+  p.field("radius") = {radius_0, radius_0, radius_0};
+  p.field("modulus") = {400., 400., 400.};
+  p.x[1] = p.x[2] = {0., 0., 0.};
+  p.x[0] = {-1.6 * radius_0, 0., 1.8 * radius_0};
+  SphereContacts contacts(HertzContact(), 1e-6, stiffness);
+  contacts.add_forces(p, 1);
+  const double middle = 400. * stiffness(0.15).factor, left = 400. * stiffness(0.2).factor, right = 400. * stiffness(0.1).factor;
+  const double F_left = HertzContact()(0.5 * radius_0, in_series(left, middle), 0.4 * radius_0).force,
+               F_right = HertzContact()(0.5 * radius_0, in_series(right, middle), 0.2 * radius_0).force;
+  BOOST_TEST(p.f[0][0] == -F_left, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(p.f[0][2] == F_right, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(p.f[0][1] == F_left - F_right, boost::test_tools::tolerance(1e-12));
+}
+
+// The same matrix for other forces: Gamma v = F once more, against its own residual by momentum: sum gamma_i v_i = sum F_i.
+BOOST_AUTO_TEST_CASE(the_matrix_solves_again_for_other_forces)
+{
+  const std::uint32_t n = 300;
+  Particles<3> p = crowd(n, 8);
+  SphereContacts contacts(HertzContact(), 1e-6);
+  contacts.add_forces(p, 1);
+  const std::vector<double> gamma(n, 0.1);
+  Friction friction({.normal = 5e10, .tangential = 2e10, .tolerance = 1e-11});
+  friction.velocities(p, contacts, gamma, 0., 1);
+  const auto first = p.v;
+  for (int d = 0; d < 3; ++d)
+    for (std::uint32_t i = 0; i < n; ++i)
+      p.f[d][i] *= -3.;
+  friction.velocities_again(p, contacts, 2);
+  double size = 0., worst = 0., momentum = 0., forces = 0.;
+  for (int d = 0; d < 3; ++d)
+    for (std::uint32_t i = 0; i < n; ++i)
+      {
+        size = std::max(size, std::abs(first[d][i]));
+        worst = std::max(worst, std::abs(p.v[d][i] + 3. * first[d][i]));
+        if (d == 0)
+          {
+            p.f[0][i] = i == 0; // a force that does not sum to zero
+            forces += p.f[0][i];
+          }
+        else
+          p.f[d][i] = 0.;
+      }
+  BOOST_CHECK_SMALL(worst, 1e-7 * size); // residual 1e-11 times the condition, below 1e3 here
+  friction.velocities_again(p, contacts, 1);
+  for (std::uint32_t i = 0; i < n; ++i)
+    momentum += gamma[i] * p.v[0][i];
+  BOOST_TEST(momentum == forces, boost::test_tools::tolerance(1e-9));
+  for (auto &f : p.f)
+    std::fill(f.begin(), f.end(), 0.);
+  friction.velocities_again(p, contacts, 1);
+  BOOST_TEST(p.v[0][0] == 0.); // no force, no motion, and no search for it
+}
+
+// Cells far apart that move by themselves in the engine, every method: <x^2> = 6 D t, same bits on two threads.
+BOOST_AUTO_TEST_CASE(motility_in_the_engine)
+{
+  constexpr double D = 1e-16;
+  const std::uint32_t n = 4000;
+  for (const auto method : {OverdampedMethod::euler, OverdampedMethod::heun, OverdampedMethod::implicit})
+    {
+      std::vector<double> ends[2];
+      for (const unsigned int threads : {1u, 2u})
+        {
+          Particles<3> p = crowd(n, 2);
+          std::vector<std::uint64_t> id(n);
+          for (std::uint32_t i = 0; i < n; ++i)
+            {
+              id[i] = i;
+              for (int d = 0; d < 3; ++d)
+                p.x[d][i] = d == 0 ? 1e-3 * i : 0.;
+            }
+          const std::vector<double> gamma(n, 0.3);
+          SphereContacts contacts(HertzContact(), 1e-6);
+          Friction friction({.normal = 5e10, .tangential = 5e10});
+          Overdamped motion({.method = method, .first_step = 50., .longest_step = 100.}, contacts, friction, {}, threads);
+          motion.random_forces = [&](Particles<3> &q, const double h, const std::uint64_t step) {
+            set_motility_forces(q, id, gamma, D, h, 4, step);
+          };
+          double t = 0.;
+          while (t < 1000.)
+            t += motion.step(p, gamma, 1000. - t);
+          double sum = 0.;
+          for (std::uint32_t i = 0; i < n; ++i)
+            sum += (p.position(i) - Vector<3>(1e-3 * i, 0., 0.)).squaredNorm() / n;
+          BOOST_CHECK_SMALL(sum / (6. * D * t) - 1., 4. * std::sqrt(2. / (3. * n)));
+          ends[threads - 1] = p.x[1];
+        }
+      BOOST_CHECK(ends[0] == ends[1]);
+    }
+}
+
+// One pair deep in each other among many at rest: measured by the mean, steps follow the many, and the pair ends at the same place.
+BOOST_AUTO_TEST_CASE(steps_by_the_mean_error_are_longer_and_end_alike)
+{
+  const std::uint32_t n = 400;
+  double ends[2];
+  unsigned int steps[2];
+  for (const bool mean : {false, true})
+    {
+      Particles<3> p = crowd(n, 2);
+      for (std::uint32_t i = 0; i < n; ++i)
+        for (int d = 0; d < 3; ++d)
+          p.x[d][i] = d == 0 ? 1e-4 * i : 0.;
+      p.x[0][1] = 0.3 * radius_0;
+      SphereContacts contacts(HertzContact(), 1e-6);
+      Friction friction({.normal = 5e10, .tangential = 5e10});
+      Overdamped motion({.method = OverdampedMethod::implicit, .tolerance = 5e-3, .mean_error = mean}, contacts, friction, {}, 1);
+      const std::vector<double> gamma(n, 0.3);
+      steps[mean] = 0;
+      for (double t = 0.; t < 20000.; ++steps[mean])
+        t += motion.step(p, gamma, 20000. - t);
+      ends[mean] = p.x[0][1] - p.x[0][0];
+    }
+  BOOST_TEST(steps[1] < steps[0]);
+  // the mean of 400 is a twentieth of the pair's own error: what a step may err adds up to some hundredths of a radius
+  BOOST_CHECK_SMALL(ends[1] - ends[0], 0.1 * radius_0);
 }
 
 BOOST_AUTO_TEST_CASE(contacts_that_hold_on_survive_a_checkpoint)

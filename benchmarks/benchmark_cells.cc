@@ -1,0 +1,138 @@
+// ns per cell of the over-damped population: a ball of cells, about 11 neighbours each, 10^3 to 10^6 cells on 1 and 2 threads.
+//
+//   cmake -S . -B build-bench -G Ninja -DTURGOR_BENCHMARKS=ON && ninja -C build-bench benchmark_cells
+//   build-bench/benchmarks/benchmark_cells
+//
+// pair_mechanics: whole explicit steps without pair friction (is the list still good, lists as often as the moving cells need,
+//   forces of all contacts, velocities, positions). Counters: cpu_ns_cell (CPU time of all threads, a step), neighbours (in the
+//   list), contacts, steps_per_list, bytes_cell (lists, contacts and friction matrix).
+// friction: the matrix at one state, pair friction 10 times the medium's. assembly_ns_cell: with the right-hand side and one
+//   product; iteration_ns_cell: of conjugate gradients to 1e-6.
+// The time column is wall time.
+#include "micro/engine/counter_random.h"
+#include "micro/engine/gathered.h"
+#include "micro/engine/overdamped.h"
+#include "micro/engine/space_order.h"
+
+#include <benchmark/benchmark.h>
+#include <tbb/global_control.h>
+
+#include <ctime>
+
+namespace
+{
+using namespace turgor;
+
+constexpr double R_0 = 7e-6;
+
+double cpu() { return double(std::clock()) / CLOCKS_PER_SEC * 1e9; }
+
+/// Face-centred ball with a jitter, neighbours overlapping by a tenth of the radius, cells in the order that populations are sorted into.
+Particles<3> ball(const std::size_t n)
+{
+  const double nearest = 1.9 * R_0, a = nearest / std::sqrt(2.);
+  const int reach = int(std::cbrt(double(n) * 2. / 4.19)) + 2;
+  std::vector<std::array<double, 4>> sites;
+  for (int z = -reach; z <= reach; ++z)
+    for (int y = -reach; y <= reach; ++y)
+      for (int x = -reach; x <= reach; ++x)
+        if ((x + y + z) % 2 == 0)
+          sites.push_back({double(x * x + y * y + z * z), double(x), double(y), double(z)});
+  std::stable_sort(sites.begin(), sites.end(), [](const auto &p, const auto &q) { return p[0] < q[0]; });
+  sites.resize(n);
+  Particles<3> p;
+  p.resize(n);
+  p.groups = {{0, 0, std::uint32_t(n)}};
+  p.declare("radius");
+  p.declare("modulus");
+  for (std::size_t i = 0; i < n; ++i)
+    {
+      for (std::size_t d = 0; d < 3; ++d)
+        p.x[d][i] = a * sites[i][d + 1] + 0.1 * R_0 * (random_uniform(1, 4 * i + d) - 0.5);
+      p.field("radius")[i] = R_0 * (1. + 0.05 * (random_uniform(1, 4 * i + 3) - 0.5));
+      p.field("modulus")[i] = 590.;
+    }
+  gather(p, space_order(p, 2. * R_0));
+  return p;
+}
+
+void pair_mechanics(benchmark::State &state)
+{
+  const std::size_t n = std::size_t(state.range(0));
+  const unsigned int threads = unsigned(state.range(1));
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  Particles<3> cells = ball(n);
+  SphereContacts contacts(HertzContact(), 0.2 * R_0);
+  Friction friction({});
+  // 5 s steps: about 1 % of a radius a step in the beginning, and unrest goes on by the moving radii below
+  Overdamped motion({.method = OverdampedMethod::euler, .tolerance = 1e9, .first_step = 5., .longest_step = 5.}, contacts, friction,
+                    {}, threads);
+  const std::vector<double> gamma(n, 0.3);
+  for (int k = 0; k < 3; ++k)
+    motion.step(cells, gamma, 5.);
+  const std::size_t lists = contacts.list().builds();
+  double steps = 0.;
+  const double start = cpu();
+  for (auto _ : state)
+    {
+      motion.step(cells, gamma, 5.);
+      for (std::size_t i = std::size_t(steps) % 7; i < n; i += 7) // growth and shrinking keep cells moving
+        cells.field("radius")[i] = R_0 * (1. + 0.1 * (random_uniform(2, i + n * std::size_t(steps)) - 0.5));
+      steps += 1.;
+    }
+  state.counters["cpu_ns_cell"] = (cpu() - start) / (steps * double(n));
+  state.counters["neighbours"] = 2. * double(contacts.list().pairs().size()) / double(n);
+  double touching = 0.;
+  for (const PairContact &c : contacts.contacts())
+    touching += 2. * (c.area > 0.);
+  state.counters["contacts"] = touching / double(n);
+  state.counters["steps_per_list"] = steps / double(contacts.list().builds() - lists);
+  state.counters["bytes_cell"] = double(contacts.memory_bytes() + friction.memory_bytes()) / double(n);
+}
+BENCHMARK(pair_mechanics)
+  ->ArgNames({"cells", "threads"})
+  ->ArgsProduct({{1000, 10000, 100000, 1000000}, {1, 2}})
+  ->MeasureProcessCPUTime()
+  ->UseRealTime();
+
+void friction(benchmark::State &state)
+{
+  const std::size_t n = std::size_t(state.range(0));
+  const unsigned int threads = unsigned(state.range(1));
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  Particles<3> cells = ball(n);
+  SphereContacts contacts(HertzContact(), 0.2 * R_0);
+  contacts.add_forces(cells, threads);
+  const double area = 3.14 * 0.5 * R_0 * 0.1 * R_0, pair = 5e10;
+  const std::vector<double> gamma(n, 11. * area * pair / 10.);
+  Friction assembled({.normal = pair, .tangential = pair, .tolerance = 1e9}), solved({.normal = pair, .tangential = pair});
+  for (Friction *warm : {&assembled, &solved}) // memory is there
+    warm->velocities(cells, contacts, gamma, 0., threads);
+  double assembly = 0., all = 0., iterations = 0.;
+  for (auto _ : state)
+    {
+      const double t0 = cpu();
+      assembled.velocities(cells, contacts, gamma, 0., threads);
+      const double t1 = cpu();
+      for (auto &v : cells.v)
+        std::fill(v.begin(), v.end(), 0.);
+      const double t2 = cpu();
+      solved.velocities(cells, contacts, gamma, 0., threads);
+      all += cpu() - t2;
+      assembly += t1 - t0;
+      iterations += solved.iterations();
+    }
+  const double runs = double(state.iterations());
+  state.counters["assembly_ns_cell"] = assembly / (runs * double(n));
+  state.counters["iteration_ns_cell"] = (all - assembly) / (iterations * double(n));
+  state.counters["iterations"] = iterations / runs;
+  state.counters["bytes_cell"] = double(solved.memory_bytes()) / double(n);
+}
+BENCHMARK(friction)
+  ->ArgNames({"cells", "threads"})
+  ->ArgsProduct({{1000, 10000, 100000, 1000000}, {1, 2}})
+  ->MeasureProcessCPUTime()
+  ->UseRealTime();
+} // namespace
+
+BENCHMARK_MAIN();

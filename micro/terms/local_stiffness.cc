@@ -1,0 +1,157 @@
+#include "micro/terms/local_stiffness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace turgor
+{
+namespace
+{
+std::string number(const double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+} // namespace
+
+LocalStiffness::LocalStiffness(const double offset, std::vector<double> a, const double largest)
+  : start(offset)
+  , coefficients(std::move(a))
+{
+  if (coefficients.empty() || !(coefficients[0] > 0.))
+    throw std::invalid_argument("contact stiffness: the coefficient of power 0 has to be positive (Pa).");
+  if (!(largest >= coefficients[0]))
+    throw std::invalid_argument("contact stiffness: the largest modulus is " + number(largest)
+                                + " Pa, but it has to be at least the coefficient of power 0 (" + number(coefficients[0]) + " Pa).");
+  if (!(offset >= 0. && offset < 1.))
+    throw std::invalid_argument("contact stiffness: the offset is " + number(offset) + ", but it has to be in [0, 1).");
+  const double a_0 = coefficients[0];
+  for (double &c : coefficients)
+    c /= a_0;
+  top = largest / a_0;
+  // where the largest is reached: the first crossing, by halving within a fine scan
+  constexpr int samples = 2000;
+  double before = start;
+  for (int k = 1; k <= samples; ++k)
+    {
+      const double d = start + (1. - start) * k / samples;
+      const Value at = inside(d);
+      if (at.factor >= top)
+        {
+          double low = before, high = d;
+          for (int n = 0; n < 60; ++n)
+            (inside(0.5 * (low + high)).factor >= top ? high : low) = 0.5 * (low + high);
+          end = high;
+          return;
+        }
+      if (at.slope < 0. || at.factor < 1.)
+        throw std::invalid_argument("contact stiffness: the polynomial falls at a compression of " + number(d)
+                                    + "; it has to rise from the offset to the largest modulus, or cells collapse.");
+      before = d;
+    }
+  top = inside(1.).factor;
+}
+
+LocalStiffness::LocalStiffness(std::vector<std::pair<double, double>> values)
+  : table(std::move(values))
+{
+  if (table.size() < 2)
+    throw std::invalid_argument("contact stiffness: a table needs at least two rows.");
+  for (std::size_t k = 0; k < table.size(); ++k)
+    {
+      if (!(table[k].second > 0.))
+        throw std::invalid_argument("contact stiffness: row " + std::to_string(k + 1) + " has the modulus "
+                                    + number(table[k].second) + " Pa; it has to be positive.");
+      if (k > 0 && !(table[k].first > table[k - 1].first && table[k].second >= table[k - 1].second))
+        throw std::invalid_argument("contact stiffness: row " + std::to_string(k + 1) + " (" + number(table[k].first) + ", "
+                                    + number(table[k].second) + " Pa) does not rise above the row before it (compression and modulus"
+                                      " have to rise), or cells collapse.");
+    }
+  const double first = table.front().second;
+  for (auto &row : table)
+    row.second /= first;
+  start = table.front().first;
+  end = table.back().first;
+  top = table.back().second;
+}
+
+LocalStiffness LocalStiffness::repaired_C9()
+{
+  return LocalStiffness(0.08, {445.4, 2.347e5, -7.918e6, 6.615e8, -1.206e9, -3.091e9, 1.1239e10}, 1e6);
+}
+
+LocalStiffness LocalStiffness::from_file(const std::string &path)
+{
+  std::ifstream file(path);
+  std::string line;
+  if (!file || !std::getline(file, line))
+    throw std::invalid_argument("contact stiffness: cannot read '" + path + "'.");
+  const bool polynomial = line.rfind("power,coefficient", 0) == 0;
+  if (!polynomial && line.rfind("compression,modulus", 0) != 0)
+    throw std::invalid_argument("contact stiffness: '" + path
+                                + "' has to begin with the line 'compression,modulus' or 'power,coefficient'.");
+  double offset = 0., largest = HUGE_VAL;
+  std::vector<double> powers;
+  std::vector<std::pair<double, double>> rows;
+  for (unsigned int count = 2; std::getline(file, line); ++count)
+    {
+      if (line.empty() || line[0] == '#')
+        continue;
+      const std::size_t comma = line.find(',');
+      const std::string name = line.substr(0, comma);
+      char *stop = nullptr;
+      const std::string text = comma == std::string::npos ? "" : line.substr(comma + 1);
+      const double value = std::strtod(text.c_str(), &stop);
+      const bool is_number = stop != text.c_str() && std::isfinite(value);
+      char *name_stop = nullptr;
+      const double key = std::strtod(name.c_str(), &name_stop);
+      const bool key_is_number = name_stop != name.c_str() && *name_stop == '\0';
+      if (is_number && polynomial && name == "offset")
+        offset = value;
+      else if (is_number && polynomial && name == "largest")
+        largest = value;
+      else if (is_number && polynomial && key_is_number && key == double(powers.size()))
+        powers.push_back(value);
+      else if (is_number && !polynomial && key_is_number)
+        rows.push_back({key, value});
+      else
+        throw std::invalid_argument("contact stiffness: line " + std::to_string(count) + " of '" + path + "' is '" + line
+                                    + "'; expected " + (polynomial ? "'offset,', 'largest,' or the next power, " : "a compression, ")
+                                    + "and a number.");
+    }
+  return polynomial ? LocalStiffness(offset, powers, largest) : LocalStiffness(rows);
+}
+
+std::vector<double> LocalStiffness::kinks() const
+{
+  std::vector<double> result = {start};
+  for (std::size_t k = 1; k + 1 < table.size(); ++k)
+    result.push_back(table[k].first);
+  result.push_back(end);
+  return result;
+}
+
+LocalStiffness::Value LocalStiffness::inside(const double d) const
+{
+  if (!coefficients.empty())
+    {
+      const double x = d - start;
+      double value = 0., slope = 0.;
+      for (std::size_t k = coefficients.size(); k-- > 0;)
+        {
+          slope = slope * x + value;
+          value = value * x + coefficients[k];
+        }
+      return {value, slope};
+    }
+  const auto next = std::upper_bound(table.begin(), table.end(), d, [](double v, const auto &row) { return v < row.first; });
+  const auto &[d1, g1] = *next;
+  const auto &[d0, g0] = *(next - 1);
+  const double slope = (g1 - g0) / (d1 - d0);
+  return {g0 + slope * (d - d0), slope};
+}
+} // namespace turgor

@@ -1,0 +1,56 @@
+// Contact modulus that rises as cells are packed: pairwise laws know nothing of the other neighbours, so the modulus of
+// Hertz, extended Hertz or JKR is replaced by one calibrated with deformable cells (thesis B.19, C.9).
+//
+//   d_ij = 1 - r_ij/(R_ref,i + R_ref,j),   d_i = mean of d_ij over the cells in contact with i
+//   E_i(d_i) = E_i g(d_i),   g(d) = 1 for d <= d_0, else min(a_0 + a_1 (d - d_0) + ... , largest)/a_0
+//
+//   C.9 as repaired in errata.md (powers of d - 0.08, a_0 = 445.4 Pa; plausible, NOT confirmed) is the default; the largest
+//   modulus, 1 MPa, is the end of the range in Table C.2: nothing is extrapolated beyond it.
+//   B.19: d_0 = 0, a_0 = E, a_4 = 4e6 Pa.
+//
+// g has to be monotone: a modulus that falls under compression lets cells collapse. A table (d, E) is interpolated linearly.
+// A factor on the cell's own modulus (not the printed sum), so that cells of different E keep their ratio and the law is continuous.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace turgor
+{
+class LocalStiffness
+{
+public:
+  struct Value
+  {
+    double factor = 1., slope = 0.; ///< g, dg/dd
+  };
+
+  /// coefficients: a_0, a_1, ... (Pa) of (d - offset)^k; largest: Pa. Throws std::invalid_argument with a sentence.
+  LocalStiffness(double offset, std::vector<double> coefficients, double largest);
+  /// Pairs (d, E) with rising d. Throws as above.
+  explicit LocalStiffness(std::vector<std::pair<double, double>> table);
+
+  static LocalStiffness repaired_C9();
+  /// CSV with the head "compression,modulus" (a table) or "power,coefficient" (a polynomial, with lines "offset,d_0" and
+  /// "largest,E" before the powers). Throws std::invalid_argument naming file and line.
+  static LocalStiffness from_file(const std::string &path);
+
+  Value operator()(const double d) const
+  {
+    if (!(d > start))
+      return {};
+    return d >= end ? Value{top, 0.} : inside(d);
+  }
+
+  /// Compressions at which the slope of g jumps, rising.
+  std::vector<double> kinks() const;
+
+private:
+  Value inside(double d) const;
+
+  double start = 0., end = 1., top = 1.;  ///< g = 1 up to start, top from end on
+  std::vector<double> coefficients;       ///< over a_0; empty: a table
+  std::vector<std::pair<double, double>> table; ///< (d, g)
+};
+} // namespace turgor

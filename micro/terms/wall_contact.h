@@ -1,0 +1,98 @@
+// A cell against a wall, plane or spherical: Hertz (thesis Eq. 2.5, 2.6) with the wall's own radius and modulus, no adhesion.
+//
+//   F = 4/3 E sqrt(R) delta^(3/2),  delta = R_i - w,  w: distance of the cell's centre from the wall
+//   1/R = 1/R_i + curvature (plane 0; convex wall 1/R_w; the inside of a sphere -1/R_w),  1/E = 1/E_i + 1/E_w
+//
+// With a local stiffness (local_stiffness.h) the wall counts as a mirror image of the cell: E_i -> E_i g(d), d = 1 - w/R_ref,i,
+// of this contact alone, so that F is a function of w and conservative. The energy is the integral of F over the overlap.
+//
+// In: m, Pa. E_i and E_w carry their 1 - nu^2. Out: N, N/m, m^2.
+#pragma once
+
+#include "micro/engine/particles.h"
+#include "micro/terms/local_stiffness.h"
+#include "micro/terms/sphere_contact.h"
+
+#include <array>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+namespace turgor
+{
+struct WallMaterial
+{
+  double modulus = HUGE_VAL;                 ///< Pa, E/(1 - nu^2) of the wall; infinite: rigid
+  double friction = 0.;                      ///< N s/m^3, with cells in contact
+  std::optional<LocalStiffness> stiffness = {}; ///< of the cells; none: their own modulus
+
+  /// R: radius of the cell, R_ref: uncompressed, E: its modulus, curvature: 1/m, w: m. delta > 0.
+  SphereContact operator()(const double R, const double R_ref, const double E, const double curvature, const double w) const
+  {
+    LocalStiffness::Value g;
+    if (stiffness)
+      g = (*stiffness)(1. - w / R_ref);
+    const double cell = E * g.factor, share = std::isfinite(modulus) ? modulus / (cell + modulus) : 1.;
+    const double R_eff = 1. / (1. / R + curvature);
+    SphereContact c = HertzContact()(R_eff, cell * share, R - w);
+    c.stiffness += c.force / g.factor * share * g.slope / R_ref; // dE/dw of the pair: E_i' share^2
+    return c;
+  }
+
+  /// J; with a local stiffness by Gauss' rule over pieces of the overlap.
+  double energy(const double R, const double R_ref, const double E, const double curvature, const double w) const
+  {
+    if (!stiffness)
+      return (*this)(R, R_ref, E, curvature, w).energy;
+    // In t = sqrt(overlap) the integrand 2 t F is smooth between the kinks of g.
+    constexpr std::array<double, 3> node{-0.7745966692414834, 0., 0.7745966692414834}, weight{5. / 9., 8. / 9., 5. / 9.};
+    constexpr int pieces = 24;
+    std::vector<double> ends;
+    const double most = std::sqrt(R - w);
+    for (const double d : stiffness->kinks())
+      if (const double overlap = d * R_ref - (R_ref - R); overlap > 0. && overlap < R - w)
+        ends.push_back(std::sqrt(overlap));
+    ends.push_back(most);
+    double sum = 0., from = 0.;
+    for (const double to : ends)
+      {
+        const double step = (to - from) / pieces;
+        for (int p = 0; p < pieces; ++p)
+          for (std::size_t k = 0; k < 3; ++k)
+            {
+              const double t = from + step * (p + 0.5 + 0.5 * node[k]);
+              sum += weight[k] * 0.5 * step * 2. * t * (*this)(R, R_ref, E, curvature, R - t * t).force;
+            }
+        from = to;
+      }
+    return sum;
+  }
+};
+
+/// What a cell's contact with a wall does to the cell; kept from one evaluation of the forces for friction and stress.
+struct WallTouch
+{
+  std::uint32_t cell = 0;
+  Vector<3> inward = Vector<3>::Zero(); ///< direction of the force on the cell
+  double w = 0.;                        ///< m
+  SphereContact contact;
+};
+
+/// R_ref of a cell: of the field "reference_volume" (m^3) where cells carry one, else its radius.
+class ReferenceRadius
+{
+public:
+  explicit ReferenceRadius(const Particles<3> &particles)
+    : values(particles.field(particles.has("reference_volume") ? "reference_volume" : "radius").data())
+    , of_volume(particles.has("reference_volume"))
+  {}
+  double operator()(const std::size_t i) const
+  {
+    return of_volume ? std::cbrt(values[i] * (0.75 / std::numbers::pi)) : values[i];
+  }
+
+private:
+  const double *values;
+  bool of_volume;
+};
+} // namespace turgor

@@ -1,0 +1,233 @@
+// Capsule, walls and dextran around cells: closed forms, F = -dE/dx, order of convergence in the step.
+#include "micro/engine/counter_random.h"
+#include "micro/terms/dextran_pressure.h"
+#include "micro/terms/elastic_capsule.h"
+#include "micro/terms/rigid_walls.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <sstream>
+
+using namespace turgor;
+
+namespace
+{
+constexpr double pi = std::numbers::pi;
+
+/// Cells on a sphere of radius r, R = 7 um each, that overlap a wall of radius `wall` by up to 2 um.
+CellPopulation shell(const std::size_t n, const double wall)
+{
+  CellPopulation p;
+  p.particles.declare("reference_volume");
+  for (std::size_t i = 0; i < n; ++i)
+    {
+      const double z = 1. - 2. * (double(i) + 0.5) / double(n), turn = 2.399963 * double(i);
+      const double r = wall - 7e-6 + 2e-6 * random_uniform(5, i);
+      p.add(r * Vector<3>(std::sqrt(1. - z * z) * std::cos(turn), std::sqrt(1. - z * z) * std::sin(turn), z), 7e-6, 600.);
+      p.particles.field("reference_volume")[i] = sphere_volume(7.5e-6);
+    }
+  return p;
+}
+
+/// Largest |F + dE/dx| over the largest force.
+template <class Law>
+double slope_error(Law &law, Particles<3> &p)
+{
+  const auto evaluate = [&] {
+    for (auto &f : p.f)
+      f.assign(p.size(), 0.);
+    law.add_forces(p);
+  };
+  evaluate();
+  const auto f = p.f;
+  double worst = 0., size = 0.;
+  for (int d = 0; d < 3; ++d)
+    for (std::size_t i = 0; i < p.size(); i += 5)
+      {
+        const double x = p.x[d][i], h = 2e-9;
+        double e[2];
+        for (int s = 0; s < 2; ++s)
+          {
+            p.x[d][i] = x + (s ? h : -h);
+            evaluate();
+            e[s] = law.energy(p);
+          }
+        p.x[d][i] = x;
+        worst = std::max(worst, std::abs(f[d][i] + (e[1] - e[0]) / (2. * h)));
+        size = std::max(size, std::abs(f[d][i]));
+      }
+  evaluate();
+  return worst / size;
+}
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(cell_surroundings)
+
+// Lame's incompressible thick sphere: u = 3 p R/(4 E) / (1 - (R/R_out)^3); the law is that one in the current radii, so that the
+// difference is of the order u/R and halves with the pressure.
+BOOST_AUTO_TEST_CASE(capsule_under_a_given_pressure_is_the_closed_form)
+{
+  for (const double thickness : {8e-6, 30e-6, 60e-6})
+    {
+      const ElasticCapsule capsule({.radius = 100e-6, .thickness = thickness, .modulus = 68e3, .hardening = 0.}, {});
+      double error[2];
+      for (int k = 0; k < 2; ++k)
+        {
+          const double p = 10. / (k + 1), R = capsule.radius_under(p);
+          BOOST_TEST(capsule.wall_pressure(R) == p, boost::test_tools::tolerance(1e-9));
+          const double exact = 0.75 * p * 100e-6 / 68e3 / (1. - std::pow(100e-6 / (100e-6 + thickness), 3));
+          error[k] = (R - 100e-6) / exact - 1.;
+          BOOST_CHECK_SMALL(error[k], 5. * exact / 100e-6);
+        }
+      BOOST_TEST(error[0] / error[1] == 2., boost::test_tools::tolerance(0.01));
+    }
+  // thin and hardening, by hand at R = 110 um: u/R = 1/11, R' = D/(R^3 + D) = 259712/1590712
+  const ElasticCapsule thin({}, {});
+  BOOST_TEST(thin.wall_pressure(110e-6) == 4. / 3. * 68e3 * (1. + 1.5 / 11.) / 11. * 259712. / 1590712.,
+             boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(a_capsule_that_cannot_bear_the_pressure_says_so)
+{
+  const ElasticCapsule thin({}, {});
+  BOOST_CHECK_EXCEPTION(thin.radius_under(1e4), std::runtime_error,
+                        [](const auto &e) { return std::string(e.what()).find("its wall gives way at") != std::string::npos; });
+  BOOST_CHECK_THROW(ElasticCapsule({.thickness = 0.}, {}), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(energy_of_the_wall_is_the_integral_of_its_pressure)
+{
+  const ElasticCapsule capsule({}, {});
+  const double R = 115e-6, h = 1e-8;
+  BOOST_TEST((capsule.wall_energy(R + h) - capsule.wall_energy(R - h)) / (2. * h) == 4. * pi * R * R * capsule.wall_pressure(R),
+             boost::test_tools::tolerance(1e-6));
+}
+
+// C.8 with damping: implicit Euler, first order in the step.
+BOOST_AUTO_TEST_CASE(damped_capsule_converges_with_the_step)
+{
+  const auto after = [](const int steps) {
+    ElasticCapsule capsule({.damping = 1e6}, {});
+    for (int k = 0; k < steps; ++k)
+      capsule.advance_under(1000., 200. / steps);
+    return capsule.radius();
+  };
+  const double exact = 2. * after(20000) - after(10000), // extrapolated
+    coarse = after(20) - exact, middle = after(40) - exact, fine = after(80) - exact;
+  BOOST_TEST(coarse / middle == 2., boost::test_tools::tolerance(0.05));
+  BOOST_TEST(middle / fine == 2., boost::test_tools::tolerance(0.03));
+  ElasticCapsule rest({.damping = 1e6}, {});
+  rest.advance_under(1000., 1e12); // gamma/dt log(R/R_0): 6e-8 Pa off
+  BOOST_TEST(rest.radius() == rest.radius_under(1000.), boost::test_tools::tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(forces_of_capsule_and_walls_are_minus_the_slope_of_the_energy)
+{
+  for (const std::optional<LocalStiffness> &law : {std::optional<LocalStiffness>(), std::optional(LocalStiffness::repaired_C9())})
+    {
+      CellPopulation cells = shell(150, 102e-6);
+      ElasticCapsule capsule({}, {.modulus = 68e3 / 0.75, .stiffness = law});
+      BOOST_CHECK_SMALL(slope_error(capsule, cells.particles), 1e-5);
+      BOOST_TEST(capsule.radius() > 100e-6); // pushed out, in balance with the cells
+      BOOST_TEST(capsule.pressure() == capsule.wall_pressure(capsule.radius()), boost::test_tools::tolerance(1e-9));
+      RigidWalls walls({{.shape = RigidWall::inside, .radius = 101e-6},
+                        {.shape = RigidWall::outside, .radius = 95e-6 - 6e-6},
+                        {.shape = RigidWall::plane, .point = Vector<3>(0., 0., 90e-6), .normal = Vector<3>(0., 0., -1.)}},
+                       {.stiffness = law});
+      CellPopulation between = shell(150, 101e-6);
+      // cells above the plane's reach would have passed it
+      std::vector<std::uint32_t> below;
+      for (std::uint32_t i = 0; i < between.size(); ++i)
+        if (between.particles.x[2][i] < 88e-6)
+          below.push_back(i);
+      between.gather(below);
+      BOOST_CHECK_SMALL(slope_error(walls, between.particles), 1e-5);
+      for (int k = 0; k < 3; ++k)
+        BOOST_TEST(walls.force(k) > 0.);
+    }
+}
+
+// A damped capsule ends where the one without damping is at once.
+BOOST_AUTO_TEST_CASE(damped_capsule_ends_in_balance_with_its_cells)
+{
+  CellPopulation cells = shell(150, 102e-6);
+  ElasticCapsule still({}, {}), damped({.damping = 1e4}, {});
+  still.add_forces(cells.particles);
+  for (int k = 0; k < 200; ++k)
+    {
+      damped.add_forces(cells.particles);
+      damped.advance(cells.particles, 50.);
+    }
+  BOOST_TEST(damped.radius() == still.radius(), boost::test_tools::tolerance(1e-8));
+  std::stringstream file;
+  damped.save(file);
+  ElasticCapsule resumed({.damping = 1e4}, {});
+  resumed.load(file);
+  BOOST_TEST(resumed.radius() == damped.radius());
+}
+
+BOOST_AUTO_TEST_CASE(plane_wall_by_hand)
+{
+  CellPopulation one;
+  one.add(Vector<3>(1., 2., 3.), 4., 3.);
+  RigidWalls wall({{.point = Vector<3>(0., 0., 0.), .normal = Vector<3>(0., 0., 2.)}}, {.friction = 5.});
+  wall.add_forces(one.particles);
+  BOOST_TEST(one.particles.f[2][0] == 8., boost::test_tools::tolerance(1e-14)); // R = 4, E = 3, delta = 1
+  std::vector<double> gamma(1, 1.), stiffness(1, 0.);
+  wall.add_friction(one.particles, gamma);
+  wall.add_stiffness(one.particles, stiffness);
+  BOOST_TEST(gamma[0] == 1. + 5. * 4. * pi, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(stiffness[0] == 12., boost::test_tools::tolerance(1e-14));
+  std::vector<Tensor2<3>> virial(1, Tensor2<3>::Zero());
+  wall.add_virial(one.particles, virial);
+  BOOST_TEST(virial[0](2, 2) == -24., boost::test_tools::tolerance(1e-14));
+  one.particles.x[2][0] = -1.;
+  BOOST_CHECK_EXCEPTION(wall.add_forces(one.particles), std::runtime_error,
+                        [](const auto &e) { return std::string(e.what()).find("passed a rigid wall") != std::string::npos; });
+}
+
+BOOST_AUTO_TEST_CASE(dextran_forces_balance_and_carry_the_given_virial)
+{
+  CellPopulation ball;
+  ball.particles.declare("reference_volume");
+  for (int a = -8; a <= 8; ++a)
+    for (int b = -8; b <= 8; ++b)
+      for (int c = -8; c <= 8; ++c)
+        if ((a + b + c) % 2 == 0)
+          {
+            const Vector<3> x = 9e-6 * Vector<3>(a, b, c); // face-centred, nearest neighbours 12.7 um
+            if (x.norm() < 70e-6)
+              {
+                ball.add(x, 6.5e-6, 600.);
+                ball.particles.field("reference_volume").back() = sphere_volume(7e-6 + 0.3e-6 * random_uniform(3, ball.size()));
+              }
+          }
+  const OuterCells outer = find_outer_cells(ball.particles);
+  // A layer as dense as a closest one over the sphere of the centres has 4 pi r^2/(2 sqrt(3) R^2) cells.
+  const double r = outer.edge - 6.5e-6, layer = 4. * pi * r * r / (2. * std::sqrt(3.) * 6.5e-6 * 6.5e-6);
+  BOOST_TEST(r > 62e-6);
+  BOOST_TEST(r < 70e-6);
+  BOOST_TEST(double(outer.cells.size()) > 0.7 * layer);
+  BOOST_TEST(double(outer.cells.size()) < 1.2 * layer);
+
+  DextranPressure dextran({.pressure = 5e3, .start = 10.});
+  dextran.update(ball, 0.);
+  BOOST_TEST(dextran.outer_cells().empty());
+  dextran.update(ball, 10.);
+  Particles<3> &p = ball.particles;
+  dextran.add_forces(p);
+  double virial = 0., volume = 0., size = 0.;
+  Vector<3> total = Vector<3>::Zero();
+  for (std::size_t i = 0; i < p.size(); ++i)
+    {
+      const Vector<3> f(p.f[0][i], p.f[1][i], p.f[2][i]);
+      total += f;
+      size += f.norm();
+      virial += f.dot(p.position(i));
+      volume += sphere_volume(6.5e-6);
+    }
+  BOOST_CHECK_SMALL(total.norm() / size, 1e-14);
+  BOOST_TEST(-virial / (3. * volume) == 5e3, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,90 @@
+// Contact modulus that rises with compression: the repaired C.9, B.19, tables, files, and what is refused.
+#include "micro/terms/local_stiffness.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
+using namespace turgor;
+
+namespace
+{
+void refused(const std::function<void()> &action, const std::string &words)
+{
+  BOOST_CHECK_EXCEPTION(action(), std::invalid_argument,
+                        [&](const std::invalid_argument &e) { return std::string(e.what()).find(words) != std::string::npos; });
+}
+
+std::string written(const std::string &text)
+{
+  const std::string path = (std::filesystem::temp_directory_path() / "turgor_stiffness.csv").string();
+  std::ofstream(path) << text;
+  return path;
+}
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(local_stiffness)
+
+BOOST_AUTO_TEST_CASE(repaired_C9_starts_at_445_Pa_rises_and_ends_at_1_MPa)
+{
+  const LocalStiffness law = LocalStiffness::repaired_C9();
+  BOOST_TEST(law(-1.).factor == 1.);
+  BOOST_TEST(law(0.08).factor == 1.);
+  // by hand at d - 0.08 = 0.12: 445.4 + 28164 - 114019 + 1143072 - 250076 - 76914 + 33558 = 764.2 kPa
+  BOOST_TEST(445.4 * law(0.20).factor == 764232., boost::test_tools::tolerance(1e-5));
+  BOOST_TEST(445.4 * law(0.9).factor == 1e6, boost::test_tools::tolerance(1e-12));
+  double before = 1.;
+  for (int k = 0; k <= 1000; ++k)
+    {
+      const double d = 0.08 + 0.16 * k / 1000, h = 1e-6, value = law(d).factor;
+      BOOST_TEST(value >= before);
+      before = value;
+      if (d > 0.081 && d < 0.212)
+        BOOST_TEST((law(d + h).factor - law(d - h).factor) / (2. * h) == law(d).slope, boost::test_tools::tolerance(1e-6));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(B19_is_a_polynomial_from_zero)
+{
+  const LocalStiffness law(0., {450., 0., 0., 0., 4e6}, HUGE_VAL);
+  for (const double d : {0.05, 0.2, 0.5})
+    BOOST_TEST(450. * law(d).factor == 450. + 4e6 * d * d * d * d, boost::test_tools::tolerance(1e-13));
+}
+
+BOOST_AUTO_TEST_CASE(a_table_is_interpolated_and_held_beyond_its_ends)
+{
+  const LocalStiffness law({{0.1, 400.}, {0.2, 800.}, {0.3, 4000.}});
+  BOOST_TEST(law(0.05).factor == 1.);
+  BOOST_TEST(law(0.15).factor == 1.5, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(law(0.25).factor == 6., boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(law(0.25).slope == 80., boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(law(0.7).factor == 10.);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_not_monotone_is_refused_with_a_sentence)
+{
+  refused([] { LocalStiffness(0.08, {445.4, -2e5, 1e6}, 1e6); }, "falls at a compression of 0.08");
+  refused([] { LocalStiffness(0.08, {-445.4, 2e5}, 1e6); }, "has to be positive");
+  refused([] { LocalStiffness(0.08, {445.4, 2e5}, 100.); }, "at least the coefficient of power 0");
+  refused([] { LocalStiffness({{0.1, 400.}, {0.2, 300.}}); }, "row 2");
+  refused([] { LocalStiffness({{0.1, 400.}, {0.1, 500.}}); }, "row 2");
+  refused([] { LocalStiffness({{0.1, 400.}}); }, "at least two rows");
+}
+
+BOOST_AUTO_TEST_CASE(from_a_file)
+{
+  const LocalStiffness table = LocalStiffness::from_file(written("compression,modulus\n# d, Pa\n0.1,400\n0.2,800\n"));
+  BOOST_TEST(table(0.15).factor == 1.5, boost::test_tools::tolerance(1e-14));
+  const LocalStiffness law =
+    LocalStiffness::from_file(written("power,coefficient\noffset,0.1\nlargest,1e5\n0,400\n1,0\n2,4e6\n"));
+  BOOST_TEST(law(0.15).factor == 26., boost::test_tools::tolerance(1e-12));
+  refused([] { LocalStiffness::from_file(written("power,coefficient\n0,400\n2,4e6\n")); }, "line 3");
+  refused([] { LocalStiffness::from_file(written("compression,modulus\n0.1,many\n")); }, "line 2");
+  refused([] { LocalStiffness::from_file(written("d,E\n")); }, "has to begin with");
+  refused([] { LocalStiffness::from_file("no/such/file.csv"); }, "cannot read 'no/such/file.csv'");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
