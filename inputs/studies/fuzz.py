@@ -52,6 +52,8 @@ SCENES = {
     "tissue_impact": SMALL_TISSUE,
     "tissue_failure": SMALL_TISSUE,
     "wall_uniaxial": {},
+    "cell_steps": {"Cells": (2, 30), "Duration": (1, 100), "Halvings": (1, 4)},
+    "spheroid_capsule": {"First cells": (2, 30), "Duration": (1e3, 5e4), "Capsule/Radius": 50e-6},
     "laplace": SMALL_ROUND,
     "shell_oscillation": dict(SMALL_ROUND, Periods=4),
     "cell_compression": dict(SMALL_ROUND, Speed=(20, 50), Deformation=0.1),

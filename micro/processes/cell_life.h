@@ -61,6 +61,8 @@ public:
                                                const std::vector<std::unique_ptr<Surroundings>> &surroundings,
                                                unsigned int threads);
 
+  void set_rim_thickness(const double thickness) { parameters.death.rim_thickness = thickness; } ///< m
+
   double birth_volume() const { return V_0; } ///< m^3
   double volume(const CellPopulation &cells, std::size_t i) const;
 

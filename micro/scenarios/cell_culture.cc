@@ -1,6 +1,8 @@
 #include "micro/scenarios/cell_culture.h"
 
 #include "micro/engine/binary.h"
+#include "micro/engine/space_order.h"
+#include "micro/processes/cell_motility.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +36,7 @@ CellCulture::CellCulture(const CultureParameters &parameters_, std::vector<std::
   , surroundings(std::move(surroundings_))
   , parameters(parameters_)
   , threads(threads_)
-  , contacts(contact_law(parameters_), skin_of(parameters_))
+  , contacts(contact_law(parameters_), skin_of(parameters_), parameters_.stiffness)
   , friction(parameters_.friction)
   , motion(
       parameters_.motion, contacts, friction,
@@ -47,6 +49,14 @@ CellCulture::CellCulture(const CultureParameters &parameters_, std::vector<std::
                                   3. * parameters_.growth_tolerance * parameters_.life.cycle_time / std::numbers::ln2)
 {
   life.declare_fields(cells.particles);
+  motion.outer_stiffness = [this](const Particles<3> &particles, std::vector<double> &stiffness) {
+    for (const auto &around : surroundings)
+      around->add_stiffness(particles, stiffness);
+  };
+  if (parameters.motility > 0.)
+    motion.random_forces = [this](Particles<3> &particles, const double step, const std::uint64_t number) {
+      set_motility_forces(particles, cells.id, gamma, parameters.motility, step, parameters.life.variability.seed, number);
+    };
 }
 
 std::vector<std::string> CellCulture::term_names() const
@@ -54,6 +64,10 @@ std::vector<std::string> CellCulture::term_names() const
   std::vector<std::string> names = {SphereContacts::name(contact_law(parameters)), "medium_friction"};
   if (parameters.friction.normal > 0. || parameters.friction.tangential > 0.)
     names.push_back("cell_friction");
+  if (parameters.stiffness)
+    names.push_back("local_stiffness");
+  if (parameters.motility > 0.)
+    names.push_back("motility");
   for (const auto &around : surroundings)
     names.push_back(around->name());
   return names;
@@ -81,19 +95,37 @@ void CellCulture::set_friction()
   for (std::size_t i = 0; i < cells.size(); ++i)
     gamma[i] = 4. * std::numbers::pi * R[i] * R[i] * parameters.medium_friction;
   for (const auto &around : surroundings)
-    around->add_friction(cells.particles, gamma);
+    {
+      around->add_forces(cells.particles); // who touches it now; the forces themselves come with the next step
+      around->add_friction(cells.particles, gamma);
+    }
+}
+
+void CellCulture::gather_others(const std::vector<std::uint32_t> &source)
+{
+  contacts.gather(source);
+  motion.gather(source);
+  for (const auto &around : surroundings)
+    around->gather(source);
+}
+
+void CellCulture::sort()
+{
+  if (10 * cells.size() < 11 * sorted_size)
+    return;
+  sorted_size = cells.size();
+  const std::vector<std::uint32_t> source = space_order(cells.particles, 2. * parameters.life.birth_radius);
+  cells.gather(source);
+  gather_others(source);
 }
 
 void CellCulture::advance(const double end)
 {
+  sort();
   const double until = std::min(end, t + h);
   contact_forces();
-  life.advance(cells, contacts, surroundings, until - t, threads, [this](const std::vector<std::uint32_t> &source) {
-    contacts.gather(source);
-    motion.gather(source);
-    for (const auto &around : surroundings)
-      around->gather(source);
-  });
+  life.advance(cells, contacts, surroundings, until - t, threads,
+               [this](const std::vector<std::uint32_t> &source) { gather_others(source); });
   for (const auto &around : surroundings)
     around->update(cells, t);
   set_friction();
@@ -111,6 +143,7 @@ void CellCulture::save(std::ostream &out) const
 {
   write_binary(out, t);
   write_binary(out, steps);
+  write_binary(out, sorted_size);
   for (const std::uint64_t number : {life.divisions, life.deaths, life.removed})
     write_binary(out, number);
   cells.save(out);
@@ -124,6 +157,7 @@ void CellCulture::load(std::istream &in)
 {
   read_binary(in, t);
   read_binary(in, steps);
+  read_binary(in, sorted_size);
   for (std::uint64_t *number : {&life.divisions, &life.deaths, &life.removed})
     read_binary(in, *number);
   cells.load(in);

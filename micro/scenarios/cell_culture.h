@@ -5,6 +5,8 @@
 // from a tolerance: an uncompressed cell's radius grows by at most that share within h, h = 3 tolerance T/ln 2. Both the
 // coupling and C.3 are first order in h.
 //
+// Cells are sorted in space (space_order.h) whenever their number has grown by a tenth; whoever writes them restores the order of ids.
+//
 // Checkpoints are taken between intervals; a resumed run has the bits of one that was never stopped.
 #pragma once
 
@@ -12,6 +14,7 @@
 #include "micro/processes/cell_life.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +27,8 @@ struct CultureParameters
   double adhesion = 1e-4;       ///< W, J/m^2
   FrictionParameters friction{.normal = 5e10, .tangential = 5e10, .tolerance = 1e-5};
   double medium_friction = 5e8; ///< N s/m^3, of the cell's surface 4 pi R^2
+  std::optional<LocalStiffness> stiffness; ///< none: moduli do not depend on the packing
+  double motility = 0.;         ///< D, m^2/s
   OverdampedParameters motion;
   double growth_tolerance = 2e-3;
   double interval = 0.; ///< h, s; 0: from the tolerance
@@ -63,6 +68,9 @@ public:
 private:
   void contact_forces(); ///< contacts at the present positions
   void set_friction();
+  /// Cells near in space near in memory; now and then, as the population grows.
+  void sort();
+  void gather_others(const std::vector<std::uint32_t> &source);
 
   CultureParameters parameters;
   unsigned int threads;
@@ -71,5 +79,6 @@ private:
   Overdamped motion;
   std::vector<double> gamma;
   double t = 0., h;
+  std::uint64_t sorted_size = 0; ///< cells when they were last sorted
 };
 } // namespace turgor

@@ -4,6 +4,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <cmath>
 #include <cstdio>
 
 namespace turgor
@@ -31,6 +32,10 @@ void CultureEntries::declare(dealii::ParameterHandler &prm)
   prm.add_parameter("Law", numbers.law, "hertz (2.5), extended_hertz (2.7) or jkr (2.8, 2.9). Units: none.",
                     Selection("hertz|extended_hertz|jkr"));
   prm.add_parameter("Adhesion", numbers.adhesion, "Energy of adhesion W. Units: J/m^2.", Double(0., 1e3));
+  prm.add_parameter("Local stiffness", stiffness,
+                    "Rise of the modulus with the packing: none, C9 (repaired in errata, not confirmed), B19 or the name of a CSV file"
+                    " with a monotone table or polynomial (relative to the working directory). Units: none.",
+                    Anything());
   prm.add_parameter("Normal friction", numbers.friction.normal, "Between cells, along their line, of the contact's area. Units: N s/m^3.",
                     Double(0., 1e20));
   prm.add_parameter("Tangential friction", numbers.friction.tangential,
@@ -77,6 +82,9 @@ void CultureEntries::declare(dealii::ParameterHandler &prm)
   prm.enter_subsection("Motion");
   prm.add_parameter("Method", method, "euler, heun or implicit. Units: none.", Selection("euler|heun|implicit"));
   prm.add_parameter("Tolerance", numbers.motion.tolerance, "Error of a step over the mean radius. Units: none.", Double(1e-9, 1.));
+  prm.add_parameter("Motility", numbers.motility, "D of the cells' random motion in the medium. Units: m^2/s.", Double(0., 1.));
+  prm.add_parameter("Mean error", numbers.motion.mean_error,
+                    "Tolerance for the root mean square of all cells instead of the largest error. Units: none.", Bool());
   prm.add_parameter("Growth tolerance", numbers.growth_tolerance,
                     "Growth of a radius between steps of the cells' life, over the radius. Units: none.", Double(1e-6, 0.1));
   prm.add_parameter("Solver tolerance", numbers.friction.tolerance, "Residual of the friction matrix over the forces. Units: none.",
@@ -87,6 +95,14 @@ void CultureEntries::declare(dealii::ParameterHandler &prm)
 void CultureEntries::check() const
 {
   const CellLifeParameters &life = numbers.life;
+  try
+    {
+      parameters();
+    }
+  catch (const std::invalid_argument &error)
+    {
+      throw InputError("Contact/Local stiffness is " + stiffness + ": " + error.what());
+    }
   if (numbers.law == "jkr" && !(numbers.adhesion > 0.))
     throw InputError("Contact/Adhesion is 0, but Law = jkr needs it positive (J/m^2): without adhesion JKR is Law = hertz.");
   if (numbers.law != "hertz" && numbers.adhesion > 0.1 * life.modulus * life.birth_radius)
@@ -118,6 +134,12 @@ CultureParameters CultureEntries::parameters() const
   life.division.seed = life.variability.seed = std::uint64_t(seed);
   life.death.rim = rim == "none" ? Rim::none : rim == "quiescent" ? Rim::quiescent : Rim::necrotic;
   life.death.linear = lysis == "linear";
+  if (stiffness == "C9")
+    result.stiffness = LocalStiffness::repaired_C9();
+  else if (stiffness == "B19")
+    result.stiffness = LocalStiffness(0., {life.modulus, 0., 0., 0., 4e6}, HUGE_VAL);
+  else if (stiffness != "none")
+    result.stiffness = LocalStiffness::from_file(stiffness);
   result.motion.method = method == "euler" ? OverdampedMethod::euler : method == "heun" ? OverdampedMethod::heun : OverdampedMethod::implicit;
   return result;
 }

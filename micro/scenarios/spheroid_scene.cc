@@ -3,6 +3,7 @@
 #include "micro/cells/outer_cells.h"
 #include "micro/engine/binary.h"
 #include "micro/engine/counter_random.h"
+#include "micro/engine/gathered.h"
 #include "micro/io/field_file.h"
 #include "micro/io/run_context.h"
 #include "micro/scenarios/shared_entries.h"
@@ -14,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <sstream>
 
 namespace turgor
@@ -79,8 +81,8 @@ double SpheroidScene::first_phase(const std::size_t i) const
 
 void SpheroidScene::seed(CellCulture &culture) const
 {
-  // The sites of a face-centred cubic (a monolayer: square) lattice nearest to the origin.
-  const double spacing = 1.8 * entries.numbers.life.birth_radius;
+  // The sites of a face-centred cubic (a monolayer: square) lattice nearest to the origin, wide enough for the largest.
+  const double spacing = 1.8 * entries.numbers.life.birth_radius * (phases == "spread" ? std::cbrt(2.) : 1.);
   const int reach = int(std::ceil(flat ? std::sqrt(double(first_cells)) : std::cbrt(double(first_cells)))) + 2;
   std::vector<std::array<int, 4>> sites; // distance squared, then the site
   for (int z = flat ? 0 : -reach; z <= (flat ? 0 : reach); ++z)
@@ -139,18 +141,22 @@ void SpheroidScene::write_frame(FieldFile &file, CellCulture &culture) const
   FieldFrame frame;
   frame.time = culture.time();
   std::vector<double> volume, state;
-  for (std::size_t i = 0; i < cells.size(); ++i)
+  const std::vector<double> &pressure = culture.pressures();
+  std::vector<std::uint32_t> by_id(cells.size()); // the order in memory is that of places
+  std::iota(by_id.begin(), by_id.end(), 0u);
+  std::sort(by_id.begin(), by_id.end(), [&](std::uint32_t a, std::uint32_t b) { return cells.id[a] < cells.id[b]; });
+  for (const std::uint32_t i : by_id)
     {
       for (int d = 0; d < 3; ++d)
         frame.points.push_back(p.x[d][i]);
       volume.push_back(culture.life.volume(cells, i));
       state.push_back(double(cells.state[i]));
     }
-  frame.fields = {{"radius [m]", 1, p.field("radius")},
+  frame.fields = {{"radius [m]", 1, gathered(p.field("radius"), by_id)},
                   {"volume [m^3]", 1, volume},
-                  {"pressure [Pa]", 1, culture.pressures()},
-                  {"strain", 1, p.field("strain")},
-                  {"phase", 1, p.field("phase")},
+                  {"pressure [Pa]", 1, gathered(pressure, by_id)},
+                  {"strain", 1, gathered(p.field("strain"), by_id)},
+                  {"phase", 1, gathered(p.field("phase"), by_id)},
                   {"state", 1, state}};
   file.write(frame);
 }
@@ -214,11 +220,12 @@ void SpheroidScene::run(RunContext &context)
   const StepCheckpoints keep(
     context, last, checkpoints, [&] { context.save_checkpoint(write_all); },
     [&] { return "at t = " + std::to_string(culture.time() / 3600.) + " h"; });
-  bool full = false;
+  bool full = finished(table);
   while (culture.time() < duration && !full)
     {
       try
         {
+          before_interval(culture);
           culture.advance(duration);
         }
       catch (const std::runtime_error &error)
@@ -231,11 +238,14 @@ void SpheroidScene::run(RunContext &context)
       full = most_cells > 0. && double(culture.cells.size()) >= most_cells;
       const bool end = full || culture.time() >= duration;
       if (end || done % sample_every == 0)
-        record();
-      if (fields && (end || (frame_every > 0 && done % frame_every == 0)))
+        {
+          record();
+          full = full || finished(table);
+        }
+      if (fields && (end || full || (frame_every > 0 && done % frame_every == 0)))
         write_frame(*fields, culture);
       context.progress(culture.time() / duration, std::to_string(culture.cells.size()) + " cells");
-      if (!end)
+      if (!end && !full)
         keep.after_step(done);
     }
   report_growth(context, table, culture);

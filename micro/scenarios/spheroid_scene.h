@@ -45,6 +45,10 @@ protected:
   virtual CultureParameters culture_parameters() const { return entries.parameters(); }
   /// The first cells; a compact cluster about the origin.
   virtual void seed(CellCulture &culture) const;
+  /// Before each interval.
+  virtual void before_interval(CellCulture &) const {}
+  /// Whether the run may end before its Duration; asked after each row of the table.
+  virtual bool finished(const GrowthTable &) const { return false; }
   virtual void report(RunContext &, const GrowthTable &, CellCulture &) const {}
 
   CultureEntries entries;

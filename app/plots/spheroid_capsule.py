@@ -1,0 +1,83 @@
+"""The picture of a spheroid_capsule run: capsule radius, pressure and density after confluence with the experiment's numbers.
+
+main(directory) reads growth.csv and summary.json and writes spheroid_capsule.png there; with fields also a cut, cells_cut.png.
+draw(runs, path) puts several runs (label, directory) on one picture.
+"""
+import json
+import os
+import sys
+
+import numpy as np
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from cells_cut import draw_cut  # noqa: E402
+from drawing import ACCENT, ALONG, INK, plt, read_table, style  # noqa: E402
+
+DAY = 86400.0
+COLOURS = (ACCENT, ALONG, "#6b8e4e", "#8a6fb0", "#c28b2c", "#4d4d4d")
+
+
+def after_confluence(directory):
+    """Times (d), radius (um), pressure (kPa), density (1/100 um^2), rest radius (um); None before the wall is reached."""
+    table = read_table(os.path.join(directory, "growth.csv"))
+    with open(os.path.join(directory, "summary.json"), encoding="utf-8") as file:
+        results = json.load(file)["results"]
+    if "confluence_time" not in results:
+        return None
+    t = (table["time [s]"] - results["confluence_time"]["value"]) / DAY
+    radius = table["capsule_radius [m]"] * 1e6
+    return t, radius, table["capsule_pressure [Pa]"] / 1e3, table["density [1/(100 um^2)]"], radius[0], results
+
+
+def draw(runs, path):
+    figure, axes = plt.subplots(1, 3, figsize=(13, 4.2), layout="constrained")
+    last = 0.1
+    for k, (label, directory) in enumerate(runs):
+        data = after_confluence(directory)
+        if data is None:
+            continue
+        t, radius, pressure, density, rest, results = data
+        colour = COLOURS[k % len(COLOURS)]
+        shown = t > -1
+        for axis, values in zip(axes, (radius - rest, pressure, density)):
+            axis.plot(t[shown], values[shown], color=colour, linewidth=1.8, label=label)
+        if "transition_time" in results:
+            axes[1].plot(results["transition_time"]["value"] / DAY, results["transition_pressure"]["value"] / 1e3, "o",
+                         color=colour, markersize=6)
+        last = max(last, t[-1])
+    # the experiment: what the thesis states
+    at = np.array([min(2.0, 0.5 * last), last])
+    for slope, name, style_of in ((2.0, "2 µm/d (thin, experiment)", (0, (5, 2))), (0.7, "0.7 µm/d (thick, experiment)", (0, (1, 2)))):
+        axes[0].plot(at, slope * (at - at[0]) + (8 if slope > 1 else 3), color=INK, linewidth=1.1, linestyle=style_of, label=name)
+    axes[1].axhline(1.5, color=INK, linewidth=1, linestyle=(0, (5, 2)))
+    axes[1].annotate("transition in the experiment, about 1.5 kPa", (last, 1.5), xytext=(0, 4), textcoords="offset points",
+                     ha="right", fontsize=8, color=INK)
+    axes[2].plot([0, min(2, last)], [0.85, 2.0], "D", color=INK, markersize=6, label="experiment: 0.85, after 48 h 2")
+    for axis, text in zip(axes, ("capsule dilated by [µm]", "pressure on the capsule [kPa]", "cells per 100 µm² of a section")):
+        axis.set_xlabel("time after confluence [d]", color=INK)
+        axis.set_ylabel(text, color=INK)
+        axis.axvline(0, color="#c8d0d6", linewidth=0.8)
+        style(axis)
+    axes[0].legend(frameon=False, fontsize=8)
+    axes[2].legend(frameon=False, fontsize=8)
+    figure.savefig(path, dpi=130)
+    plt.close(figure)
+    return path
+
+
+def main(directory):
+    """Paths of the pictures made."""
+    if after_confluence(directory) is None:
+        return []
+    made = [draw([("this run", directory)], os.path.join(directory, "spheroid_capsule.png"))]
+    cut = draw_cut(directory)
+    if cut:
+        made.append(cut)
+    return made
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 3:  # PICTURE LABEL=DIR LABEL=DIR ...
+        draw([tuple(item.split("=", 1)) for item in sys.argv[2:]], sys.argv[1])
+    else:
+        main(sys.argv[1] if len(sys.argv) > 1 else ".")

@@ -1,0 +1,142 @@
+// Spheroids in a capsule: same bits on two threads and after a stop, balance of pressures, order in memory, bad input.
+#include "micro/engine/gathered.h"
+#include "micro/engine/space_order.h"
+#include "micro/scenarios/spheroid_capsule.h"
+#include "tests/memory_context.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <set>
+
+using namespace turgor;
+
+namespace
+{
+struct Outcome
+{
+  std::vector<std::vector<double>> rows;
+  std::map<std::string, double> results;
+};
+
+template <class Scene>
+Outcome run(const std::string &text, const unsigned int threads = 1, const unsigned long stop_at = 0)
+{
+  test::Disk disk;
+  for (bool resume = false;; resume = true)
+    {
+      Scene scene;
+      dealii::ParameterHandler prm;
+      scene.declare_parameters(prm);
+      prm.parse_input_from_string(text);
+      scene.check();
+      test::MemoryContext context(disk, resume);
+      context.use_threads = threads;
+      context.stop_at = resume ? 0 : stop_at;
+      try
+        {
+          scene.run(context);
+          return {disk.series.at("growth"), context.results};
+        }
+      catch (const RunStopped &)
+        {
+          BOOST_REQUIRE(!resume);
+        }
+    }
+}
+
+/// A ball of 60 cells, all that a run of the thesis has; deaths from a low pressure on.
+const std::string cells = R"(
+set First cells = 60
+set First phases = spread
+set Samples = 20
+set Frames = 0
+set Checkpoints = 0
+subsection Contact
+  set Local stiffness = C9
+end
+subsection Growth
+  set Inhibition = hill
+end
+subsection Motion
+  set Method = implicit
+  set Tolerance = 1e-2
+  set Growth tolerance = 1e-2
+  set Motility = 1e-16
+end
+)";
+const std::string capsule = cells + R"(
+set Duration = 150000
+subsection Death
+  set Rim = necrotic
+  set Rim thickness = 12e-6
+  set Necrosis pressure = 300
+  set Lysis time = 20000
+end
+subsection Capsule
+  set Radius = 32e-6
+  set Thickness = 4e-6
+  set Time confined = 0
+end
+)";
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(spheroid_surrounded)
+
+BOOST_AUTO_TEST_CASE(a_sorted_population_is_the_same_one_with_near_cells_near)
+{
+  Particles<3> p;
+  p.resize(500);
+  for (std::size_t i = 0; i < 500; ++i)
+    for (std::size_t d = 0; d < 3; ++d)
+      p.x[d][i] = random_uniform(1, 3 * i + d);
+  const std::vector<std::uint32_t> source = space_order(p, 0.05);
+  BOOST_TEST(std::set<std::uint32_t>(source.begin(), source.end()).size() == 500u);
+  const auto path = [&] {
+    double sum = 0.;
+    for (std::size_t i = 1; i < 500; ++i)
+      sum += (p.position(i) - p.position(i - 1)).norm();
+    return sum;
+  };
+  const double before = path();
+  gather(p, source);
+  BOOST_TEST(path() < 0.4 * before);
+}
+
+BOOST_AUTO_TEST_CASE(a_capsule_in_balance_with_its_cells_has_the_same_bits_always)
+{
+  const Outcome whole = run<SpheroidCapsule>(capsule);
+  BOOST_TEST(whole.results.at("capsule_radius") > 32.5e-6);
+  BOOST_TEST(whole.results.at("divisions") > 30.);
+  BOOST_TEST(whole.results.at("deaths") > 1.);
+  const ElasticCapsule wall({.radius = 32e-6, .thickness = 4e-6}, {});
+  BOOST_TEST(whole.results.at("capsule_pressure") == wall.wall_pressure(whole.results.at("capsule_radius")),
+             boost::test_tools::tolerance(1e-8));
+  const Outcome two = run<SpheroidCapsule>(capsule, 2);
+  BOOST_CHECK(two.rows == whole.rows);
+  BOOST_CHECK(two.results == whole.results);
+  for (const unsigned long stop_at : {17ul, 40ul})
+    {
+      const Outcome resumed = run<SpheroidCapsule>(capsule, 1, stop_at);
+      BOOST_CHECK(resumed.rows == whole.rows);
+      BOOST_CHECK(resumed.results == whole.results);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(bad_input_is_refused)
+{
+  const auto refused = [](Scenario &scene, const std::string &text, const std::string &words) {
+    dealii::ParameterHandler prm;
+    scene.declare_parameters(prm);
+    prm.parse_input_from_string(text);
+    BOOST_CHECK_EXCEPTION(scene.check(), InputError,
+                          [&](const InputError &e) { return std::string(e.what()).find(words) != std::string::npos; });
+  };
+  SpheroidCapsule a, b, c;
+  refused(a, "subsection Capsule\nset Radius = 10e-6\nend\n", "Capsule/Radius is 0.000010");
+  refused(b, "set First cells = 100000\n", "does not fit into Capsule/Radius");
+  refused(c, "subsection Contact\nset Local stiffness = no/such.csv\nend\n", "cannot read 'no/such.csv'");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
