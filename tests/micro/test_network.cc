@@ -254,6 +254,32 @@ BOOST_AUTO_TEST_CASE(newton_is_quadratic_and_repeatable)
   BOOST_TEST((x == y));
 }
 
+// With drag the forces balance the springs to the start, and the energy falls by at least what they hold.
+BOOST_AUTO_TEST_CASE(drag_is_one_damped_step)
+{
+  const ParenchymaPatch patch = make_parenchyma(small_cell(), 2, 1, true, true);
+  const TurgidReference reference = turgid_reference(patch);
+  const HydrostaticNetwork network(patch, reference.fluid_mass);
+  NetworkEquilibrium search(network);
+  const Tensor2<2> H = sheared() * patch.lattice;
+  const std::vector<double> start = mapped(sheared(), shaken(network, 0.05));
+  std::vector<double> x = start;
+  EquilibriumSettings settings;
+  settings.drag = 0.1 * patch.tie_stiffness / patch.parameters.lamella_ratio;
+  BOOST_TEST(search.solve(x, H, settings).converged);
+  const NetworkEvaluation at = forces(network, x, H);
+  double held = 0.;
+  for (std::size_t d = 2; d < x.size(); ++d) // node 0 is pinned
+    {
+      BOOST_TEST(std::abs(at.gradient[d] + settings.drag * (x[d] - start[d])) < 1e-8 * network.force_scale());
+      held += 0.5 * settings.drag * (x[d] - start[d]) * (x[d] - start[d]);
+    }
+  BOOST_TEST(held > 0.);
+  BOOST_TEST(energy(network, x, H) + held <= energy(network, start, H));
+  // and without it again to equilibrium
+  BOOST_TEST(search.solve(x, H, {}).converged);
+}
+
 // Body force on a slab of cells clamped at its left side: the clamps carry the weight.
 BOOST_AUTO_TEST_CASE(clamped_patch_carries_its_weight)
 {
