@@ -94,6 +94,16 @@ void TissueParameters<dim>::check() const
   if (right == "clamped" && tool.active())
     throw std::invalid_argument("A tool acts on the side x = Width, so it needs 'Right side = free' (it is 'clamped').");
   tool.check(size[0]);
+  if (tool.shape == "cylinder" && tool.active())
+    {
+      // Only nodes feel the tool; with an even number of them none is below its lowest point.
+      const unsigned int parts = elements[1] * degree;
+      const double aside = parts % 2 == 0 ? 0. : 0.5 * size[1] / parts;
+      const double height = aside < tool.radius ? tool.radius - std::sqrt(tool.radius * tool.radius - aside * aside) : tool.radius;
+      if (!(height < tool.depth))
+        throw std::invalid_argument("With Tissue/Elements y = " + std::to_string(elements[1]) + " the cylinder comes down between two nodes and, at Impact/Depth = " +
+                                    std::to_string(tool.depth * 1e3) + " mm, touches neither; take more elements, or an even number of them.");
+    }
   if (lateral == "periodic")
     for (unsigned int d = 1; d < dim; ++d)
       if (elements[d] * degree < 2)

@@ -20,6 +20,7 @@ import math
 import os
 import random
 import re
+import signal
 import subprocess
 import sys
 import tempfile
@@ -129,7 +130,7 @@ def draw(rng, scene, entries):
     return chosen
 
 
-def energy_gain(directory):
+def energy_gain(directory, least_rows):
     """The most that potential + kinetic energy rises above an earlier value, over the largest energy; None where none is written.
 
     full_micro: loads that are switched on before t = 0, whose potential is in the sum; tissues: kinetic + stored energy less the work of
@@ -142,9 +143,11 @@ def energy_gain(directory):
             continue
         with open(path, newline="", encoding="utf-8") as file:
             rows = [{key.split(" [")[0]: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
-        if len(rows) < 2 or not set(parts) <= set(rows[0]):
+        if len(rows) < least_rows or not set(parts) <= set(rows[0]):
             continue
-        size = max(sum(abs(row[part]) for part in parts) for row in rows) or 1.0
+        size = max(sum(abs(row[part]) for part in parts) for row in rows)
+        if size < 1e-14:
+            continue  # round-off
         least, gain = math.inf, 0.0
         for row in rows:
             least = min(least, total_of(row))
@@ -203,12 +206,14 @@ def run_one(program, scene, entries, seed, seconds):
         code, bad_file = process.returncode, not_finite(out)
         said = words.strip().splitlines()
         sentence = said[0] if said else ""
-        if code < 0 or code >= 132:
+        if late and code == -signal.SIGTERM:
+            verdict, sentence = "long", "stopped before it began"  # a program that is being loaded may simply be ended
+        elif code < 0 or code >= 132:
             verdict, sentence = "crash", f"signal {-code if code < 0 else code - 128}: {sentence}"
         elif bad_file:
             verdict, sentence = "nan", f"{bad_file}: {sentence}"
         elif (late and code in (0, 130)) or code == 0:
-            gain = energy_gain(out)
+            gain = energy_gain(out, 2 if code == 0 else 100)  # the first steps of a run have next to no energy to compare with
             verdict = "energy" if gain is not None and gain > 1e-2 else "long" if code == 130 else "ok"
             sentence = f"gained {gain:.2g} of the largest energy" if verdict == "energy" else ""
             if code == 0 and not os.path.exists(os.path.join(out, "summary.json")):
