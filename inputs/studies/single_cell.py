@@ -2,7 +2,7 @@
 
   python3 inputs/studies/single_cell.py NAME [--program build/app/turgor] [--directory runs] [--only-table]
 
-NAME: laplace_convergence, laplace_support, laplace_ordering, shell_modes, impact_matrix, failure, compression_2d. Runs that are
+NAME: laplace_convergence, laplace_support, laplace_ordering, shell_modes, impact_matrix, failure, largest_stretch, compression_2d, extremes. Runs that are
 finished in the directory are not repeated. The table goes to doc/results/single_cell/NAME.csv.
 """
 import argparse
@@ -44,34 +44,74 @@ def shell_modes():
                                                           "Cell/Anneal steps": 1500}
 
 
+SMALL = {"Cell/Frequency": 6, "Cell/Fluid particles": 600, "Cell/Anneal steps": 1500, "Frames": 0}
+SLOW = {"Speed": 1, "Both plates move": "true", "Damping": 2e5, "Cell/Wall density": 32500}
+
+
 def impact_matrix():
     for stiffness in (100, 1000):
         for viscosity in (1e-3, 1e-2, 1e-1, 1):
             yield f"G{stiffness}_mu{viscosity}", "cell_impact", {
-                "Cell/Frequency": 6, "Cell/Fluid particles": 600, "Cell/Anneal steps": 1500, "Frames": 6,
-                "Cell/Wall stiffness": stiffness, "Cell/Fluid viscosity": viscosity}
+                **SMALL, "Deformation": 0.4, "Cell/Wall stiffness": stiffness, "Cell/Fluid viscosity": viscosity}
 
 
 def failure():
-    size = {"Cell/Frequency": 6, "Cell/Fluid particles": 600, "Cell/Anneal steps": 1500, "Frames": 8}
-    slow = {"Speed": 0.5, "Both plates move": "true", "Damping": 2e5, "Cell/Wall density": 32500}
-    for stretch in (1.03, 1.05):
-        yield f"slow_{stretch}", "cell_failure", {**size, **slow, "Critical stretch": stretch}
+    """Slow: the largest stretch is at the edge of the contact for small lambda_c, at the equator for large lambda_c and soft walls."""
+    for stiffness, stretch, deformation in ((100, 1.04, 0.3), (100, 1.2, 0.6), (6, 1.2, 0.35)):
+        entries = {**SMALL, "Cell/Wall stiffness": stiffness, "Critical stretch": stretch, "Deformation": deformation}
+        yield f"slow_G{stiffness}_{stretch}", "cell_failure", {**entries, **SLOW}
         for viscosity in (1e-3, 1):
-            yield f"impact_{stretch}_mu{viscosity}", "cell_failure", {**size, "Critical stretch": stretch,
-                                                                      "Cell/Fluid viscosity": viscosity}
+            yield f"impact_G{stiffness}_{stretch}_mu{viscosity}", "cell_failure", {**entries, "Cell/Fluid viscosity": viscosity}
+
+
+def largest_stretch():
+    """Cell of one pressure, slow: where the largest stretch lies, against the balloon's, over the net's resolution."""
+    for stiffness in (100, 6):
+        for nu in (6, 10, 14):
+            yield f"G{stiffness}_{nu}", "cell_compression", {
+                "Cell/Fluid": "pressure", "Cell/Frequency": nu, "Speed": 1, "Frames": 0, "Deformation": 0.51,
+                "Cell/Wall stiffness": stiffness}
 
 
 def compression_2d():
-    for drop in (0, 0.9):
-        for fluid in ("pressure", "sph"):
-            yield f"B{drop}_{fluid}", "cell_compression", {
-                **FLAT, "Cell/Fluid particles": 484, "Cell/Yield drop": drop, "Cell/Fluid": fluid, "Frames": 6,
-                "Cell/Wall density": 32500}
+    for sharpness, drop in ((15, 0), (15, 0.3), (15, 0.6), (15, 0.9), (5, 0.9), (30, 0.9), (100, 0.9), (15, 1)):
+        yield f"A{sharpness}_B{drop}", "cell_compression", {
+            **FLAT, "Cell/Yield sharpness": sharpness, "Cell/Yield drop": drop, "Cell/Fluid": "pressure", "Frames": 0,
+            "Cell/Wall density": 32500}
+    for name, entries in (("plates_100", {"Plate stiffness": 100}), ("plates_10000", {"Plate stiffness": 1e4}),
+                          ("slow", {"Speed": 0.02}), ("no_bending", {"Cell/Wall bending": "false"}),
+                          ("beta_0.25", {"Cell/Wall beta": 0.25}), ("beta_1", {"Cell/Wall beta": 1}),
+                          ("turgor_50k", {"Cell/Turgor": 50e3}), ("modulus_0.6M", {"Cell/Fluid modulus": 6e5}),
+                          ("sph", {"Cell/Fluid": "sph"})):
+        yield f"A15_B0.9_{name}", "cell_compression", {
+            **FLAT, "Cell/Yield drop": 0.9, "Cell/Fluid particles": 484, "Cell/Fluid": "pressure", "Frames": 0,
+            "Cell/Wall density": 32500, **entries}
+
+
+def extremes():
+    """Each scene driven, one entry at a time, until it breaks: 162 nodes, 200 particles (2D: 60, 150)."""
+    tiny = {"Cell/Frequency": 4, "Cell/Fluid particles": 200, "Cell/Anneal steps": 1000, "Frames": 0, "Deformation": 0.4}
+    flat = {**FLAT, **tiny, "Cell/Ring nodes": 60, "Cell/Fluid particles": 150, "Cell/Anneal steps": 3000}
+    for entry, values in (("Speed", (20, 50, 100, 200, 500)), ("Deformation", (0.6, 0.75, 0.9)),
+                          ("Cell/Wall stiffness", (10, 1e4, 1e5)), ("Cell/Fluid viscosity", (0, 10)),
+                          ("Plate stiffness", (10, 1e5)), ("Cell/Fluid modulus", (2e5, 1e8)), ("Step fraction", (0.9, 1.0))):
+        for value in values:
+            yield f"impact_{entry.split('/')[-1].replace(' ', '_')}_{value:g}", "cell_impact", {**tiny, entry: value}
+    for value in (50, 200):
+        yield f"impact_2D_Speed_{value}", "cell_impact", {**flat, "Dimension": 2, "Speed": value}
+    for value in (0.6, 0.75, 0.9):
+        yield f"compression_Deformation_{value}", "cell_compression", {**tiny, "Cell/Fluid": "pressure", "Speed": 1,
+                                                                        "Deformation": value}
+        yield f"compression_2D_yield_Deformation_{value}", "cell_compression", {
+            **flat, "Cell/Fluid": "pressure", "Speed": 1, "Deformation": value, "Cell/Yield drop": 0.9, "Cell/Wall density": 32500}
+    for value in (1e6, 3e6, 5e6):
+        yield f"compression_Turgor_{value:g}", "cell_compression", {**tiny, "Cell/Fluid": "pressure", "Speed": 1, "Cell/Turgor": value}
+    for entry, value in (("Critical stretch", 1.02), ("Speed", 50), ("Deformation", 0.75), ("Cell/Fluid viscosity", 1)):
+        yield f"failure_{entry.split('/')[-1].replace(' ', '_')}_{value:g}", "cell_failure", {**tiny, entry: value}
 
 
 STUDIES = {f.__name__: f for f in (laplace_convergence, laplace_support, laplace_ordering, shell_modes, impact_matrix, failure,
-                                   compression_2d)}
+                                   largest_stretch, compression_2d, extremes)}
 
 
 def main():
@@ -89,12 +129,13 @@ def main():
         if not finished:
             if options.only_table:
                 continue
-            command = [options.program, "run", os.path.join(ROOT, "inputs", scene + ".prm"), "-o", place, "--quiet"]
+            command = [options.program, "run", os.path.join(ROOT, "inputs", scene + ".prm"), "-o", place, "--quiet", "--threads", "1"]
             for name, value in entries.items():
                 command += ["--set", f"{name}={value}"]
             done = subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL)
             if done.returncode != 0:
-                rows.append({"run": label, "failed": (done.stdout + done.stderr).strip().splitlines()[-1]})
+                said = (done.stdout + done.stderr).strip().splitlines()
+                rows.append({"run": label, "failed": next((line for line in said if line.startswith("turgor: ")), said[-1])})
                 columns += [name for name in ("failed",) if name not in columns]
                 continue
         result = json.load(open(summary, encoding="utf-8"))

@@ -19,6 +19,20 @@ namespace
 {
 constexpr double pi = std::numbers::pi;
 
+/// Integral of g(l) (l - l^-5) from 1 to l: Gauss's rule on 4 parts, g having its bend within a few 1/A of 1.
+double yielding_energy(const WallYield &yield, const double l)
+{
+  constexpr double x[3] = {-0.7745966692414834, 0., 0.7745966692414834}, weight[3] = {5. / 9., 8. / 9., 5. / 9.};
+  double sum = 0.;
+  for (int part = 0; part < 4; ++part)
+    for (int k = 0; k < 3; ++k)
+      {
+        const double at = 1. + (l - 1.) * (part + 0.5 + 0.5 * x[k]) / 4.;
+        sum += weight[k] * yield.share(at) * (at - std::pow(at, -5.));
+      }
+  return sum * (l - 1.) / 8.;
+}
+
 /// The unknowns: rho and z of node i at 2 i and 2 i + 1, node 0 the pole.
 struct Quadrant
 {
@@ -29,7 +43,7 @@ struct Quadrant
   /// The pole's rho, the equator's z, and z of the first nodes, those on the plate.
   bool fixed(const unsigned int k, const unsigned int touching) const
   {
-    return k == 0 || k == 2 * n + 1 || (k % 2 == 1 && k < 2 * touching);
+    return k == 0 || k == 2 * n + 1 || ((k % 2 == 1 || model.sticking) && k < 2 * touching);
   }
 
   struct Sums
@@ -198,7 +212,7 @@ BalloonModel::Tension BalloonModel::tension(const double a, const double b) cons
       T.w = 0.5 * wall_stiffness * (a * a + b * b + 1. / (a * a * b * b) - 3.);
       return T;
     }
-  // l = f/l with f = l - l^-5 is 1 - l^-6; the mean over directions by the midpoint rule, which is exact to round-off for
+  // h = f/l with f = l - l^-5 is 1 - l^-6, times what yielding leaves; the mean over directions by the midpoint rule, which is exact to round-off for
   // such smooth periodic functions.
   static const auto squares = [] {
     std::array<double, 12> c2{};
@@ -210,11 +224,20 @@ BalloonModel::Tension BalloonModel::tension(const double a, const double b) cons
   for (const double c2 : squares)
     {
       const double s2 = 1. - c2, q = 1. / (a * a * c2 + b * b * s2), q3 = q * q * q;
-      w += 0.5 / q + 0.25 * q * q - 0.75;
-      hc += (1. - q3) * c2;
-      hs += (1. - q3) * s2;
-      slope_cc += 6. * q3 * q * c2 * c2;
-      slope_cs += 6. * q3 * q * c2 * s2;
+      double h = 1. - q3, slope = 6. * q3 * q; // slope: dh/dl / l
+      if (yield.active())
+        {
+          const double l = 1. / std::sqrt(q), g = yield.share(l);
+          slope = slope * g + h * yield.derivative(l) / l;
+          h *= g;
+          w += yielding_energy(yield, l);
+        }
+      else
+        w += 0.5 / q + 0.25 * q * q - 0.75;
+      hc += h * c2;
+      hs += h * s2;
+      slope_cc += slope * c2 * c2;
+      slope_cs += slope * c2 * s2;
     }
   const double scale = 2. * wall_stiffness / double(squares.size());
   T.t1 = scale * a / b * hc;
@@ -229,7 +252,7 @@ double BalloonModel::turgid_radius() const
 {
   const auto excess = [&](const double R) {
     const double lambda = R / rest_radius;
-    return pressure_of_volume(4. / 3. * pi * R * R * R) * R - 2. * wall_stiffness * (1. - std::pow(lambda, -6.));
+    return pressure_of_volume(4. / 3. * pi * R * R * R) * R - 2. * tension(lambda, lambda).t1;
   };
   // p(V) falls and the tension grows up to lambda = 7^(1/6) of a free p R: bisection between slack and that.
   double low = 0.5 * rest_radius, high = 2. * rest_radius;
@@ -271,6 +294,9 @@ std::vector<BalloonModel::Point> BalloonModel::compress(const double largest, co
     at.pole_stretch = length(0) / ds0;
     at.equator_hoop_stretch = u[2 * elements] / rest_radius;
     at.equator_meridian_stretch = length(elements - 1) / ds0;
+    at.touching = touching;
+    for (unsigned int i = 0; i < elements; ++i)
+      at.stretches.push_back({length(i) / ds0, 0.5 * (u[2 * i] + u[2 * i + 2]) / (rest_radius * std::sin(quadrant.angle(i + 0.5)))});
     const double rho = u[2 * elements], T = tension(at.equator_meridian_stretch, at.equator_hoop_stretch).t1;
     at.force_balance = (2. * pi * rho * T - at.pressure * pi * rho * rho + at.force) / (scale_p * pi * rho * rho);
     return at;
@@ -308,6 +334,32 @@ std::vector<BalloonModel::Point> BalloonModel::compress(const double largest, co
         }
     }
   return points;
+}
+
+BalloonModel::Largest BalloonModel::largest(const Point &point, const int direction)
+{
+  Largest most;
+  const double part = 90. / double(point.stretches.size());
+  for (std::size_t k = 0; k < point.stretches.size(); ++k)
+    if (point.stretches[k][direction] > most.stretch)
+      most = {point.stretches[k][direction], (double(k) + 0.5) * part};
+  return most;
+}
+
+BalloonModel::Break BalloonModel::first_break(const std::vector<Point> &points, const double critical)
+{
+  for (std::size_t k = 1; k < points.size(); ++k)
+    {
+      const Largest along = largest(points[k], 0), around = largest(points[k], 1);
+      const int direction = along.stretch >= around.stretch ? 0 : 1;
+      const Largest &most = direction == 0 ? along : around;
+      if (!(most.stretch > critical))
+        continue;
+      const double before = std::max(largest(points[k - 1], 0).stretch, largest(points[k - 1], 1).stretch);
+      const double part = std::clamp((critical - before) / (most.stretch - before), 0., 1.);
+      return {points[k - 1].deformation + part * (points[k].deformation - points[k - 1].deformation), most.angle, direction};
+    }
+  return {std::numeric_limits<double>::quiet_NaN(), 0., 0};
 }
 
 double BalloonModel::force_at(const std::vector<Point> &points, const double deformation)

@@ -18,10 +18,17 @@
 //   net          W = 2 G t0 < l^2/2 + l^-4/4 - 3/4 >,  l^2 = lambda_1^2 cos^2 + lambda_2^2 sin^2, mean over all directions:
 //                the isotropic continuum of the spring net (net_wall.h; E = 3 G biaxially, 4 G uniaxially)
 //   neo_hookean  T_1 = G t0 (lambda_1/lambda_2 - 1/(lambda_1 lambda_2)^3): the incompressible solid itself
+//   The net may yield (wall_yield.h): a spring's force, and so (l - l^-5), times g(l), on the way out and back.
+//
+// Where the stretch is largest decides where a wall fails that bears a given stretch: the profile lambda_1, lambda_2 of every point.
+// Plates are smooth, or what touches them sticks (friction without limit, for comparison).
 //
 // In: SI. Out: forces in N.
 #pragma once
 
+#include "micro/terms/wall_yield.h"
+
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -42,6 +49,9 @@ struct BalloonModel
     double volume = 0.;        ///< m^3
     double contact_radius = 0.; ///< m, of the last element that touches
     double pole_stretch = 1., equator_hoop_stretch = 1., equator_meridian_stretch = 1.;
+    /// lambda_1, lambda_2 in the middle of each element, from the pole (stress-free polar angle (k + 1/2) pi/(2 elements)).
+    std::vector<std::array<double, 2>> stretches;
+    unsigned int touching = 0; ///< elements on the plate
     double energy = 0.;        ///< J, of the whole wall
     double force_balance = 0.; ///< 1, (2 pi rho T_1 - p pi rho^2 + F) / (p pi rho^2) at the equator: error of the elements
   };
@@ -49,6 +59,8 @@ struct BalloonModel
   double rest_radius = 0.;    ///< m
   double wall_stiffness = 0.; ///< N/m, G t0
   Membrane membrane = Membrane::net;
+  WallYield yield;             ///< of the net
+  bool sticking = false;       ///< what touches a plate stays where it touched it
   std::function<double(double)> pressure_of_volume; ///< Pa of m^3
   double bending = 0.; ///< N m, rigidity D along the meridian; keeps what is compressed beside the plates from folding
   unsigned int elements = 400; ///< of a quadrant
@@ -67,6 +79,21 @@ struct BalloonModel
   /// Ends before where no equilibrium is found that continues the flat contact (the wall folds); throws std::runtime_error
   /// if there is none at the start.
   std::vector<Point> compress(double largest, double step = 0.01) const;
+
+  /// Largest stretch along the meridian (0) or around the axis (1) and its stress-free polar angle, degrees.
+  struct Largest
+  {
+    double stretch = 1., angle = 0.;
+  };
+  static Largest largest(const Point &point, int direction);
+  /// The first deformation (1) at which a wall that bears `critical` breaks, linear between points, where (degrees) and in which
+  /// direction (0, 1); deformation NaN if it does not.
+  struct Break
+  {
+    double deformation, angle;
+    int direction;
+  };
+  static Break first_break(const std::vector<Point> &points, double critical);
 
   /// Force at a deformation, linear between points; NaN beyond the last.
   static double force_at(const std::vector<Point> &points, double deformation);

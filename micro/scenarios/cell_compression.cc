@@ -1,9 +1,11 @@
 // cell_compression: slow squeezing of a cell between two plates, force against deformation, compared with the balloon model
 // (3D). Thesis 3.3.2, Fig. 3.3B and D.
 #include "micro/io/run_context.h"
-#include "micro/scenarios/balloon_model.h"
+#include "micro/scenarios/cell_balloon.h"
 #include "micro/scenarios/squeezed_cell.h"
+#include "micro/scenarios/squeezed_ring.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -27,38 +29,74 @@ public:
   }
 
 protected:
-  void report(RunContext &context, const std::vector<Row> &rows) const override
+  void report(RunContext &context, const Rows &rows) const override
   {
-    std::vector<Row> mean = rows; // of both plates
+    Rows mean = rows; // of both plates
     for (Row &row : mean)
       row.force_upper = row.force_lower = 0.5 * (row.force_upper + row.force_lower);
     result_at(context, mean, "force", &Row::force_upper, "N");
     result_at(context, mean, "pressure", &Row::pressure, "Pa");
     if (deformation >= 0.3)
       {
-        context.result("slope_15_20", slope(mean, 0.15, 0.20), "N");
-        context.result("slope_25_30", slope(mean, 0.25, 0.30 - 1e-9), "N");
-        context.result("stiffening", slope(mean, 0.25, 0.30 - 1e-9) / slope(mean, 0.15, 0.20), "1");
+        context.result("slope_15_20", squeezed::slope(mean, 0.15, 0.20), "N");
+        context.result("slope_25_30", squeezed::slope(mean, 0.25, 0.30 - 1e-9), "N");
+        context.result("stiffening", squeezed::slope(mean, 0.25, 0.30 - 1e-9) / squeezed::slope(mean, 0.15, 0.20), "1");
       }
-    if (dimension != 3 || !(start_pressure > 0.))
+    if (!(start_pressure > 0.))
       return;
+    if (dimension == 2)
+      compare_with_ring(context, mean);
+    else
+      compare_with_balloons(context, mean);
+  }
+
+private:
+  void compare_with_ring(RunContext &context, const Rows &mean) const
+  {
+    const double chord = 2. * rest_radius * std::sin(std::numbers::pi / cell.ring_nodes);
+    SqueezedRing ring{NeoHookeanWall(cell.wall_stiffness, cell.depth, cell.wall_beta,
+                                     WallYield{cell.yield_sharpness, cell.yield_drop}),
+                      chord * cell.ring_nodes, cell.depth, {}};
+    // the turgid ring has the pressure that the cell's wall was measured to balance
+    double low = 0.25 * ring.rest_length / std::numbers::pi, high = ring.rest_length / std::numbers::pi;
+    for (int k = 0; k < 200; ++k)
+      {
+        const double r = 0.5 * (low + high);
+        (ring.law.force(2. * std::numbers::pi * r / ring.rest_length) < start_pressure * r * cell.depth ? low : high) = r;
+      }
+    const EquationOfState eos(cell.fluid_density, cell.fluid_modulus, cell.cavitation_pressure);
+    const double mass = eos.density_at(start_pressure) * std::numbers::pi * low * low; // per depth
+    ring.pressure_of_area = [=](const double A) { return eos.pressure(mass / A); };
+    const auto table = context.series("ring", {{"deformation", "1"}, {"force", "N"}, {"pressure", "Pa"}, {"stretch", "1"}});
+    const double r0 = ring.radius();
+    for (int k = 0; k <= 100; ++k)
+      {
+        const double e = deformation * k / 100.;
+        const auto state = ring.between(r0 * (1. - e));
+        table->add_row({e, state.force, state.pressure, state.stretch});
+      }
+    for (const int percent : {5, 10, 15, 20, 25, 30, 40, 50})
+      {
+        const double found = squeezed::at(mean, &Row::force_upper, 0.01 * percent - 1e-9);
+        if (!std::isfinite(found))
+          continue;
+        const std::string where = (percent < 10 ? "_at_0" : "_at_") + std::to_string(percent);
+        const double reference = ring.force(0.01 * percent);
+        context.result("ring" + where, reference, "N");
+        context.result("ring_deviation" + where, 100. * (found / reference - 1.), "%");
+      }
+    context.result("ring_stiffening", ring.stiffening(), "1");
+  }
+
+  void compare_with_balloons(RunContext &context, const Rows &mean) const
+  {
     const auto table = context.series(
-      "balloon", {{"membrane", ""}, {"deformation", "1"}, {"force", "N"}, {"pressure", "Pa"}, {"contact_radius", "m"}});
+      "balloon", {{"membrane", ""}, {"deformation", "1"}, {"force", "N"}, {"pressure", "Pa"}, {"contact_radius", "m"},
+                  {"largest_stretch", "1"}, {"largest_stretch_angle", "degrees"}, {"largest_around", ""}});
     for (const auto membrane : {BalloonModel::Membrane::net, BalloonModel::Membrane::neo_hookean})
       {
         const bool net = membrane == BalloonModel::Membrane::net;
-        BalloonModel balloon;
-        balloon.rest_radius = rest_radius;
-        balloon.wall_stiffness = cell.wall_stiffness;
-        balloon.membrane = membrane;
-        balloon.bending = cell.wall_bending ? cell.wall_stiffness * cell.wall_thickness * cell.wall_thickness / 3. : 0.;
-        // The turgid sphere has the pressure that the cell's wall was measured to balance; the liquid is the cell's.
-        double lambda = 1.;
-        for (int k = 0; k < 200; ++k)
-          lambda = std::pow(1. - start_pressure * lambda * rest_radius / (2. * cell.wall_stiffness), -1. / 6.);
-        const EquationOfState eos(cell.fluid_density, cell.fluid_modulus, cell.cavitation_pressure);
-        const double mass = eos.density_at(start_pressure) * 4. / 3. * std::numbers::pi * std::pow(lambda * rest_radius, 3);
-        balloon.pressure_of_volume = [=](const double V) { return eos.pressure(mass / V); };
+        const BalloonModel balloon = balloon_of(cell, rest_radius, start_pressure, membrane);
         std::vector<BalloonModel::Point> points;
         try
           {
@@ -70,18 +108,47 @@ protected:
             continue;
           }
         for (const auto &point : points)
-          table->add_row({net ? 0. : 1., point.deformation, point.force, point.pressure, point.contact_radius});
+          {
+            const auto along = BalloonModel::largest(point, 0), around = BalloonModel::largest(point, 1);
+            const auto &most = around.stretch >= along.stretch ? around : along;
+            table->add_row({net ? 0. : 1., point.deformation, point.force, point.pressure, point.contact_radius, most.stretch,
+                            most.angle, around.stretch >= along.stretch ? 1. : 0.});
+          }
+        if (net)
+          compare_stretches(context, mean, points);
         const std::string name = net ? "balloon_net" : "balloon_neo_hookean";
-        for (const int percent : {5, 10, 15, 20, 25, 30})
+        for (const int percent : {5, 10, 15, 20, 25, 30, 40, 50})
           {
             const double reference = BalloonModel::force_at(points, 0.01 * percent),
-                         found = at(mean, &Row::force_upper, 0.01 * percent - 1e-9);
+                         found = squeezed::at(mean, &Row::force_upper, 0.01 * percent - 1e-9);
             if (!std::isfinite(reference) || !std::isfinite(found))
               continue;
             const std::string where = (percent < 10 ? "_at_0" : "_at_") + std::to_string(percent);
             context.result(name + where, reference, "N");
             context.result(name + "_deviation" + where, 100. * (found / reference - 1.), "%");
           }
+      }
+  }
+
+  /// Where the largest stretch lies: of the cell's bonds and of the balloon, degrees from the nearer pole.
+  void compare_stretches(RunContext &context, const Rows &rows, const std::vector<BalloonModel::Point> &points) const
+  {
+    for (const int percent : {10, 20, 30, 40, 50})
+      {
+        const double e = 0.01 * percent - 1e-9;
+        const auto row = std::find_if(rows.begin(), rows.end(), [&](const Row &r) { return r.deformation >= e; });
+        const auto point = std::find_if(points.begin(), points.end(), [&](const auto &p) { return p.deformation >= e; });
+        if (row == rows.end() || point == points.end())
+          continue;
+        const auto along = BalloonModel::largest(*point, 0), around = BalloonModel::largest(*point, 1);
+        const auto &most = around.stretch >= along.stretch ? around : along;
+        const std::string where = "_at_" + std::to_string(percent);
+        context.result("largest_stretch" + where, row->largest, "1");
+        context.result("balloon_largest_stretch" + where, most.stretch, "1");
+        context.result("largest_stretch_angle" + where, std::min(row->largest_angle, 180. - row->largest_angle), "degrees");
+        context.result("balloon_largest_stretch_angle" + where, most.angle, "degrees");
+        context.result("largest_stretch_tilt" + where, row->largest_tilt, "degrees");
+        context.result("balloon_largest_stretch_tilt" + where, around.stretch >= along.stretch ? 0. : 90., "degrees");
       }
   }
 };

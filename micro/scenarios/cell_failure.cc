@@ -1,9 +1,12 @@
-// cell_failure: a cell squeezed slowly or struck until its wall breaks: where the crack starts and at what deformation.
+// cell_failure: a cell squeezed slowly or struck until its wall breaks: where the crack starts and at what deformation, and where
+// the balloon model (3D, slow) has its largest stretch when that reaches lambda_c.
 // Thesis 3.3.3, Fig. 3.5A, B.
 #include "micro/io/run_context.h"
+#include "micro/scenarios/cell_balloon.h"
 #include "micro/scenarios/squeezed_cell.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace turgor
 {
@@ -29,7 +32,7 @@ public:
   }
 
 protected:
-  void report(RunContext &context, const std::vector<Row> &rows) const override
+  void report(RunContext &context, const Rows &rows) const override
   {
     double upper = 0., lower = 0.;
     for (const Row &row : rows)
@@ -39,6 +42,25 @@ protected:
       }
     context.result("largest_force_upper", upper, "N");
     context.result("largest_force_lower", lower, "N");
+    if (dimension != 3 || !(start_pressure > 0.))
+      return;
+    try
+      {
+        BalloonModel balloon = balloon_of(cell, rest_radius, start_pressure, BalloonModel::Membrane::net);
+        balloon.elements = 200;
+        const auto first = BalloonModel::first_break(balloon.compress(deformation), critical_stretch);
+        if (!std::isfinite(first.deformation))
+          return;
+        context.result("balloon_break_deformation", first.deformation, "1");
+        context.result("balloon_break_angle", first.angle, "degrees");
+        context.result("balloon_break_tilt", first.direction == 1 ? 0. : 90., "degrees");
+        if (first_deformation > 0.)
+          context.result("break_deformation_over_balloon", 100. * (first_deformation / first.deformation - 1.), "%");
+      }
+    catch (const std::runtime_error &error)
+      {
+        context.note("balloon_model", error.what());
+      }
   }
 };
 } // namespace

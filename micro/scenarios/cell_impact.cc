@@ -19,7 +19,7 @@ public:
   }
 
 protected:
-  void report(RunContext &context, const std::vector<Row> &rows) const override
+  void report(RunContext &context, const Rows &rows) const override
   {
     result_at(context, rows, "force_upper", &Row::force_upper, "N");
     result_at(context, rows, "force_transmitted", &Row::force_lower, "N");
@@ -28,23 +28,13 @@ protected:
     result_at(context, rows, "contact_lower", &Row::contact_lower, "m");
     result_at(context, rows, "mean_stretch_upper", &Row::mean_upper, "1");
     result_at(context, rows, "mean_stretch_lower", &Row::mean_lower, "1");
-    // Turning points of the transmitted force: reversals by more than 3 % of its largest value.
-    double largest = 0.;
-    for (const Row &row : rows)
-      largest = std::max(largest, row.force_lower);
-    double extreme = rows.front().force_lower;
-    int direction = 1, reversals = 0;
-    for (const Row &row : rows)
-      if (direction * (row.force_lower - extreme) > 0.)
-        extreme = row.force_lower;
-      else if (std::abs(row.force_lower - extreme) > 0.03 * largest)
-        {
-          ++reversals;
-          direction = -direction;
-          extreme = row.force_lower;
-        }
-    context.result("transmitted_largest", largest, "N");
-    context.result("transmitted_reversals", reversals, "");
+    for (const int percent : {5, 10, 15, 20, 25, 30, 40, 50})
+      if (const double share = squeezed::upper_share(rows, 0.01 * percent - 1e-9); std::isfinite(share))
+        context.result(std::string("deformation_share_upper_at_") + (percent < 10 ? "0" : "") + std::to_string(percent), share, "1");
+    const squeezed::Swing swing = squeezed::transmitted_swing(rows);
+    context.result("transmitted_largest", swing.largest, "N");
+    context.result("transmitted_reversals", swing.reversals, "");
+    context.result("transmitted_deepest_fall", swing.deepest_fall, "1");
     double most_upper = 1., most_lower = 1.;
     for (const Row &row : rows)
       {

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace turgor
@@ -24,7 +23,7 @@ struct Progress
 {
   std::uint64_t step = 0;
   double dt = 0., height = 0., radius = 0., start_energy = 0., start_pressure = 0., residual = 0.;
-  double first_angle = -1., first_deformation = -1., angle_sum = 0.; ///< degrees, 1, degrees
+  double first_angle = -1., first_tilt = 0., first_deformation = -1., angle_sum = 0., tilt_sum = 0.; ///< degrees; 1
 };
 
 /// Share of the full angle under which a closed wall, broken faces included, is seen: 1 inside, 0 outside.
@@ -61,8 +60,7 @@ void SqueezedCell::declare_parameters(dealii::ParameterHandler &prm)
                     "Rate at which all velocities decay, for quasi-static loading; 0: none. Units: 1/s.", Double(0., 1e12));
   prm.add_parameter("Deformation", deformation, "Approach of the plates over 2 R at the end. Units: none.",
                     Double(0.001, 0.9));
-  prm.add_parameter("Plate stiffness", plate_stiffness, "Penalty of a wall node behind a plate. Units: N/m.",
-                    Double(1e-6, 1e9));
+  prm.add_parameter("Plate stiffness", plate_stiffness, "Penalty of a wall node behind a plate; 0: ten times the wall's G t0. Units: N/m.", Double(0., 1e9));
   prm.add_parameter("Critical stretch", critical_stretch,
                     "lambda_c at which a bond of the wall breaks, above 1; 0: walls do not fail. Units: none.",
                     Double(0., 100.));
@@ -84,29 +82,11 @@ void SqueezedCell::check() const
                      + std::to_string(cell.turgid_stretch(int(dimension))) + ".");
 }
 
-double SqueezedCell::at(const std::vector<Row> &rows, double Row::*quantity, const double where)
-{
-  for (std::size_t k = 1; k < rows.size(); ++k)
-    if (rows[k].deformation >= where)
-      {
-        const Row &a = rows[k - 1], &b = rows[k];
-        return a.*quantity + (where - a.deformation) / (b.deformation - a.deformation) * (b.*quantity - a.*quantity);
-      }
-  return std::numeric_limits<double>::quiet_NaN();
-}
-
-double SqueezedCell::slope(const std::vector<Row> &rows, const double from, const double to)
-{
-  return (at(rows, &Row::force_lower, to) + at(rows, &Row::force_upper, to) - at(rows, &Row::force_lower, from)
-          - at(rows, &Row::force_upper, from))
-         / (2. * (to - from));
-}
-
-void SqueezedCell::result_at(RunContext &context, const std::vector<Row> &rows, const std::string &name,
+void SqueezedCell::result_at(RunContext &context, const Rows &rows, const std::string &name,
                              double Row::*quantity, const std::string &unit)
 {
-  for (const int percent : {5, 10, 15, 20, 25, 30})
-    if (const double value = at(rows, quantity, 0.01 * percent - 1e-9); std::isfinite(value))
+  for (const int percent : {5, 10, 15, 20, 25, 30, 40, 50})
+    if (const double value = squeezed::at(rows, quantity, 0.01 * percent - 1e-9); std::isfinite(value))
       context.result(name + "_at_" + (percent < 10 ? "0" : "") + std::to_string(percent), value, unit);
 }
 
@@ -126,19 +106,18 @@ void SqueezedCell::run_in(RunContext &context)
   RoundCell<dim> &round = *made;
   ParticleSystem<dim> &system = round.system;
   Particles<dim> &particles = system.particles;
-  const std::uint32_t nw = round.group().wall_count();
   std::vector<Plate> two(2);
   two[0].axis = two[1].axis = axis;
   two[0].side = 1;  // below the cell
   two[1].side = -1; // above
   two[0].position = -1e3; // far away until the cell is turgid
   two[1].position = 1e3;
-  Plates<dim> &plates = system.add(std::make_unique<Plates<dim>>(two, plate_stiffness));
+  Plates<dim> &plates = system.add(std::make_unique<Plates<dim>>(two, plate_stiffness > 0. ? plate_stiffness : 10. * cell.wall_stiffness));
   context.active(system.term_names(), particles.field_names());
 
   Progress at_step;
-  std::vector<Row> rows;
-  std::vector<double> polar(nw); // cosine of the polar angle of each node in the turgid cell
+  Rows rows;
+  std::vector<double> polar; // cosine of the polar angle of each node in the turgid cell
   WatchedSteps<dim> integrator(system, step_fraction, 0.02);
   const bool resumed = context.load_checkpoint([&](std::istream &in) {
     read_binary(in, at_step);
@@ -170,18 +149,11 @@ void SqueezedCell::run_in(RunContext &context)
         }
       at_step.radius = round.mean_radius();
       at_step.start_pressure = cell.fluid == "none" ? 0. : round.virial_pressure();
-      double low = HUGE_VAL, high = -HUGE_VAL, middle = 0.;
-      for (std::uint32_t i = 0; i < nw; ++i)
-        {
-          low = std::min(low, particles.x[axis][i]);
-          high = std::max(high, particles.x[axis][i]);
-          middle += particles.x[axis][i] / nw;
-        }
-      for (std::uint32_t i = 0; i < nw; ++i)
-        polar[i] = (particles.x[axis][i] - middle) / at_step.radius;
-      at_step.height = high - low;
-      plates.set_position(0, low);
-      plates.set_position(1, high);
+      const PolarFrame<dim> frame(round);
+      polar = frame.cosine;
+      at_step.height = frame.high - frame.low;
+      plates.set_position(0, frame.low);
+      plates.set_position(1, frame.high);
       plates.set_velocity(0, both_move ? 0.5 * speed : 0.);
       plates.set_velocity(1, both_move ? -0.5 * speed : -speed);
       system.compute_forces();
@@ -209,6 +181,9 @@ void SqueezedCell::run_in(RunContext &context)
                                               {"mean_stretch_upper", "1"},
                                               {"mean_stretch_lower", "1"},
                                               {"height_share_upper", "1"},
+                                              {"largest_stretch", "1"},
+                                              {"largest_stretch_angle", "degrees"},
+                                              {"largest_stretch_tilt", "degrees"},
                                               {"kinetic", "J"},
                                               {"energy", "J"},
                                               {"work", "J"},
@@ -226,53 +201,10 @@ void SqueezedCell::run_in(RunContext &context)
   const auto measure = [&] {
     if (!round.finite())
       throw diverged("the cell diverged");
-    Row row;
+    Row row = measure_squeezed(round, plates, polar, at_step.height);
     row.time = double(at_step.step) * at_step.dt;
-    row.deformation = 1. - (plates[1].position - plates[0].position) / at_step.height;
-    row.force_lower = plates.force(0);
-    row.force_upper = plates.force(1);
-    row.pressure = round.pressure();
-    row.volume = round.volume();
-    Vector<dim> middle = Vector<dim>::Zero();
-    for (std::uint32_t i = 0; i < nw; ++i)
-      middle += particles.position(i) / nw;
-    double equator = 0., equator_count = 0.;
-    for (std::uint32_t i = 0; i < nw; ++i)
-      {
-        Vector<dim> across = particles.position(i) - middle;
-        across[axis] = 0.;
-        if (particles.x[axis][i] >= plates[1].position)
-          row.contact_upper = std::max(row.contact_upper, across.norm());
-        if (particles.x[axis][i] <= plates[0].position)
-          row.contact_lower = std::max(row.contact_lower, across.norm());
-        if (std::abs(polar[i]) < 0.1)
-          {
-            equator += particles.x[axis][i];
-            equator_count += 1.;
-          }
-      }
-    if (equator_count > 0.)
-      row.height_share = (plates[1].position - equator / equator_count) / (plates[1].position - plates[0].position);
-    double count[2]{}, sum[2]{}, most[2]{1., 1.};
-    for (std::size_t k = 0; k < round.bonds(); ++k)
-      {
-        const auto [a, b] = round.ends(k);
-        if (polar[a] * polar[b] <= 0. || (round.damage && round.damage->cells[0].bond_broken[k]))
-          continue;
-        const int half = polar[a] > 0. ? 0 : 1;
-        const double stretch = round.wall->stretch(particles, 0, k);
-        count[half] += 1.;
-        sum[half] += stretch;
-        most[half] = std::max(most[half], stretch);
-      }
-    row.largest_upper = most[0];
-    row.largest_lower = most[1];
-    row.mean_upper = count[0] > 0. ? sum[0] / count[0] : 1.;
-    row.mean_lower = count[1] > 0. ? sum[1] / count[1] : 1.;
-    row.kinetic = system.kinetic_energy();
     row.energy = row.kinetic + system.potential_energy() - at_step.start_energy;
     row.work = plates.work();
-    row.broken = round.damage ? round.damage->cells[0].broken : 0.;
     // Nobody but the plates does work; what they have done is known to the step's own error.
     if (row.broken == 0. && row.energy > row.work + 0.02 * std::abs(row.work) + 1e-3 * std::abs(at_step.start_energy))
       throw diverged("energy appeared from nothing");
@@ -283,7 +215,7 @@ void SqueezedCell::run_in(RunContext &context)
     rows.push_back(row);
     table->add_row({row.time, row.deformation, row.force_upper, row.force_lower, row.pressure, row.volume, row.contact_upper,
                     row.contact_lower, row.largest_upper, row.largest_lower, row.mean_upper, row.mean_lower, row.height_share,
-                    row.kinetic, row.energy, row.work, row.broken});
+                    row.largest, row.largest_angle, row.largest_tilt, row.kinetic, row.energy, row.work, row.broken});
   };
   if (!resumed)
     {
@@ -317,13 +249,13 @@ void SqueezedCell::run_in(RunContext &context)
       if (failure)
         for (const auto &[group, bond] : failure->apply(system, round.sph))
           {
-            const auto [a, b] = round.ends(bond);
-            const double angle =
-              std::acos(std::clamp(0.5 * (polar[a] + polar[b]), -1., 1.)) * 180. / std::numbers::pi;
+            const double angle = polar_angle(round, polar, bond), tilt = bond_tilt(round, bond);
             at_step.angle_sum += angle;
+            at_step.tilt_sum += tilt;
             if (at_step.first_angle < 0.)
               {
                 at_step.first_angle = angle;
+                at_step.first_tilt = tilt;
                 at_step.first_deformation = 1. - (plates[1].position - plates[0].position) / at_step.height;
               }
           }
@@ -353,6 +285,8 @@ void SqueezedCell::run_in(RunContext &context)
       if (broken > 0.)
         {
           context.result("first_break_angle", at_step.first_angle, "degrees");
+          context.result("first_break_tilt", at_step.first_tilt, "degrees");
+          context.result("mean_break_tilt", at_step.tilt_sum / broken, "degrees");
           context.result("first_break_deformation", at_step.first_deformation, "1");
           context.result("mean_break_angle", at_step.angle_sum / broken, "degrees");
         }
@@ -362,6 +296,10 @@ void SqueezedCell::run_in(RunContext &context)
       if (round.group().fluid_count() > 0)
         context.result("escaped_fluid", escaped / round.group().fluid_count(), "1");
     }
+  context.result("energy_gained", squeezed::energy_gained(rows), "1");
+  if (!(rows.back().broken > 0.)) // a broken bond takes its energy along
+    context.result("energy_dissipated", squeezed::energy_dissipated(rows), "1");
+  first_deformation = at_step.first_deformation;
   report(context, rows);
 }
 } // namespace turgor

@@ -50,6 +50,41 @@ BOOST_AUTO_TEST_CASE(tensions_are_slopes_of_one_energy_and_agree_equibiaxially)
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_yielding_net_has_the_slopes_and_the_energy_of_its_tensions)
+{
+  BalloonModel model = balloon(BalloonModel::Membrane::net, 200e3, 42e6);
+  model.yield = {15., 0.9};
+  const double a = 1.03, b = 1.08, h = 1e-6;
+  // equibiaxially every spring has the same stretch: G t0 g (1 - l^-6)
+  BOOST_TEST(model.tension(b, b).t1 == 100. * model.yield.share(b) * (1. - std::pow(b, -6.)), boost::test_tools::tolerance(1e-10));
+  const auto T = model.tension(a, b);
+  BOOST_TEST(T.t1_by_1 == (model.tension(a + h, b).t1 - model.tension(a - h, b).t1) / (2 * h), boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(T.t1_by_2 == (model.tension(a, b + h).t1 - model.tension(a, b - h).t1) / (2 * h), boost::test_tools::tolerance(1e-6));
+  // lambda_2 T_1 = dW/dlambda_1; the rule of 12 points has W to 1e-9
+  BOOST_TEST(b * T.t1 == (model.tension(a + h, b).w - model.tension(a - h, b).w) / (2 * h), boost::test_tools::tolerance(1e-5));
+}
+
+BOOST_AUTO_TEST_CASE(a_wall_breaks_where_its_largest_stretch_is)
+{
+  BalloonModel model = balloon(BalloonModel::Membrane::net, 200e3, 42e6);
+  model.elements = 60;
+  const auto points = model.compress(0.2, 0.02);
+  const auto first = BalloonModel::first_break(points, 1.03);
+  BOOST_TEST((first.deformation > points.front().deformation && first.deformation < points.back().deformation));
+  std::size_t k = 0;
+  while (points[k].deformation < first.deformation)
+    ++k;
+  BOOST_TEST(BalloonModel::largest(points[k - 1], first.direction).stretch <= 1.03);
+  BOOST_TEST(BalloonModel::largest(points[k], first.direction).stretch >= 1.03);
+  BOOST_TEST(std::isnan(BalloonModel::first_break(points, 2.).deformation));
+  // on a plate that holds it nothing slides: what touches keeps its distance from the axis
+  model.sticking = true;
+  const auto stuck = model.compress(0.2, 0.02);
+  for (std::size_t i = 0; i + 1 < stuck[4].touching; ++i)
+    for (int d = 0; d < 2; ++d)
+      BOOST_TEST(stuck[4].stretches[i][d] == stuck.back().stretches[i][d], boost::test_tools::tolerance(1e-9));
+}
+
 BOOST_AUTO_TEST_CASE(force_is_the_slope_of_the_energy_and_balances_the_equator)
 {
   BalloonModel model = balloon(BalloonModel::Membrane::net, 200e3, 42e6);

@@ -2,6 +2,7 @@
 #include "micro/scenarios/laplace.h"
 #include "micro/scenarios/shell_oscillation.h"
 #include "micro/scenarios/squeezed_cell.h"
+#include "micro/scenarios/squeezed_ring.h"
 #include "tests/memory_context.h"
 
 #include <boost/test/unit_test.hpp>
@@ -145,6 +146,59 @@ BOOST_AUTO_TEST_CASE(the_empty_shell_breathes_as_its_closed_form)
                        {"Cell/Wall thickness", "1e-6"}});
   BOOST_TEST(std::abs(context.results.at("mode_1_deviation")) < 0.2);
   BOOST_TEST(std::abs(context.results.at("energy_drift")) < 1e-4);
+}
+
+BOOST_AUTO_TEST_CASE(squeezed_ring_closed_form)
+{
+  constexpr double pi = std::numbers::pi;
+  const double R = 50e-6, depth = 50e-6, turgor = 200e3;
+  const EquationOfState eos(1000., 6e6, -100e3);
+  SqueezedRing ring{NeoHookeanWall(100., depth, 0.5, WallYield{15., 0.9}), 2. * pi * R / 1.02, depth, {}};
+  const double p0 = ring.law.force(1.02) / (R * depth), mass = eos.density_at(p0) * pi * R * R;
+  ring.pressure_of_area = [=](const double A) { return eos.pressure(mass / A); };
+  BOOST_TEST(ring.radius() == R, boost::test_tools::tolerance(1e-9));
+  // the force is minus the slope of the energy, wall and liquid, over the height 2 r
+  const auto energy = [&](const double r) {
+    const auto s = ring.between(r);
+    return ring.rest_length * ring.law.energy(s.stretch) + mass * depth * eos.energy(mass / (r * (pi * r + 2. * s.flat)));
+  };
+  const double r = 0.75 * R, h = 1e-5 * R;
+  BOOST_TEST(ring.between(r).force == -(energy(r + h) - energy(r - h)) / (4. * h), boost::test_tools::tolerance(1e-6));
+  // constant area: perimeter and force by hand
+  ring.pressure_of_area = [=](const double A) { return turgor + 1e14 * (pi * R * R / A - 1.); };
+  ring.rest_length = 2. * pi * R / 1.0001;
+  const double e = 0.3, l = (1. + (1. - e) * (1. - e)) / (2. * (1. - e)) * 2. * pi * R / ring.rest_length;
+  BOOST_TEST(ring.between(R * (1. - e)).stretch == l, boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(ring.between(R * (1. - e)).force == ring.law.force(l) * 0.5 * pi * (1. / ((1. - e) * (1. - e)) - 1.),
+             boost::test_tools::tolerance(1e-5));
+  // A wall that has yielded altogether, as far as its turgor leaves one: still no straighter than constant tension.
+  const auto bound = [](const double a) { return 1. / ((1. - a) * (1. - a)); };
+  const double straightest = (bound(0.3) - bound(0.25)) / (bound(0.2) - bound(0.15));
+  BOOST_TEST(straightest == 1.474, boost::test_tools::tolerance(1e-3));
+  BOOST_TEST(ring.stiffening() > straightest);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_read_off_the_rows)
+{
+  squeezed::Rows rows(5);
+  const double force[5] = {0., 4., 10., 7., 9.}, work[5] = {0., 1., 3., 4., 5.}, energy[5] = {0., 1.1, 3., 3.5, 4.};
+  for (int k = 0; k < 5; ++k)
+    {
+      rows[k].deformation = 0.1 * k;
+      rows[k].force_lower = rows[k].force_upper = force[k];
+      rows[k].work = work[k];
+      rows[k].energy = energy[k];
+    }
+  BOOST_TEST(squeezed::at(rows, &SqueezedRow::force_lower, 0.15) == 7., boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(squeezed::slope(rows, 0.1, 0.2) == 60., boost::test_tools::tolerance(1e-12));
+  const auto swing = squeezed::transmitted_swing(rows);
+  BOOST_TEST(swing.reversals == 2);
+  BOOST_TEST(swing.deepest_fall == 0.3, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(squeezed::energy_gained(rows) == 0.02, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(squeezed::energy_dissipated(rows) == 0.2, boost::test_tools::tolerance(1e-12));
+  // all of 20 % taken by the upper half: it has lost 0.4 of its R, the lower one nothing
+  rows[2].height_share = 0.6 / 1.6;
+  BOOST_TEST(squeezed::upper_share(rows, 0.2) == 1., boost::test_tools::tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(squeezed_and_resumed_is_squeezed)

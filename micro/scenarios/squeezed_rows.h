@@ -1,0 +1,75 @@
+// What is measured of a round cell between two plates, and what is read off the rows afterwards.
+//
+// Polar angles are those of the turgid cell, degrees: 0 under the upper plate, 90 at the equator, 180 at the lower one. The tilt of
+// a bond is its angle to the circle around the axis: 0 around it (hoop), 90 along the meridian.
+//
+//   share of the upper half in the deformation   (1/2 - s (1 - e))/e,  s: upper share of the height, e: deformation
+//                                                1/2: symmetric, 1: the lower half has not noticed
+//   energy gained      largest (energy - work of the plates) over the largest work: a scene that makes energy
+//   energy dissipated  (work - energy)/work at the end
+#pragma once
+
+#include "micro/cells/round_cell.h"
+#include "micro/terms/plates.h"
+
+#include <vector>
+
+namespace turgor
+{
+struct SqueezedRow
+{
+  double time = 0., deformation = 0.;               ///< s, 1
+  double force_upper = 0., force_lower = 0.;        ///< N
+  double pressure = 0., volume = 0.;                ///< Pa, m^3
+  double contact_upper = 0., contact_lower = 0.;    ///< m, radius of the contact
+  double largest_upper = 1., largest_lower = 1.;    ///< largest stretch of a bond of the upper and lower half
+  double mean_upper = 1., mean_lower = 1.;          ///< mean stretch of the halves
+  double height_share = 0.5;                        ///< of the upper half in the height
+  double largest = 1., largest_angle = 90., largest_tilt = 0.; ///< largest stretch of all, degrees, degrees
+  double kinetic = 0., energy = 0., work = 0.;      ///< J
+  double broken = 0.;
+};
+
+/// Cosine of the polar angle of each wall node around the wall's middle; lowest and highest node along the axis (m).
+template <int dim>
+struct PolarFrame
+{
+  std::vector<double> cosine;
+  double low = 0., high = 0.;
+
+  explicit PolarFrame(const RoundCell<dim> &cell);
+};
+
+/// Degrees, of the middle of a bond, and its tilt as it is now.
+template <int dim>
+double polar_angle(const RoundCell<dim> &cell, const std::vector<double> &cosine, std::size_t bond);
+template <int dim>
+double bond_tilt(const RoundCell<dim> &cell, std::size_t bond);
+
+/// All but time, energy and work. height: between the plates at the start, m; plates 0 below and 1 above.
+template <int dim>
+SqueezedRow measure_squeezed(const RoundCell<dim> &cell, const Plates<dim> &plates, const std::vector<double> &cosine,
+                             double height);
+
+namespace squeezed
+{
+using Rows = std::vector<SqueezedRow>;
+
+/// A quantity at a deformation, linear between rows; NaN beyond the last.
+double at(const Rows &rows, double SqueezedRow::*quantity, double deformation);
+/// Mean slope of the force (mean of both plates) between two deformations, N.
+double slope(const Rows &rows, double from, double to);
+/// Of the upper half in the deformation, 1.
+double upper_share(const Rows &rows, double deformation);
+/// Of the force on the lower plate: its largest value; reversals by more than 3 % of that; and the deepest
+/// fall below an earlier value, over the largest.
+struct Swing
+{
+  double largest = 0., deepest_fall = 0.;
+  int reversals = 0;
+};
+Swing transmitted_swing(const Rows &rows);
+double energy_gained(const Rows &rows);
+double energy_dissipated(const Rows &rows);
+} // namespace squeezed
+} // namespace turgor
