@@ -57,10 +57,11 @@ def impact_matrix():
 
 def failure():
     """Slow: the largest stretch is at the edge of the contact for small lambda_c, at the equator for large lambda_c and soft walls."""
-    for stiffness, stretch, deformation in ((100, 1.04, 0.3), (100, 1.2, 0.6), (6, 1.2, 0.35)):
-        entries = {**SMALL, "Cell/Wall stiffness": stiffness, "Critical stretch": stretch, "Deformation": deformation}
+    for stiffness, stretch, deformation in ((100, 1.04, 0.3), (6, 1.2, 0.35), (100, 1.2, 0.6)):
+        entries = {**SMALL, "Cell/Anneal steps": 3000 if stiffness == 100 else 8000, "Cell/Wall stiffness": stiffness, "Critical stretch": stretch,
+                   "Deformation": deformation, "Frames": 12}
         yield f"slow_G{stiffness}_{stretch}", "cell_failure", {**entries, **SLOW}
-        for viscosity in (1e-3, 1):
+        for viscosity in (1e-3, 1) if stretch == 1.04 else (1e-3,):
             yield f"impact_G{stiffness}_{stretch}_mu{viscosity}", "cell_failure", {**entries, "Cell/Fluid viscosity": viscosity}
 
 
@@ -70,7 +71,7 @@ def largest_stretch():
         for nu in (6, 10, 14):
             yield f"G{stiffness}_{nu}", "cell_compression", {
                 "Cell/Fluid": "pressure", "Cell/Frequency": nu, "Speed": 1, "Frames": 0, "Deformation": 0.51,
-                "Cell/Wall stiffness": stiffness}
+                "Cell/Wall stiffness": stiffness, "Cell/Anneal steps": 4000 if stiffness == 100 else 16000}
 
 
 def compression_2d():
@@ -107,7 +108,7 @@ def extremes():
     for value in (1e6, 3e6, 5e6):
         yield f"compression_Turgor_{value:g}", "cell_compression", {**tiny, "Cell/Fluid": "pressure", "Speed": 1, "Cell/Turgor": value}
     for entry, value in (("Critical stretch", 1.02), ("Speed", 50), ("Deformation", 0.75), ("Cell/Fluid viscosity", 1)):
-        yield f"failure_{entry.split('/')[-1].replace(' ', '_')}_{value:g}", "cell_failure", {**tiny, entry: value}
+        yield f"failure_{entry.split('/')[-1].replace(' ', '_')}_{value:g}", "cell_failure", {**tiny, "Cell/Anneal steps": 3000, entry: value}
 
 
 STUDIES = {f.__name__: f for f in (laplace_convergence, laplace_support, laplace_ordering, shell_modes, impact_matrix, failure,

@@ -31,6 +31,15 @@ double Plates<dim>::force(const std::size_t k) const
 }
 
 template <int dim>
+double Plates<dim>::work() const
+{
+  double total = done;
+  for (std::size_t k = 0; k < plates.size(); ++k)
+    total += plates[k].side * force(k) * 0.5 * last_step[k];
+  return total;
+}
+
+template <int dim>
 void Plates<dim>::advance(const double dt)
 {
   for (std::size_t k = 0; k < plates.size(); ++k)

@@ -53,8 +53,8 @@ public:
 
   /// N, of the scene on plate k, positive away from the scene; after the forces of all groups.
   double force(std::size_t k) const;
-  /// J, done on the scene by all plates since the start, by the trapezoidal rule.
-  double work() const { return done; }
+  /// J, done on the scene by all plates since the start, by the trapezoidal rule, the last step included.
+  double work() const;
 
 private:
   std::vector<Plate> plates;
@@ -62,7 +62,7 @@ private:
   std::size_t groups = 0;
   std::vector<double> on_plate; ///< N, plate k from group g at [k * groups + g]
   std::vector<double> last_step; ///< m, by which each plate moved in the last step
-  double done = 0.;
+  double done = 0.; ///< J, all but the half of the last step that its force is still to come for
 };
 
 extern template class Plates<2>;
