@@ -4,8 +4,8 @@
 
 NAME: n, eps_tr, alpha_qui, K, T_lys, timer, friction, W, D, seeds, growth_law, calibration (each with the reference run), or all.
 
-A smaller capsule of the same H/R, R = 40 um and H = 3.2 um (the same pressure at the same strain), from confluence to 96 h after it: a
-sixteenth of the cells. Measured: dilatation (R - R_0)/R_0 at 24 and 48 h, its rate from 48 h to 96 h, density
+A smaller capsule of the same H/R, R = 30 um and H = 2.4 um (the same pressure at the same strain), from confluence to 75 h after it: a
+fortieth of the cells. Measured: dilatation (R - R_0)/R_0 at 24 and 48 h, its rate from 48 h to 75 h, density
 at 48 h over that at confluence. The runs' results go to doc/results/spheroid/sensitivity.csv, the statements to statements.csv beside it.
 """
 import csv
@@ -14,8 +14,8 @@ import os
 
 from table_of_runs import options_of, row_of, run_all, write_table
 
-R_0 = 40e-6
-SMALL = {"Capsule/Radius": R_0, "Capsule/Thickness": 3.2e-6, "Capsule/Time confined": 345600, "First cells": 60,
+R_0 = 30e-6
+SMALL = {"Capsule/Radius": R_0, "Capsule/Thickness": 2.4e-6, "Capsule/Time confined": 270000, "First cells": 30,
          "Frames": 0, "Checkpoints": 2}
 FRICTION = {"Contact/Normal friction": 5e10, "Contact/Tangential friction": 5e10, "Contact/Medium friction": 5e8, "Capsule/Friction": 2e10}
 
