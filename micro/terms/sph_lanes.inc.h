@@ -177,6 +177,42 @@ inline void load_rows(const double *rows, const std::uint16_t *j, V c[row_double
 }
 #endif
 
+/// Columns 0 and 1 of the rows j[0..W-1], `stride` doubles apart.
+template <unsigned int stride>
+inline void load_two_columns(const double *rows, const std::uint16_t *j, V c[2])
+{
+#if defined(__AVX2__) && !(defined(__AVX512F__) && defined(__AVX512DQ__))
+  const auto row = [&](int k) { return rows + std::uint32_t(j[k]) * stride; };
+  const V even = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(row(0))), _mm_load_pd(row(2)), 1),
+          odd = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(row(1))), _mm_load_pd(row(3)), 1);
+  c[0] = _mm256_unpacklo_pd(even, odd);
+  c[1] = _mm256_unpackhi_pd(even, odd);
+#else
+  V all[4];
+  load_half_rows<stride>(rows, j, all);
+  c[0] = all[0];
+  c[1] = all[1];
+#endif
+}
+/// to[d] = the sum of a[d], each as sum() has it.
+template <int n>
+inline void sums(const V a[n], double to[n])
+{
+#if defined(__AVX2__) && !(defined(__AVX512F__) && defined(__AVX512DQ__))
+  for (int d = 0; d < n; d += 2)
+    {
+      const V pairs = _mm256_hadd_pd(a[d], a[d + 1 < n ? d + 1 : d]);
+      const __m128d both = _mm_add_pd(_mm256_castpd256_pd128(pairs), _mm256_extractf128_pd(pairs, 1));
+      to[d] = both[0];
+      if (d + 1 < n)
+        to[d + 1] = both[1];
+    }
+#else
+  for (int d = 0; d < n; ++d)
+    to[d] = sum(a[d]);
+#endif
+}
+
 /// Four doubles side by side: a row, or half of one.
 typedef double Row __attribute__((vector_size(32)));
 inline Row load_row(const double *p) { Row a; __builtin_memcpy(&a, p, sizeof a); return a; }

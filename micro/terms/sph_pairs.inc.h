@@ -47,24 +47,40 @@ void fill_rows(CellView<dim> &c)
     dummy[k] = k < dim ? c.x[k][0] + 1e3 * c.support : 0.;
 }
 
+/// The kernel over its peak, and W'/r over -20 peak / R^2; w = max(0, 1 - u).
+inline V kernel_shape(const V w)
+{
+  const V w2 = w * w;
+  return w2 * w2 * (splat(5.) - splat(4.) * w);
+}
+inline V slope_shape(const V w) { return w * w * w; }
+
 /// |r|^2, never 0; r becomes the vectors from xi.
 template <int dim>
 inline V square_from(const V xi[dim], V r[], const V tiny)
 {
+  V r2 = tiny;
   for (int d = 0; d < dim; ++d)
-    r[d] = r[d] - xi[d];
-  V r2 = r[0] * r[0];
-  for (int d = 1; d < dim; ++d)
-    r2 = r2 + r[d] * r[d];
-  return r2 + tiny;
+    {
+      r[d] = r[d] - xi[d];
+      r2 = r2 + r[d] * r[d];
+    }
+  return r2;
 }
 
-/// Kernel sums, into rho, as if the kernel were inside the wall as a whole.
+/// Where the list of a particle ends for W lanes: without what only pads it to list_padding.
+inline std::uint32_t list_end(const std::uint16_t *neighbours, const std::uint32_t begin, const std::uint32_t end, const std::uint32_t n)
+{
+  return W < list_padding && end > begin && neighbours[end - W] == n ? end - W : end;
+}
+
+/// Kernel sums: rho but for gamma and scale.
 template <int dim>
 void sum_kernels(CellView<dim> &c)
 {
-  const double R = c.support, C = kernel_peak<dim>(R) / c.depth;
-  const V viR = splat(1. / R), one = splat(1.), four = splat(4.), tiny = splat(1e-24 * R * R);
+  const double R = c.support, iR = 1. / R, C = kernel_peak<dim>(R) / c.depth;
+  const V viR = splat(iR), one = splat(1.), tiny = splat(1e-24 * R * R);
+  std::uint32_t k = c.first_neighbour[0];
   for (std::uint32_t i = 0; i < c.n; ++i)
     {
       const double *row = c.rows + std::size_t(i) * row_doubles;
@@ -72,15 +88,17 @@ void sum_kernels(CellView<dim> &c)
       for (int d = 0; d < dim; ++d)
         xi[d] = splat(row[d]);
       V acc = splat(0.);
-      for (std::uint32_t k = c.first_neighbour[i]; k < c.first_neighbour[i + 1]; k += W)
+      const std::uint32_t next = c.first_neighbour[i + 1], end = list_end(c.neighbours, k, next, c.n);
+      for (; k < end; k += W)
         {
           V r[4];
-          load_half_rows<row_doubles>(c.rows, c.neighbours + k, r);
-          const V r2 = square_from<dim>(xi, r, tiny);
-          const V u = root(r2) * viR;
-          const V w = positive(one - u), w2 = w * w;
-          acc += w2 * w2 * (four * u + one);
+          if constexpr (dim == 2)
+            load_two_columns<row_doubles>(c.rows, c.neighbours + k, r);
+          else
+            load_half_rows<row_doubles>(c.rows, c.neighbours + k, r);
+          acc += kernel_shape(positive(one - root(square_from<dim>(xi, r, tiny)) * viR));
         }
+      k = next;
       c.rho[i] = c.mass * C * (1. + sum(acc));
     }
 }
@@ -155,11 +173,11 @@ void force(CellView<dim> &c)
   using Is = Column<dim>;
   const double R = c.support, iR = 1. / R, C = kernel_peak<dim>(R) / c.depth;
   const V viR = splat(iR), one = splat(1.), tiny = splat(1e-24 * R * R);
-  // -20 C (1 - u)^3 / R^2 = W'/r
-  const V slope = splat(-20. * C * iR * iR);
-  const V mass = splat(c.mass);
+  // W'/r = -20 C slope_shape / R^2: common to all pairs, and put in at the end
+  const double slope = -20. * C * iR * iR * c.mass;
   // chi mu_i mu_j / (mu_i + mu_j) = 4 (d + 2) mu / 2; times 1/2 from the arithmetic mean of 1/gamma in 2D
-  const double drag = dim == 2 ? 4. * c.viscosity : 10. * c.viscosity;
+  const double drag = (dim == 2 ? 4. * c.viscosity : 10. * c.viscosity) / c.mass;
+  std::uint32_t k = c.first_neighbour[0];
   for (std::uint32_t i = 0; i < c.n; ++i)
     {
       const double *row = c.rows + std::size_t(i) * row_doubles;
@@ -172,35 +190,36 @@ void force(CellView<dim> &c)
         }
       const V ai = splat(row[Is::a]), weight = splat(drag * row[dim == 2 ? Is::volume : Is::viscous_weight]),
               igi = splat(row[Is::inverse_share]);
-      for (std::uint32_t k = c.first_neighbour[i]; k < c.first_neighbour[i + 1]; k += W)
+      const std::uint32_t next = c.first_neighbour[i + 1], end = list_end(c.neighbours, k, next, c.n);
+      for (; k < end; k += W)
         {
           V j[row_doubles];
           if (viscous)
             load_rows(c.rows, c.neighbours + k, j);
           else
             load_half_rows<row_doubles>(c.rows, c.neighbours + k, j);
-          const V aj = j[Is::a];
           const V r2 = square_from<dim>(xi, j, tiny);
-          const V ir = rsqrt(r2), u = r2 * ir * viR;
-          const V w = positive(one - u), g = slope * (w * w * w);
-          V coefficient = mass * (ai + aj);
+          V coefficient = ai + j[Is::a];
           if (viscous)
             {
               V rate = (j[Is::velocity] - vi[0]) * j[0];
               for (int d = 1; d < dim; ++d)
                 rate = rate + (j[Is::velocity + d] - vi[d]) * j[d];
-              const V approach = rate * (ir * ir);
+              const V approach = rate * reciprocal(r2);
               if constexpr (dim == 2)
                 coefficient -= weight * j[Is::volume] * (igi + j[Is::inverse_share]) * approach;
               else
                 coefficient -= weight * j[Is::viscous_weight] * approach;
             }
-          coefficient *= g;
+          coefficient *= slope_shape(positive(one - root(r2) * viR));
           for (int d = 0; d < dim; ++d)
             total[d] += coefficient * j[d];
         }
+      k = next;
+      double f[dim];
+      sums<dim>(total, f);
       for (int d = 0; d < dim; ++d)
-        c.f[d][i] += sum(total[d]);
+        c.f[d][i] += slope * f[d];
     }
 }
 } // namespace

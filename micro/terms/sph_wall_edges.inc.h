@@ -22,7 +22,7 @@ template <bool viscous>
 void sum_faces(CellView<2> &c)
 {
   const double R = c.support, iR = 1. / R;
-  const V viR = splat(iR), one = splat(1.), four = splat(4.), tiny = splat(1e-24 * R * R);
+  const V iR2 = splat(iR * iR), one = splat(1.), four = splat(4.), tiny = splat(1e-24);
   // Gauss points and weights on [0, 1].
   constexpr int gauss_points = 3;
   const double gauss_x[gauss_points] = {0.11270166537925831, 0.5, 0.88729833462074169};
@@ -48,31 +48,33 @@ void sum_faces(CellView<2> &c)
               const V bx = load(c.wall_x[0] + at + 1) - xi, by = load(c.wall_x[1] + at + 1) - yi;
               const V cross = ax * by - ay * bx;
               const V ex = bx - ax, ey = by - ay;
-              V s = splat(0.), sax = s, say = s, sbx = s, sby = s, wa = s, wb = s;
+              // |r|^2 = aa + 2 x ae + x^2 ee at x in [0, 1], over the support squared
+              const V aa = (ax * ax + ay * ay) * iR2, ae = (ax * ex + ay * ey) * iR2, ee = (ex * ex + ey * ey) * iR2, ae2 = ae + ae;
+              // sums of w G, of w x^k (1/u) dG/du, of w times the kernel's weight of either node
+              V s = splat(0.), slope0 = s, slope1 = s, slope2 = s, wa = s, wb = s;
               for (int g = 0; g < gauss_points; ++g)
                 {
-                  const V rx = ax + splat(gauss_x[g]) * ex, ry = ay + splat(gauss_x[g]) * ey;
-                  const V r2 = rx * rx + ry * ry + tiny, ir = rsqrt(r2), u = r2 * ir * viR, u2 = u * u;
+                  const double x = gauss_x[g], weight = gauss_w[g];
+                  const V u2 = greater(aa + splat(x) * (ae2 + splat(x) * ee), tiny), u = root(u2), iu2 = reciprocal(u2);
                   const V inside = splat(0.5) + u2 * (splat(-2.5) + u * (four + u * (splat(-2.5) + u * splat(4. / 7.))));
                   // (1/u) d(inside)/du
                   const V slope = splat(-5.) + u * (splat(12.) + u * (splat(-10.) + u * splat(20. / 7.)));
                   // in units of 7/(pi R^2): beyond the support G = 1/(2 pi r^2)
-                  const V outside = splat(1. / 14.) * (ir * ir) * splat(R * R);
-                  const V G = select_less(u, one, inside, outside) * splat(gauss_w[g]);
-                  const V dG = select_less(u, one, slope, splat(-2.) * outside * (ir * ir) * splat(R * R)) * splat(gauss_w[g]);
-                  s += G;
-                  const V dGx = dG * rx, dGy = dG * ry;
-                  sax += splat(1. - gauss_x[g]) * dGx;
-                  say += splat(1. - gauss_x[g]) * dGy;
-                  sbx += splat(gauss_x[g]) * dGx;
-                  sby += splat(gauss_x[g]) * dGy;
+                  const V outside = splat(1. / 14.) * iu2;
+                  const V G = select_less(u2, one, inside, outside), dG = select_less(u2, one, slope, splat(-2.) * outside * iu2);
+                  s += splat(weight) * G;
+                  slope0 += splat(weight) * dG;
+                  slope1 += splat(weight * x) * dG;
+                  slope2 += splat(weight * x * x) * dG;
                   if (viscous)
                     {
-                      const V w = positive(one - u), w2 = w * w, kernel = w2 * w2 * (four * u + one) * splat(gauss_w[g]);
-                      wa += splat(1. - gauss_x[g]) * kernel;
-                      wb += splat(gauss_x[g]) * kernel;
+                      const V kernel = kernel_shape(positive(one - u));
+                      wa += splat(weight * (1. - x)) * kernel;
+                      wb += splat(weight * x) * kernel;
                     }
                 }
+              const V sbx = slope1 * ax + slope2 * ex, sby = slope1 * ay + slope2 * ey, sax = slope0 * ax + slope1 * ex - sbx,
+                      say = slope0 * ay + slope1 * ey - sby;
               const double scale = 7. / (pi * R * R), scale_grad = scale * iR * iR;
               const V S = s * splat(scale);
               const V cg = cross * splat(scale_grad);
@@ -91,7 +93,7 @@ void sum_faces(CellView<2> &c)
                 {
                   // |integral of W over the face| / distance to its plane, split between its nodes;
                   // the tangent direction of the face
-                  const V ilen = rsqrt(ex * ex + ey * ey + tiny), distance = cross * ilen;
+                  const V ilen = rsqrt(ex * ex + ey * ey + splat(1e-24 * R * R)), distance = cross * ilen;
                   const V least = splat(0.2 * R); // half a particle spacing
                   const V weight = splat(scale) * reciprocal(ilen * select_less(distance, least, least, distance));
                   slip[4 * chunks] = select_less(lane, live, wa * weight, zero);

@@ -53,16 +53,12 @@ inline void profile_g(const V r2, V &value, V &slope)
 /// At a point of the others.
 inline void profile_d(const V r2, V &value, V &slope)
 {
-  const V one = splat(1.), ir = rsqrt(r2), u = r2 * ir, w = positive(one - u), w2 = w * w, w4 = w2 * w2, ir2 = ir * ir;
-  value = -(w4 * w) * (one + u * (splat(5.) + u * (splat(15.) + u * splat(21.)))) * (ir2 * ir);
-  slope = ir2 * (splat(42.) * (w4 * (splat(4.) * u + one)) - splat(3.) * value);
+  const V one = splat(1.), ir = rsqrt(r2), u = r2 * ir, w = positive(one - u), w2 = w * w, ir2 = ir * ir;
+  value = -(w2 * w2 * w) * (one + u * (splat(5.) + u * (splat(15.) + u * splat(21.)))) * (ir2 * ir);
+  slope = ir2 * (splat(42.) * kernel_shape(w) - splat(3.) * value);
 }
 /// The kernel over its peak.
-inline V profile_w(const V r2)
-{
-  const V one = splat(1.), u = root(r2), w = positive(one - u), w2 = w * w;
-  return w2 * w2 * (splat(4.) * u + one);
-}
+inline V profile_w(const V r2) { return kernel_shape(positive(splat(1.) - root(r2))); }
 
 /// One face, all lanes alike; from its middle, over the support.
 struct Face
