@@ -18,14 +18,21 @@ COLOURS = (ACCENT, ALONG, "#6b8e4e", "#8a6fb0", "#c28b2c", "#4d4d4d")
 
 
 def after_confluence(directory):
-    """Times (d), radius (um), pressure (kPa), density (1/100 um^2), rest radius (um); None before the wall is reached."""
+    """Times (d), radius (um), pressure (kPa), density (1/100 um^2), rest radius (um), results; None before the wall is reached.
+
+    Confluence as in the scene: the spheroid's edge within 1 % of the wall at rest. Results are empty while the run goes on.
+    """
     table = read_table(os.path.join(directory, "growth.csv"))
-    with open(os.path.join(directory, "summary.json"), encoding="utf-8") as file:
-        results = json.load(file)["results"]
-    if "confluence_time" not in results:
-        return None
-    t = (table["time [s]"] - results["confluence_time"]["value"]) / DAY
     radius = table["capsule_radius [m]"] * 1e6
+    reached = np.flatnonzero(table["radius [m]"] * 1e6 >= 0.99 * radius[0])
+    if not len(reached):
+        return None
+    t = (table["time [s]"] - table["time [s]"][reached[0]]) / DAY
+    try:
+        with open(os.path.join(directory, "summary.json"), encoding="utf-8") as file:
+            results = json.load(file).get("results", {})
+    except OSError:
+        results = {}
     return t, radius, table["capsule_pressure [Pa]"] / 1e3, table["density [1/(100 um^2)]"], radius[0], results
 
 
@@ -47,7 +54,7 @@ def draw(runs, path):
         last = max(last, t[-1])
     # the experiment: what the thesis states
     at = np.array([min(2.0, 0.5 * last), last])
-    for slope, name, style_of in ((2.0, "2 µm/d (thin, experiment)", (0, (5, 2))), (0.7, "0.7 µm/d (thick, experiment)", (0, (1, 2)))):
+    for slope, name, style_of in ((2.0, "experiment, thin: 2 µm/d (slope only)", (0, (5, 2))), (0.7, "experiment, thick: 0.7 µm/d (slope only)", (0, (1, 2)))):
         axes[0].plot(at, slope * (at - at[0]) + (8 if slope > 1 else 3), color=INK, linewidth=1.1, linestyle=style_of, label=name)
     axes[1].axhline(1.5, color=INK, linewidth=1, linestyle=(0, (5, 2)))
     axes[1].annotate("transition in the experiment, about 1.5 kPa", (last, 1.5), xytext=(0, 4), textcoords="offset points",
