@@ -20,14 +20,14 @@ FLAT = {"Dimension": 2, "Cell/Radius": 50e-6, "Cell/Wall thickness": 1e-6, "Cell
 def laplace_convergence():
     for nodes, fluid in ((36, 60), (50, 121), (71, 242), (100, 484), (141, 968), (200, 1936)):
         yield f"2D_{nodes}", "laplace", {**FLAT, "Cell/Ring nodes": nodes, "Cell/Fluid particles": fluid,
-                                         "Cell/Anneal steps": 30 * nodes}
-    for nu, fluid in ((4, 120), (6, 390), (8, 930), (10, 1820)):
-        yield f"3D_{nu}", "laplace", {"Cell/Frequency": nu, "Cell/Fluid particles": fluid, "Cell/Anneal steps": 200 * nu}
+                                         "Cell/Anneal steps": 60 * nodes}
+    for nu, fluid in ((4, 120), (6, 390), (8, 930)):
+        yield f"3D_{nu}", "laplace", {"Cell/Frequency": nu, "Cell/Fluid particles": fluid, "Cell/Anneal steps": 300 * nu}
 
 
 def laplace_support():
     for ratio in (2.0, 2.2, 2.4, 2.6, 3.0, 3.4):
-        yield f"2D_{ratio}", "laplace", {**FLAT, "Cell/Fluid particles": 484, "Cell/Support ratio": ratio}
+        yield f"2D_{ratio}", "laplace", {**FLAT, "Cell/Fluid particles": 484, "Cell/Support ratio": ratio, "Cell/Anneal steps": 6000}
 
 
 def laplace_ordering():
