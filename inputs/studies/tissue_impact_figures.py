@@ -163,8 +163,10 @@ def compression(directory):
            + ["%.2f" % (r["impact_stress_at_20_percent"] / r["transmitted_stress_at_20_percent"]), "%g" % r["crossed_bonds"]]
            for run, r in results.items()])
     figure, (left, right) = plt.subplots(1, 2, figsize=(8.6, 3.1))
-    for k, (run, r) in enumerate(results.items()):
+    for run, r in results.items():
         curve = curves[run]
+        if run.startswith("9 cells") and any(not other.startswith("9 cells") and "yielding" in other and "gap 20" in other for other in results):
+            continue # shown where the larger tissues are missing
         smooth = np.convolve(curve["stress_bottom [Pa]"], np.ones(5) / 5, "same")[2:-2]
         left.plot(100 * curve["strain"][2:-2], smooth / 1e3, "--" if "elastic" in run else "-", linewidth=1.4,
                   color=plt.get_cmap("viridis")(min(0.9, 10 * r["void_fraction"])), label="%.1f %% void%s" % (100 * r["void_fraction"], ", elastic" if "elastic" in run else ""))
@@ -172,10 +174,11 @@ def compression(directory):
     left.set_ylabel("stress [kPa]", fontsize=9, color=INK)
     left.legend(frameon=False, fontsize=8)
     style(left)
-    for kind, mark in (("yielding", "o"), ("elastic", "s")):
-        points = sorted((100 * r["void_fraction"], modulus(run, 0.02, 0.1)) for run, r in results.items() if kind in run)
+    for kind, mark, colour, label in (("gap .*yielding", "o", ACCENT, "25 cells, yielding walls"), ("gap .*elastic", "s", ALONG, "25 cells, elastic walls"),
+                                      ("9 cells.*yielding", "^", INK, "9 cells, yielding walls")):
+        points = sorted((100 * r["void_fraction"], modulus(run, 0.02, 0.1)) for run, r in results.items() if re.match(kind, run))
         if points:
-            right.plot(*zip(*points), mark + "-", color=ACCENT if kind == "yielding" else ALONG, linewidth=1.2, label=kind + " walls")
+            right.plot(*zip(*points), mark + "-", color=colour, linewidth=1.2, label=label)
     right.set_xlabel("void fraction [%]", fontsize=9, color=INK)
     right.set_ylabel("modulus at 2 to 10 % strain [MPa]", fontsize=9, color=INK)
     right.set_ylim(bottom=0)
