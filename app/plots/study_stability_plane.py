@@ -34,7 +34,7 @@ def main(directory, _=""):
     with open(os.path.join(directory, "results.csv"), newline="", encoding="utf-8") as file:
         all_planes = planes(list(csv.DictReader(file)))
     figure, panels = plt.subplots(1, len(all_planes), figsize=(5.6 * len(all_planes), 4.6), squeeze=False)
-    figure.subplots_adjust(left=0.05, right=0.9, bottom=0.13, top=0.83, wspace=0.25)
+    figure.subplots_adjust(left=0.05, right=0.9, bottom=0.13, top=0.79, wspace=0.25)
     filled = None
     for panel, ((first, second), points) in zip(panels[0], all_planes.items()):
         a, b = (sorted({key[k] for key in points}) for k in (0, 1))
@@ -53,7 +53,7 @@ def main(directory, _=""):
                     panel.annotate(f"{float(points[x, y]['stable_over_chosen']):.2f}", (x, y), textcoords="offset points", xytext=(2, 3),
                                    fontsize=6.5, color=INK)
         panel.set_title(f"stands {np.nanmin(ratio):.2f} to {np.nanmax(ratio):.2f} x chosen\nenergy error at the chosen step: {np.nanmax(error):.1e} at most",
-                        fontsize=9, color=INK)
+                        fontsize=9, color=INK, pad=14)
         panel.set_xlabel(UNITS.get(first, first), fontsize=9, color=INK)
         panel.set_ylabel(UNITS.get(second, second), fontsize=9, color=INK)
         style(panel)
