@@ -88,7 +88,14 @@ std::vector<Validation> load_validations(const std::filesystem::path &directory)
           for (const auto &item : runs.items())
             validation.runs[item.key()] = run_of(item.value(), directory, file.string() + ", run '" + item.key() + "'");
           for (const Json &row : rows)
-            validation.rows.push_back(row_of(row, file.string() + ", row " + std::to_string(validation.rows.size() + 1)));
+            {
+              const std::string where = file.string() + ", row " + std::to_string(validation.rows.size() + 1);
+              const ValidationRow next = row_of(row, where);
+              for (const ValidationRow &other : validation.rows) // a result is found again by its quantity
+                if (other.quantity == next.quantity)
+                  throw InputError(where + ": there is a row '" + next.quantity + "' before it; a quantity needs a name of its own.");
+              validation.rows.push_back(next);
+            }
         }
       catch (const Json::exception &problem)
         {

@@ -88,6 +88,8 @@ BOOST_AUTO_TEST_CASE(mistakes_are_named)
   BOOST_TEST(has(error_of("{" + runs + "}"), "at least one of 'runs' and one of 'rows'"));
   BOOST_TEST(has(error_of("{" + runs + R"(, "rows": [{"quantity": "x", "source": "y"}]})"), "'result' is missing"));
   BOOST_TEST(has(error_of("{" + runs + R"(, "rows": [{"quantity": "x", "source": "y", "result": "p", "relative_to": "q", "unit": "Pa"}]})"), "is in %"));
+  const std::string row = R"({"quantity": "x", "source": "y", "result": "p"})";
+  BOOST_TEST(has(error_of("{" + runs + ", \"rows\": [" + row + ", " + row + "]}"), "a quantity needs a name of its own"));
   BOOST_TEST(has(error_of("{"), "a.json"));
 }
 
