@@ -92,11 +92,19 @@ void RoundCellParameters::add_parameters(dealii::ParameterHandler &prm)
   prm.add_parameter("Fluid viscosity", fluid_viscosity, "Dynamic viscosity. Units: Pa s.", Double(0., 1e6));
   prm.add_parameter("Cavitation pressure", cavitation_pressure,
                     "Gauge pressure below which the liquid gives way. Units: Pa.", Double(-1e10, -1e-3));
+  prm.add_parameter("Kernel", kernel,
+                    "Of the fluid's sums. fourth_order has no second moment: sound waves and pressure gradients are smoothed to "
+                    "fourth order in the support, at shorter steps; walls that do not fail only. Units: none.",
+                    Selection("wendland|fourth_order"));
   prm.add_parameter("Support ratio", support_ratio, "Kernel radius (2 h) over particle spacing. Units: none.", Double(2., 4.));
   prm.add_parameter("Skin ratio", skin_ratio, "Verlet skin over particle spacing; speed only. Units: none.", Double(0.05, 2.));
   prm.add_parameter("Ordering", ordering, "Pressure that keeps particles evenly spread, over Fluid modulus. Units: none.",
                     Double(0., 1.));
   prm.add_parameter("Seed", seed, "Of the initial disorder of the fluid. Units: none.", Integer(0));
+  prm.add_parameter("Settle steps", settle_steps,
+                    "Fluid = sph: damped steps, before those of Anneal steps, in which the fluid spreads evenly in the wall that is held. "
+                    "Units: steps.",
+                    Integer(0, 10000000));
   prm.add_parameter("Anneal steps", anneal_steps, "Damped steps in which the cell is inflated and comes to rest. Units: steps.",
                     Integer(100, 10000000));
 }
@@ -354,6 +362,7 @@ std::unique_ptr<RoundCell<dim>> make_round_cell(const RoundCellParameters &param
       fluid.depth = p.depth;
       fluid.viscosity = p.fluid_viscosity;
       fluid.ordering = p.ordering * p.fluid_modulus;
+      fluid.fourth_order = p.kernel == "fourth_order";
       fluid.barrier = can_fail ? p.fluid_modulus : 0.; // or an opened cell leaks through what is left of its wall
       if constexpr (dim == 3)
         cell->sph = &cell->system.add(
@@ -368,11 +377,43 @@ std::unique_ptr<RoundCell<dim>> make_round_cell(const RoundCellParameters &param
 }
 
 template <int dim>
+void settle_fluid(RoundCell<dim> &cell, const std::function<void(unsigned int, unsigned int, double)> &watch)
+{
+  const RoundCellParameters &p = cell.parameters;
+  if (!cell.sph || p.settle_steps == 0)
+    return;
+  Particles<dim> &particles = cell.system.particles;
+  const std::uint32_t nw = cell.group().wall_count();
+  const std::vector<double> own(particles.inverse_mass.begin(), particles.inverse_mass.begin() + nw);
+  std::fill(particles.inverse_mass.begin(), particles.inverse_mass.begin() + nw, 0.);
+  cell.sph->set_ordering(p.fluid_modulus);
+  const double dt = 0.8 * cell.system.stable_time_step();
+  // Particles pass each other in the time in which sound crosses a few of them; the last third damps the sound itself.
+  const double spacing = cell.sph->support() / p.support_ratio;
+  const double rate = std::sqrt(7. * p.fluid_modulus / p.fluid_density) / spacing;
+  KickDriftKick<dim> integrator(cell.system);
+  cell.system.compute_forces();
+  for (unsigned int s = 0; s < p.settle_steps; ++s)
+    {
+      const double through = double(s) / p.settle_steps;
+      if (s == p.settle_steps * 2 / 3)
+        cell.sph->set_ordering(p.ordering * p.fluid_modulus);
+      integrator.step(dt, (through < 0.3 ? 0.05 : 0.5) * rate);
+      if (watch)
+        watch(s + 1, p.settle_steps, dt);
+    }
+  std::copy(own.begin(), own.end(), particles.inverse_mass.begin());
+  for (int d = 0; d < dim; ++d)
+    std::fill(particles.v[d].begin(), particles.v[d].end(), 0.);
+}
+
+template <int dim>
 double bring_to_turgor(RoundCell<dim> &cell, const std::function<void(unsigned int, unsigned int, double)> &watch)
 {
   const RoundCellParameters &p = cell.parameters;
   if (cell.sph)
     cell.sph->set_viscosity(0.); // the reference does not depend on it; damping brings the fluid to rest
+  settle_fluid(cell, {});
   // Neither does it depend on the wall's mass: a node as heavy as half a fluid particle allows steps several times as long.
   std::vector<double> &inverse_mass = cell.system.particles.inverse_mass;
   const std::uint32_t nw = cell.group().wall_count();
@@ -395,7 +436,7 @@ double bring_to_turgor(RoundCell<dim> &cell, const std::function<void(unsigned i
   for (unsigned int s = 0; s < steps; ++s)
     {
       const double through = double(s) / steps;
-      integrator.step(dt, (through < 0.2 ? 1. : through < 0.6 ? 0.2 : 1.) / crossing * 0.5);
+      integrator.step(dt, (through < 0.2 ? 0.5 : through < 0.5 ? 0.1 : 5.) / crossing);
       if (s % 10 == 9)
         {
           if (cell.sph)
@@ -432,6 +473,8 @@ template struct RoundCell<2>;
 template struct RoundCell<3>;
 template std::unique_ptr<RoundCell<2>> make_round_cell<2>(const RoundCellParameters &, bool);
 template std::unique_ptr<RoundCell<3>> make_round_cell<3>(const RoundCellParameters &, bool);
+template void settle_fluid<2>(RoundCell<2> &, const std::function<void(unsigned int, unsigned int, double)> &);
+template void settle_fluid<3>(RoundCell<3> &, const std::function<void(unsigned int, unsigned int, double)> &);
 template double bring_to_turgor<2>(RoundCell<2> &, const std::function<void(unsigned int, unsigned int, double)> &);
 template double bring_to_turgor<3>(RoundCell<3> &, const std::function<void(unsigned int, unsigned int, double)> &);
 } // namespace turgor

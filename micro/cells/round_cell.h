@@ -47,9 +47,10 @@ struct RoundCellParameters
   double fluid_modulus = 6e6;      ///< Pa, K
   double fluid_viscosity = 1e-3;   ///< Pa s
   double cavitation_pressure = -100e3; ///< Pa gauge
+  std::string kernel = "wendland"; ///< wendland | fourth_order
   double support_ratio = 2.6, skin_ratio = 0.2, ordering = 0.01;
   unsigned int seed = 1;
-  unsigned int anneal_steps = 8000;
+  unsigned int settle_steps = 0, anneal_steps = 8000;
 
   /// Declares all entries in the current subsection of prm.
   void add_parameters(dealii::ParameterHandler &prm);
@@ -95,7 +96,12 @@ struct RoundCell
 template <int dim>
 std::unique_ptr<RoundCell<dim>> make_round_cell(const RoundCellParameters &parameters, bool can_fail);
 
-/// Osmosis and damped motion until the cell stands at turgor. watch(step, steps, dt) after every step; it may throw to stop.
+/// The fluid alone comes to rest in the wall that is held: Cell/Settle steps of damped motion, at first with an ordering pressure as large as K, so that the
+/// particles stand as evenly as the wall lets them. Steps are the fluid's, several times as long as with the wall free.
+template <int dim>
+void settle_fluid(RoundCell<dim> &cell, const std::function<void(unsigned int, unsigned int, double)> &watch);
+
+/// settle_fluid, then osmosis and damped motion until the cell stands at turgor. watch(step, steps, dt) after every step; it may throw to stop.
 /// Returns the largest unbalanced force over turgor times the wall per node. Throws std::runtime_error where the cell diverges or
 /// has not come to rest.
 template <int dim>

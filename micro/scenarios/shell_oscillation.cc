@@ -2,6 +2,7 @@
 
 #include "micro/engine/kick_drift_kick.h"
 #include "micro/io/run_context.h"
+#include "micro/scenarios/harmonics.h"
 #include "micro/scenarios/shared_entries.h"
 
 #include <deal.II/base/parameter_handler.h>
@@ -52,6 +53,7 @@ void ShellOscillation::declare_parameters(dealii::ParameterHandler &prm)
   prm.add_parameter("Samples per period", samples_per_period, "Rows of radius.csv in such a period. Units: none.",
                     Integer(20, 100000));
   prm.add_parameter("Modes", modes, "Closed-form modes to compare with. Units: none.", Integer(1, 20));
+  prm.add_parameter("Harmonics", fitted, "Decaying cosines fitted to the mean radius. Units: none.", Integer(1, 60));
   declare_step_fraction(prm, step_fraction);
   prm.enter_subsection("Cell");
   cell.add_parameters(prm);
@@ -72,6 +74,9 @@ RoundCellParameters ShellOscillation::shell() const
 void ShellOscillation::check() const
 {
   shell().check(3);
+  if (periods * samples_per_period < 6. * fitted + 4.)
+    throw std::invalid_argument("Harmonics is " + std::to_string(fitted)
+                                + ", but Periods times Samples per period has to be at least 6 times as many and 4.");
   if (filled && speed > 0.02 * sound_speed)
     throw std::invalid_argument("Inward speed is " + std::to_string(speed)
                                 + ", but has to be at most a fiftieth of Sound speed (m/s): the closed forms are linear.");
@@ -164,48 +169,36 @@ void ShellOscillation::run(RunContext &context)
         throw RunStopped("stopped in the middle of the oscillation");
     }
 
-  // Spectrum on a grid four times as fine as the window's resolution, and its maxima, sharpened by parabolas
+  // Spectrum on a grid four times as fine as the window's resolution, for the picture
   const double fine = 2. * pi / time.back() / 4., highest = 1.2 * theory.back() + 40. * fine;
-  std::vector<double> height;
-  for (std::size_t k = 0; k * fine < highest; ++k)
-    height.push_back(amplitude(time, radius, k * fine));
   const auto spectrum = context.series("spectrum", {{"frequency", "Hz"}, {"amplitude", "m"}});
-  for (std::size_t k = 0; k < height.size(); ++k)
-    spectrum->add_row({k * fine / (2. * pi), height[k]});
-  const double tallest = *std::max_element(height.begin() + 8, height.end());
-  std::vector<double> peaks;
-  for (std::size_t k = 8; k + 1 < height.size(); ++k)
-    if (height[k] > height[k - 1] && height[k] >= height[k + 1] && height[k] > 0.01 * tallest)
-      {
-        // the exact maximum by golden section around the grid's
-        double a = (k - 1.) * fine, b = (k + 1.) * fine;
-        const double g = 0.5 * (std::sqrt(5.) - 1.);
-        for (int it = 0; it < 40; ++it)
-          {
-            const double x = b - g * (b - a), y = a + g * (b - a);
-            if (amplitude(time, radius, x) > amplitude(time, radius, y))
-              b = y;
-            else
-              a = x;
-          }
-        peaks.push_back(0.5 * (a + b));
-      }
+  for (std::size_t k = 0; k * fine < highest; ++k)
+    spectrum->add_row({k * fine / (2. * pi), amplitude(time, radius, k * fine)});
+
+  const std::vector<Harmonic> parts = harmonics(radius, sampling, fitted);
+  const auto found = context.series("harmonics", {{"frequency", "Hz"}, {"decay", "1/s"}, {"amplitude", "m"}});
+  for (const Harmonic &part : parts)
+    found->add_row({part.omega / (2. * pi), part.decay, part.amplitude});
   const auto lines = context.series("modes", {{"closed_form", "Hz"}, {"found", "Hz"}, {"deviation", "%"}});
   context.result("radius", R, "m");
-  context.result("peaks", double(peaks.size()), "");
   context.result("energy_drift", energy / energy_start - 1., "1");
-  for (std::size_t m = 0; m < theory.size() && !peaks.empty(); ++m)
+  // The roots beyond the last one that is asked for, and the middle between two of them: what lies nearer to a root belongs to it.
+  std::vector<double> next = theory;
+  next.push_back(p.fluid == "none" ? 2. * theory.back() : closed_form(p, R, sound_speed, modes + 1).back());
+  for (std::size_t m = 0; m < theory.size(); ++m)
     {
-      double nearest = peaks.front();
-      for (const double peak : peaks)
-        if (std::abs(peak - theory[m]) < std::abs(nearest - theory[m]))
-          nearest = peak;
-      const double deviation = 100. * (nearest / theory[m] - 1.);
-      lines->add_row({theory[m] / (2. * pi), nearest / (2. * pi), deviation});
+      const double below = m == 0 ? 0.5 * theory[0] : 0.5 * (theory[m - 1] + theory[m]);
+      const Harmonic part = largest_between(parts, below, 0.5 * (theory[m] + next[m + 1]));
       const std::string name = "mode_" + std::to_string(m + 1);
       context.result(name + "_closed_form", theory[m] / (2. * pi), "Hz");
-      context.result(name + "_found", nearest / (2. * pi), "Hz");
+      if (part.omega == 0.)
+        continue; // not excited, or not carried by the fluid's resolution
+      const double deviation = 100. * (part.omega / theory[m] - 1.);
+      lines->add_row({theory[m] / (2. * pi), part.omega / (2. * pi), deviation});
+      context.result(name + "_found", part.omega / (2. * pi), "Hz");
       context.result(name + "_deviation", deviation, "%");
+      context.result(name + "_amplitude", part.amplitude, "m");
+      context.result(name + "_decay", 2. * pi * part.decay / part.omega, "1/period");
     }
 }
 

@@ -28,6 +28,7 @@ struct SphFluidParameters
   double viscosity = 0.;  ///< Pa s
   bool exact_volume = true; ///< volumes of the particles fill the cell exactly; else as summed
   double ordering = 0.;     ///< Pa, p_0; with exact_volume
+  bool fourth_order = false; ///< kernel without second moment (sph_kernels.inc.h); closed cells only
   double barrier = 0.;      ///< Pa, P_b of sph_barrier.h, about K; walls that fail need it, or what is left of them leaks
 };
 
@@ -45,7 +46,8 @@ public:
     requires(dim == 3);
 
   std::string name() const override { return parameters.viscosity > 0. ? "sph_fluid_viscous" : "sph_fluid"; }
-  /// Throws std::invalid_argument for cells that the lists cannot number, or that do not fit the mesh.
+  /// Throws std::invalid_argument for cells that the lists cannot number, or that do not fit the mesh, or could open with a
+  /// kernel of fourth order.
   void declare(Particles<dim> &particles) override;
   void add_forces(Particles<dim> &particles, const Box<dim> &box, std::size_t group) override;
   double energy(const Particles<dim> &particles, const Box<dim> &box, std::size_t group) const override;
@@ -57,6 +59,7 @@ public:
   void set_particle_mass(Particles<dim> &particles, std::size_t group, double value) override;
   void set_viscosity(double value) { parameters.viscosity = value; }
   double viscosity() const { return parameters.viscosity; }
+  void set_ordering(double value) { parameters.ordering = value; } ///< Pa
   const EquationOfState &equation_of_state() const override { return eos; }
   double support() const override { return parameters.support; }
   void forget_lists() override;

@@ -2,19 +2,12 @@
 // Included by sph_sweeps.inc.h alone and under its rule: anonymous namespace, no inline function of a shared header.
 #pragma once
 
-#include "micro/terms/sph_lanes.inc.h"
+#include "micro/terms/sph_kernels.inc.h"
 
 namespace turgor::sph
 {
 namespace
 {
-/// Peak of the kernel W(0): 1/m^2, 1/m^3.
-template <int dim>
-inline double kernel_peak(const double R)
-{
-  return dim == 2 ? 7. / (pi * R * R) : 21. / (2. * pi * R * R * R);
-}
-
 /// Sum of value(0 .. n - 1), in eight interleaved parts: an order that does not depend on the machine.
 template <typename Value>
 inline double sum_of(const std::uint32_t n, const Value &value)
@@ -47,14 +40,6 @@ void fill_rows(CellView<dim> &c)
     dummy[k] = k < dim ? c.x[k][0] + 1e3 * c.support : 0.;
 }
 
-/// The kernel over its peak, and W'/r over -20 peak / R^2; w = max(0, 1 - u).
-inline V kernel_shape(const V w)
-{
-  const V w2 = w * w;
-  return w2 * w2 * (splat(5.) - splat(4.) * w);
-}
-inline V slope_shape(const V w) { return w * w * w; }
-
 /// |r|^2, never 0; r becomes the vectors from xi.
 template <int dim>
 inline V square_from(const V xi[dim], V r[], const V tiny)
@@ -75,10 +60,11 @@ inline std::uint32_t list_end(const std::uint16_t *neighbours, const std::uint32
 }
 
 /// Kernel sums: rho but for gamma and scale.
-template <int dim>
+template <int dim, bool fourth_order>
 void sum_kernels(CellView<dim> &c)
 {
-  const double R = c.support, iR = 1. / R, C = kernel_peak<dim>(R) / c.depth;
+  using K = Kernel<dim, fourth_order>;
+  const double R = c.support, iR = 1. / R, C = K::peak(R) / c.depth;
   const V viR = splat(iR), one = splat(1.), tiny = splat(1e-24 * R * R);
   std::uint32_t k = c.first_neighbour[0];
   for (std::uint32_t i = 0; i < c.n; ++i)
@@ -96,7 +82,7 @@ void sum_kernels(CellView<dim> &c)
             load_two_columns<row_doubles>(c.rows, c.neighbours + k, r);
           else
             load_half_rows<row_doubles>(c.rows, c.neighbours + k, r);
-          acc += kernel_shape(positive(one - root(square_from<dim>(xi, r, tiny)) * viR));
+          acc += K::value(positive(one - root(square_from<dim>(xi, r, tiny)) * viR));
         }
       k = next;
       c.rho[i] = c.mass * C * (1. + sum(acc));
@@ -105,7 +91,7 @@ void sum_kernels(CellView<dim> &c)
 
 /// From the kernel sum and what the wall's formula gives: gamma, the density before scaling, and (in push) the slope with
 /// which gamma follows the formula.
-template <int dim>
+template <int dim, bool fourth_order>
 inline void correct(CellView<dim> &c, const std::uint32_t i, double gamma)
 {
   double side = 1.;
@@ -124,7 +110,7 @@ inline void correct(CellView<dim> &c, const std::uint32_t i, double gamma)
           gamma = 0.4 + 0.1 * (side < 0. ? -side : side);
         }
     }
-  else if (gamma > 1. + 1e-3)
+  else if (gamma > (fourth_order ? 1.2 : 1. + 1e-3)) // W* itself goes up to 1.04 before a flat wall
     { // Just outside the wall the winding number is 0, not the 1 that was assumed.
       gamma -= 1.;
       ++c.crossed;
@@ -167,13 +153,15 @@ void apply_law(CellView<dim> &c)
     }
 }
 
-template <int dim, bool viscous>
+template <int dim, bool viscous, bool fourth_order>
 void force(CellView<dim> &c)
 {
   using Is = Column<dim>;
-  const double R = c.support, iR = 1. / R, C = kernel_peak<dim>(R) / c.depth;
+  using Ordinary = Kernel<dim, false>; // drag takes it always: the ring of W* would push
+  using K = Kernel<dim, fourth_order>;
+  const double R = c.support, iR = 1. / R, C = Ordinary::peak(R) / c.depth;
   const V viR = splat(iR), one = splat(1.), tiny = splat(1e-24 * R * R);
-  // W'/r = -20 C slope_shape / R^2: common to all pairs, and put in at the end
+  // W'/r = -20 C slope / R^2: common to all pairs, and put in at the end
   const double slope = -20. * C * iR * iR * c.mass;
   // chi mu_i mu_j / (mu_i + mu_j) = 4 (d + 2) mu / 2; times 1/2 from the arithmetic mean of 1/gamma in 2D
   const double drag = (dim == 2 ? 4. * c.viscosity : 10. * c.viscosity) / c.mass;
@@ -199,19 +187,25 @@ void force(CellView<dim> &c)
           else
             load_half_rows<row_doubles>(c.rows, c.neighbours + k, j);
           const V r2 = square_from<dim>(xi, j, tiny);
+          const V w = positive(one - root(r2) * viR);
           V coefficient = ai + j[Is::a];
+          if constexpr (fourth_order)
+            coefficient *= splat(K::alpha) * K::slope(w);
           if (viscous)
             {
               V rate = (j[Is::velocity] - vi[0]) * j[0];
               for (int d = 1; d < dim; ++d)
                 rate = rate + (j[Is::velocity + d] - vi[d]) * j[d];
-              const V approach = rate * reciprocal(r2);
+              V approach = rate * reciprocal(r2);
+              if constexpr (fourth_order)
+                approach *= Ordinary::slope(w);
               if constexpr (dim == 2)
                 coefficient -= weight * j[Is::volume] * (igi + j[Is::inverse_share]) * approach;
               else
                 coefficient -= weight * j[Is::viscous_weight] * approach;
             }
-          coefficient *= slope_shape(positive(one - root(r2) * viR));
+          if constexpr (!fourth_order)
+            coefficient *= Ordinary::slope(w);
           for (int d = 0; d < dim; ++d)
             total[d] += coefficient * j[d];
         }

@@ -31,7 +31,8 @@
 // neighbours, and tension would pull it together. s stays what it was when the wall broke, or the pressure would jump by
 // 7 K (1 - s) in that moment.
 //
-// Kernel: Wendland C2 (no pairing instability), W = C (1 - u)^4 (4 u + 1), u = r / support.
+// Kernel: Wendland C2 (no pairing instability), W = C (1 - u)^4 (4 u + 1), u = r / support; or (fourth_order) W times a polynomial that
+// takes its second moment away, so that sound of wave number k runs at c (1 - O(k^4)), not c (1 - O(k^2)): sph_kernels.inc.h.
 // Viscosity (thesis Eq. 2.25, corrected, chi = 4 (d + 2)): central pair drag, renormalised at the wall by the
 // mean of 1/gamma_i and 1/gamma_j (2D: arithmetic; 3D: geometric, so that volume and 1/gamma are one number
 // and a row is still one cache line), and no slip against the wall's faces.
@@ -75,6 +76,7 @@ struct CellBase
   double volume = 0.;                ///< m^3, inside the wall; 0, with ordering 0: s is given
   double ordering = 0.;              ///< Pa, p_0
   bool open = false;                 ///< faces are missing
+  bool fourth_order = false;         ///< the kernel of the sums and gamma; closed cells only
   double scale = 1.;                 ///< out, s; in, where volume is 0
   double mean_pressure = 0.;         ///< out, Pa, p_mean; the caller applies (p_mean - p_0) dV/dx to the wall
   std::uint32_t crossed = 0;         ///< out: particles found outside a closed wall

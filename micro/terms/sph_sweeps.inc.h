@@ -10,13 +10,13 @@ namespace turgor::sph
 {
 namespace
 {
-template <int dim, bool viscous>
+template <int dim, bool viscous, bool fourth_order>
 void density(CellView<dim> &c)
 {
   c.crossed = 0;
   fill_rows<dim, viscous>(c);
-  sum_kernels(c);
-  wall_shares<viscous>(c);
+  sum_kernels<dim, fourth_order>(c);
+  wall_shares<viscous, fourth_order>(c);
   apply_law<dim, viscous>(c);
   push_wall<viscous>(c);
 }
@@ -24,19 +24,19 @@ void density(CellView<dim> &c)
 template <int dim>
 void density_any(CellView<dim> &c)
 {
-  if (c.viscosity > 0.)
-    density<dim, true>(c);
+  if (c.fourth_order)
+    c.viscosity > 0. ? density<dim, true, true>(c) : density<dim, false, true>(c);
   else
-    density<dim, false>(c);
+    c.viscosity > 0. ? density<dim, true, false>(c) : density<dim, false, false>(c);
 }
 
 template <int dim>
 void force_any(CellView<dim> &c)
 {
-  if (c.viscosity > 0.)
-    force<dim, true>(c);
+  if (c.fourth_order)
+    c.viscosity > 0. ? force<dim, true, true>(c) : force<dim, false, true>(c);
   else
-    force<dim, false>(c);
+    c.viscosity > 0. ? force<dim, true, false>(c) : force<dim, false, false>(c);
 }
 } // namespace
 } // namespace turgor::sph

@@ -18,11 +18,12 @@ struct Gradient
 };
 
 /// What the faces within reach give to gamma and its gradient, angles left out.
-template <bool viscous>
+template <bool viscous, bool fourth_order>
 void sum_faces(CellView<2> &c)
 {
+  using K = Kernel<2, fourth_order>;
   const double R = c.support, iR = 1. / R;
-  const V iR2 = splat(iR * iR), one = splat(1.), four = splat(4.), tiny = splat(1e-24);
+  const V iR2 = splat(iR * iR), one = splat(1.), tiny = splat(1e-24);
   // Gauss points and weights on [0, 1].
   constexpr int gauss_points = 3;
   const double gauss_x[gauss_points] = {0.11270166537925831, 0.5, 0.88729833462074169};
@@ -56,9 +57,9 @@ void sum_faces(CellView<2> &c)
                 {
                   const double x = gauss_x[g], weight = gauss_w[g];
                   const V u2 = greater(aa + splat(x) * (ae2 + splat(x) * ee), tiny), u = root(u2), iu2 = reciprocal(u2);
-                  const V inside = splat(0.5) + u2 * (splat(-2.5) + u * (four + u * (splat(-2.5) + u * splat(4. / 7.))));
+                  const V inside = K::share(u, u2, K::alpha);
                   // (1/u) d(inside)/du
-                  const V slope = splat(-5.) + u * (splat(12.) + u * (splat(-10.) + u * splat(20. / 7.)));
+                  const V slope = K::share_slope(u, K::alpha);
                   // in units of 7/(pi R^2): beyond the support G = 1/(2 pi r^2)
                   const V outside = splat(1. / 14.) * iu2;
                   const V G = select_less(u2, one, inside, outside), dG = select_less(u2, one, slope, splat(-2.) * outside * iu2);
@@ -68,7 +69,7 @@ void sum_faces(CellView<2> &c)
                   slope2 += splat(weight * x * x) * dG;
                   if (viscous)
                     {
-                      const V kernel = kernel_shape(positive(one - u));
+                      const V kernel = Kernel<2, false>::value(positive(one - u));
                       wa += splat(weight * (1. - x)) * kernel;
                       wb += splat(weight * x) * kernel;
                     }
@@ -109,6 +110,7 @@ void sum_faces(CellView<2> &c)
 
 /// The angle under which a stretch of wall is seen, from its two ends alone, and its gradient: gamma
 /// is complete, and rho as the sums give it.
+template <bool fourth_order>
 void add_angles(CellView<2> &c)
 {
   const double R = c.support;
@@ -143,7 +145,7 @@ void add_angles(CellView<2> &c)
       double gamma = c.gamma[i];
       for (std::uint32_t arc = c.first_arc[i]; arc < c.first_arc[i + 1]; ++arc)
         gamma -= ends[arc + 4 * stride];
-      correct(c, i, gamma);
+      correct<2, fourth_order>(c, i, gamma);
     }
 }
 
@@ -210,11 +212,11 @@ void push_wall(CellView<2> &c)
 
 
 /// gamma of all particles; density before scaling.
-template <bool viscous>
+template <bool viscous, bool fourth_order>
 void wall_shares(CellView<2> &c)
 {
-  sum_faces<viscous>(c);
-  add_angles(c);
+  sum_faces<viscous, fourth_order>(c);
+  add_angles<fourth_order>(c);
 }
 } // namespace
 } // namespace turgor::sph

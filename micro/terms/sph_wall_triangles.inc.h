@@ -5,7 +5,7 @@
 // particle at x, with r_g = y_g - x, N = n . r (any point of the face), in units of 1/(8 pi):
 //   integral G r.n dS  = N S,   S = sum_g w_g g(|r_g|),  g = 4 pi R^3 G = 14 - 84 u^2 + 140 u^3 - 90 u^4 + 21 u^5 (u < 1)
 //     and minus twice the angle, which all near faces of a particle have together (sph_wall_rims.inc.h)
-//   integral D r.n dS  = N S with  g = -(1 - u)^5 (1 + 5 u + 15 u^2 + 21 u^3) / u^3
+//   integral D r.n dS  = N S with  g = -(1 - u)^5 (1 + 5 u + 15 u^2 + 21 u^3) / u^3   (both: ordinary kernel; sph_kernels.inc.h)
 //   d (N S) / d y_k    = S (y_k+1 - x) x (y_k+2 - x) + sum_g l_gk K_g r_g,   K_g = N w_g (1/u) dg/du
 // |r_g|^2 comes from |x|^2 and the three products x.y_k: no Gauss point has coordinates.
 // S and the K_g are kept: when the push P of every particle is known, what the face's corners feel follows from the sums of
@@ -37,12 +37,13 @@ constexpr double share_of(const int quadrature, const int g, const int k)
 }
 
 /// At a Gauss point of quadrature 0: g and (1/u) dg/du; `inside`: u < 1 in all lanes.
-template <bool inside>
+template <bool inside, bool fourth_order>
 inline void profile_g(const V r2, V &value, V &slope)
 {
+  using K = Kernel<3, fourth_order>;
   const V u = root(r2);
-  value = splat(14.) + r2 * (splat(-84.) + u * (splat(140.) + u * (splat(-90.) + u * splat(21.))));
-  slope = splat(-168.) + u * (splat(420.) + u * (splat(-360.) + u * splat(105.)));
+  value = K::share(u, r2, 42. * K::alpha);
+  slope = K::share_slope(u, 42. * K::alpha);
   if constexpr (!inside)
     {
       const V one = splat(1.), iu = reciprocal(u), outside = iu * iu * iu;
@@ -51,14 +52,16 @@ inline void profile_g(const V r2, V &value, V &slope)
     }
 }
 /// At a point of the others.
+template <bool fourth_order>
 inline void profile_d(const V r2, V &value, V &slope)
 {
+  using K = Kernel<3, fourth_order>;
   const V one = splat(1.), ir = rsqrt(r2), u = r2 * ir, w = positive(one - u), w2 = w * w, ir2 = ir * ir;
-  value = -(w2 * w2 * w) * (one + u * (splat(5.) + u * (splat(15.) + u * splat(21.)))) * (ir2 * ir);
-  slope = ir2 * (splat(42.) * kernel_shape(w) - splat(3.) * value);
+  value = -(w2 * w2 * w) * K::beyond(u) * (ir2 * ir);
+  slope = ir2 * (splat(42. * K::alpha) * K::value(w) - splat(3.) * value);
 }
-/// The kernel over its peak.
-inline V profile_w(const V r2) { return kernel_shape(positive(splat(1.) - root(r2))); }
+/// The ordinary kernel over its peak.
+inline V profile_w(const V r2) { return Kernel<3, false>::value(positive(splat(1.) - root(r2))); }
 
 /// One face, all lanes alike; from its middle, over the support.
 struct Face
@@ -156,7 +159,7 @@ inline void drag_on_face(CellView<3> &c, Face &face, const std::uint16_t *j, con
 }
 
 /// W particles; false, and nothing done, where all are out of the support.
-template <int quadrature, bool viscous>
+template <int quadrature, bool viscous, bool fourth_order>
 inline bool see_face(CellView<3> &c, Face &face, const std::uint16_t *j, const V live, double *kept)
 {
   constexpr int points = quadrature_points[quadrature];
@@ -184,10 +187,10 @@ inline bool see_face(CellView<3> &c, Face &face, const std::uint16_t *j, const V
         most = greater(most, r2[g]);
       if (any_less(one, most))
         for (int g = 0; g < points; ++g)
-          profile_g<false>(r2[g], value[g], slope[g]);
+          profile_g<false, fourth_order>(r2[g], value[g], slope[g]);
       else
         for (int g = 0; g < points; ++g)
-          profile_g<true>(r2[g], value[g], slope[g]);
+          profile_g<true, fourth_order>(r2[g], value[g], slope[g]);
     }
   else
     {
@@ -197,7 +200,7 @@ inline bool see_face(CellView<3> &c, Face &face, const std::uint16_t *j, const V
       if (!any_less(least, one))
         return false;
       for (int g = 0; g < points; ++g)
-        profile_d(r2[g], value[g], slope[g]);
+        profile_d<fourth_order>(r2[g], value[g], slope[g]);
     }
   const V N = -dot(face.n, p);
   V S, all = splat(0.), shift[3] = {splat(0.), splat(0.), splat(0.)}; // shift: sum of delta K over the points of a corner
@@ -237,14 +240,14 @@ inline bool see_face(CellView<3> &c, Face &face, const std::uint16_t *j, const V
   return true;
 }
 
-template <int quadrature, bool viscous>
+template <int quadrature, bool viscous, bool fourth_order>
 inline void see_face_all(CellView<3> &c, Face &face, const std::uint32_t count, const std::uint16_t *&j, double *&kept,
                          std::uint16_t &active)
 {
   constexpr int size = (1 + quadrature_points[quadrature]) * W;
   std::uint32_t used = 0;
   for (std::uint32_t k = 0, chunk = 0; k < count; k += W, ++chunk)
-    if (see_face<quadrature, viscous>(c, face, j + k, first_lanes(count - k), kept + chunk * size))
+    if (see_face<quadrature, viscous, fourth_order>(c, face, j + k, first_lanes(count - k), kept + chunk * size))
       used = chunk + 1;
     else
       for (int l = 0; l < size; ++l)
@@ -255,7 +258,7 @@ inline void see_face_all(CellView<3> &c, Face &face, const std::uint32_t count, 
 }
 
 /// gamma of all particles and its gradients; density before scaling; the drag on the wall but for the factor 1/s.
-template <bool viscous>
+template <bool viscous, bool fourth_order>
 void wall_shares(CellView<3> &c)
 {
   const double iR = 1. / c.support;
@@ -282,9 +285,9 @@ void wall_shares(CellView<3> &c)
       const std::uint16_t *j = c.face_particles + list.first;
       std::uint16_t *active = c.active + quadratures * std::size_t(f);
       prepare<viscous>(c, list.face, face);
-      see_face_all<0, viscous>(c, face, list.count[0], j, kept, active[0]);
-      see_face_all<1, viscous>(c, face, list.count[1], j, kept, active[1]);
-      see_face_all<2, viscous>(c, face, list.count[2], j, kept, active[2]);
+      see_face_all<0, viscous, fourth_order>(c, face, list.count[0], j, kept, active[0]);
+      see_face_all<1, viscous, fourth_order>(c, face, list.count[1], j, kept, active[1]);
+      see_face_all<2, viscous, fourth_order>(c, face, list.count[2], j, kept, active[2]);
       if (viscous)
         for (int k = 0; k < 3; ++k)
           {
@@ -299,7 +302,7 @@ void wall_shares(CellView<3> &c)
           }
     }
   for (std::uint32_t i = 0; i < c.n; ++i)
-    correct(c, i, 1. + c.pull[4 * std::size_t(i)] * (1. / (8. * pi)));
+    correct<3, fourth_order>(c, i, 1. + c.pull[4 * std::size_t(i)] * (1. / (8. * pi)));
 }
 
 /// Sums of push S (x, 1) into `whole` and of push K_g (x, 1) into `point`.

@@ -4,6 +4,8 @@
 #include "tests/micro/slope_of_energy.h"
 #include "tests/micro/small_sphere.h"
 
+#include <boost/test/data/monomorphic.hpp>
+#include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
@@ -94,9 +96,10 @@ BOOST_AUTO_TEST_CASE(drag_dissipates)
       BOOST_REQUIRE_SMALL(p.f[d][i] - still.f[d][i], 1e-12 * largest_component(still));
 }
 
-BOOST_AUTO_TEST_CASE(wall_share_matches_quadrature)
+BOOST_DATA_TEST_CASE(wall_share_matches_quadrature, boost::unit_test::data::make({false, true}), fourth_order)
 {
   frequency = 8; // faces of one spacing, as in use
+  fluid.fourth_order = fourth_order;
   auto cell = make();
   cell->system.compute_forces();
   const Particles<3> &p = cell->system.particles;
@@ -129,8 +132,10 @@ BOOST_AUTO_TEST_CASE(wall_share_matches_quadrature)
               if (e.dot(t[0].cross(t[1])) >= 0. && e.dot(t[1].cross(t[2])) >= 0. && e.dot(t[2].cross(t[0])) >= 0.)
                 reach = std::min(reach, t[0].dot(n) / across / R);
             }
-          const double u = reach;
-          total += u * u * u * (14. + u * u * (-84. + u * (140. + u * (-90. + u * 21.))));
+          const double u = reach, ordinary = u * u * u * (14. + u * u * (-84. + u * (140. + u * (-90. + u * 21.))));
+          // integral of u^4 times the same kernel
+          const double second = 42. * std::pow(u, 5) * (0.2 + u * u * (-10. / 7. + u * (2.5 + u * (-5. / 3. + u * 0.4))));
+          total += fourth_order ? 50. / 17. * (ordinary - 3.3 * second) : ordinary;
         }
     return total / (2. * rings * rings);
   };
