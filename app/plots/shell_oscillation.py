@@ -22,16 +22,18 @@ def main(directory):
     axis = figure.add_axes([0.08, 0.13, 0.38, 0.80])
     t = radius["time [s]"] * 1e6
     shown = t <= t[-1] * min(1.0, 8 / max(1.0, modes["closed_form [Hz]"][0] * radius["time [s]"][-1]))
-    axis.plot(t[shown], radius["radius_change [m]"][shown] * 1e9, color=ALONG, linewidth=1.2)
+    axis.plot(t[shown], radius["radial_speed [m/s]"][shown] * 1e3, color=ALONG, linewidth=1.2)
     axis.set_xlabel("time [µs] (the first eight periods)", color=INK, fontsize=9)
-    axis.set_ylabel("change of the mean radius [nm]", color=INK, fontsize=9)
+    axis.set_ylabel("radial speed of wall and liquid [mm/s]", color=INK, fontsize=9)
     axis.axhline(0, color="#c8d0d6", linewidth=0.8)
     axis.set_xlim(0, t[shown][-1])
     style(axis)
     axis = figure.add_axes([0.56, 0.13, 0.41, 0.80])
     f = spectrum["frequency [Hz]"] / 1e6
-    height = spectrum["amplitude [m]"] / spectrum["amplitude [m]"][8:].max()
-    axis.semilogy(f, np.maximum(height, 1e-6), color=ALONG, linewidth=1.4, label="mean radius, Hann window")
+    height = spectrum["amplitude [m/s]"] / spectrum["amplitude [m/s]"][8:].max()
+    axis.semilogy(f, np.maximum(height, 1e-6), color=ALONG, linewidth=1.4, label="radial speed, Hann window")
+    for k, line in enumerate(modes["found [Hz]"] / 1e6):
+        axis.axvline(line, color=INK, linewidth=1.0, label="found by the harmonic fit" if k == 0 else None)
     for k, line in enumerate(modes["closed_form [Hz]"] / 1e6):
         axis.axvline(line, color=ACCENT, linewidth=1.0, linestyle=(0, (4, 3)), label="closed form" if k == 0 else None)
         deviation = modes["deviation [%]"][k]

@@ -2,7 +2,7 @@
 
   python3 inputs/studies/single_cell.py NAME [--program build/app/turgor] [--directory runs] [--only-table]
 
-NAME: laplace_convergence, laplace_support, laplace_ordering, shell_modes, impact_matrix, failure, largest_stretch, compression_2d, extremes. Runs that are
+NAME: laplace_convergence, laplace_support, laplace_ordering, shell_modes, shell_support, impact_matrix, failure, largest_stretch, compression_2d, extremes. Runs that are
 finished in the directory are not repeated. The table goes to doc/results/single_cell/NAME.csv.
 """
 import argparse
@@ -39,9 +39,18 @@ def shell_modes():
     for nu in (4, 6, 8, 12):
         yield f"empty_{nu}", "shell_oscillation", {"Filled": "false", "Cell/Frequency": nu, "Samples per period": 200}
     for c in (50, 250):
-        for nu, fluid in ((6, 390), (8, 930)):
-            yield f"c{c}_{nu}", "shell_oscillation", {"Sound speed": c, "Cell/Frequency": nu, "Cell/Fluid particles": fluid,
-                                                          "Cell/Anneal steps": 1500}
+        for nu, fluid in ((8, 930), (9, 2000), (10, 4000)):
+            yield f"c{c}_{fluid}", "shell_oscillation", {
+                "Sound speed": c, "Cell/Frequency": nu, "Cell/Fluid particles": fluid, "Cell/Ordering": 0.1 if c == 50 else 0.01}
+
+
+def shell_support():
+    """Both kernels over the support: what smoothing and what disorder cost."""
+    for kernel, ratios in (("wendland", (2.0, 2.6, 3.2)), ("fourth_order", (2.6, 3.0, 3.4))):
+        for ratio in ratios:
+            yield f"{kernel}_{ratio}", "shell_oscillation", {
+                "Cell/Frequency": 8, "Cell/Fluid particles": 930, "Cell/Kernel": kernel, "Cell/Support ratio": ratio,
+                "Cell/Ordering": 0.1 if kernel == "fourth_order" else 0.01}
 
 
 SMALL = {"Cell/Frequency": 4, "Cell/Fluid particles": 200, "Frames": 0}
@@ -110,7 +119,7 @@ def extremes():
         yield f"failure_{entry.split('/')[-1].replace(' ', '_')}_{value:g}", "cell_failure", {**tiny, "Cell/Anneal steps": 3000, entry: value}
 
 
-STUDIES = {f.__name__: f for f in (laplace_convergence, laplace_support, laplace_ordering, shell_modes, impact_matrix, failure,
+STUDIES = {f.__name__: f for f in (laplace_convergence, laplace_support, laplace_ordering, shell_modes, shell_support, impact_matrix, failure,
                                    largest_stretch, compression_2d, extremes)}
 
 

@@ -48,12 +48,16 @@ void ShellOscillation::declare_parameters(dealii::ParameterHandler &prm)
                     "c of the liquid; Cell/Fluid modulus is then rho c^2/7, whatever is set there. Units: m/s.",
                     Double(1., 5000.));
   prm.add_parameter("Inward speed", speed, "Of all wall nodes at the start. Units: m/s.", Double(1e-6, 10.));
+  prm.add_parameter("Struck", struck,
+                    "wall: only its nodes move at the start (thesis A.1); most of that stays in tones of the wall above all that the "
+                    "liquid's particles carry. whole: the liquid moves with it in proportion to the radius. Units: none.",
+                    Selection("wall|whole"));
   prm.add_parameter("Periods", periods, "Length of the run in periods of the lowest closed form. Units: none.",
                     Double(4., 10000.));
   prm.add_parameter("Samples per period", samples_per_period, "Rows of radius.csv in such a period. Units: none.",
                     Integer(20, 100000));
   prm.add_parameter("Modes", modes, "Closed-form modes to compare with. Units: none.", Integer(1, 20));
-  prm.add_parameter("Harmonics", fitted, "Decaying cosines fitted to the mean radius. Units: none.", Integer(1, 60));
+  prm.add_parameter("Harmonics", fitted, "Decaying cosines fitted to the radial speed. Units: none.", Integer(1, 60));
   declare_step_fraction(prm, step_fraction);
   prm.enter_subsection("Cell");
   cell.add_parameters(prm);
@@ -133,23 +137,39 @@ void ShellOscillation::run(RunContext &context)
     }
   const double R = round.mean_radius();
   const std::vector<double> theory = closed_form(p, R, sound_speed, modes);
+  Particles<3> &particles = system.particles;
   const std::uint32_t n = round.group().wall_count();
-  for (std::uint32_t i = 0; i < n; ++i)
+  for (std::uint32_t i = 0; i < (struck == "wall" ? n : particles.size()); ++i)
     {
-      const Vector<3> out = system.particles.position(i).normalized();
+      const Vector<3> x = particles.position(i), out = i < n ? Vector<3>(x.normalized()) : Vector<3>(x / R);
       for (int d = 0; d < 3; ++d)
-        system.particles.v[d][i] = -speed * out[d];
+        particles.v[d][i] = -speed * out[d];
     }
+  // R sum m v.x/sum m x.x: the wall's radial speed where all moves in proportion to the radius
+  const auto radial_speed = [&]() {
+    double along = 0., squares = 0.;
+    for (std::uint32_t i = 0; i < particles.size(); ++i)
+      for (int d = 0; d < 3; ++d)
+        {
+          along += particles.v[d][i] * particles.x[d][i] / particles.inverse_mass[i];
+          squares += particles.x[d][i] * particles.x[d][i] / particles.inverse_mass[i];
+        }
+    return R * along / squares;
+  };
 
   const double period = 2. * pi / theory.front(), sampling = period / samples_per_period;
   const double limit = step_fraction * system.stable_time_step();
   const unsigned int per_sample = unsigned(std::ceil(sampling / limit));
   const double dt = sampling / per_sample;
   const auto count = std::size_t(periods * samples_per_period);
-  const auto table = context.series("radius", {{"time", "s"}, {"radius_change", "m"}, {"pressure", "Pa"}, {"energy", "J"}});
+  const auto table = context.series("radius", {{"time", "s"},
+                                             {"radius_change", "m"},
+                                             {"radial_speed", "m/s"},
+                                             {"pressure", "Pa"},
+                                             {"energy", "J"}});
   KickDriftKick<3> integrator(system);
   system.compute_forces();
-  std::vector<double> time, radius;
+  std::vector<double> time, radius, moving;
   const double energy_start = system.potential_energy() + system.kinetic_energy();
   double energy = energy_start;
   for (std::size_t k = 0; k <= count; ++k)
@@ -159,11 +179,12 @@ void ShellOscillation::run(RunContext &context)
           integrator.step(dt);
       time.push_back(double(k) * sampling);
       radius.push_back(round.mean_radius() - R);
+      moving.push_back(radial_speed());
       energy = system.potential_energy() + system.kinetic_energy();
       if (!std::isfinite(radius.back()) || std::abs(radius.back()) > 0.5 * R)
         throw RunFailed("the shell diverged before t = " + std::to_string(1e6 * time.back())
                         + " us: use a smaller Step fraction or Inward speed.");
-      table->add_row({time.back(), radius.back(), round.pressure(), energy});
+      table->add_row({time.back(), radius.back(), moving.back(), round.pressure(), energy});
       context.progress(0.3 + 0.7 * double(k) / double(count), "oscillations");
       if (context.stop_requested())
         throw RunStopped("stopped in the middle of the oscillation");
@@ -171,12 +192,12 @@ void ShellOscillation::run(RunContext &context)
 
   // Spectrum on a grid four times as fine as the window's resolution, for the picture
   const double fine = 2. * pi / time.back() / 4., highest = 1.2 * theory.back() + 40. * fine;
-  const auto spectrum = context.series("spectrum", {{"frequency", "Hz"}, {"amplitude", "m"}});
+  const auto spectrum = context.series("spectrum", {{"frequency", "Hz"}, {"amplitude", "m/s"}});
   for (std::size_t k = 0; k * fine < highest; ++k)
-    spectrum->add_row({k * fine / (2. * pi), amplitude(time, radius, k * fine)});
+    spectrum->add_row({k * fine / (2. * pi), amplitude(time, moving, k * fine)});
 
-  const std::vector<Harmonic> parts = harmonics(radius, sampling, fitted);
-  const auto found = context.series("harmonics", {{"frequency", "Hz"}, {"decay", "1/s"}, {"amplitude", "m"}});
+  const std::vector<Harmonic> parts = harmonics(moving, sampling, fitted);
+  const auto found = context.series("harmonics", {{"frequency", "Hz"}, {"decay", "1/s"}, {"amplitude", "m/s"}});
   for (const Harmonic &part : parts)
     found->add_row({part.omega / (2. * pi), part.decay, part.amplitude});
   const auto lines = context.series("modes", {{"closed_form", "Hz"}, {"found", "Hz"}, {"deviation", "%"}});
@@ -197,7 +218,7 @@ void ShellOscillation::run(RunContext &context)
       lines->add_row({theory[m] / (2. * pi), part.omega / (2. * pi), deviation});
       context.result(name + "_found", part.omega / (2. * pi), "Hz");
       context.result(name + "_deviation", deviation, "%");
-      context.result(name + "_amplitude", part.amplitude, "m");
+      context.result(name + "_amplitude", part.amplitude, "m/s");
       context.result(name + "_decay", 2. * pi * part.decay / part.omega, "1/period");
     }
 }

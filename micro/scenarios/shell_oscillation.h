@@ -4,13 +4,15 @@
 //   filled   j0(q)/j1(q) - q rho_s t/(rho R) + 4 E t/(q rho c^2 R) = 0,  q = omega R/c     Eq. A.2; thesis 5-10 %
 //
 // E = 3 G. Both closed forms are linear about a stress-free shell with a liquid at rest pressure 0, and that is the start here:
-// turgor 0; the wall gets a small inward radial velocity. Decaying cosines are fitted to the mean radius (harmonics.h); a root is
-// compared with the largest of those that lie nearer to it than to any other root. K follows from c: c = sqrt(7 K/rho).
+// turgor 0; the wall, or wall and liquid, get a small inward radial velocity. Decaying cosines are fitted to the radial speed of
+// wall and liquid, R sum m v.x/sum m x.x (harmonics.h); a root is compared with the largest of those that lie nearer to it than
+// to any other root. K follows from c: c = sqrt(7 K/rho).
 #pragma once
 
 #include "micro/cells/round_cell.h"
 #include "micro/scenarios/scenario.h"
 
+#include <string>
 #include <vector>
 
 namespace turgor
@@ -33,6 +35,7 @@ private:
   double sound_speed = 50., speed = 0.01, periods = 20., step_fraction = 0.5;
   unsigned int samples_per_period = 400, modes = 4, fitted = 12;
   bool filled = true;
+  std::string struck = "whole";
   RoundCellParameters cell;
 };
 

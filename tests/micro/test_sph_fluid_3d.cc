@@ -144,11 +144,11 @@ BOOST_DATA_TEST_CASE(wall_share_matches_quadrature, boost::unit_test::data::make
     {
       const double coarse = share(i, 60), fine = share(i, 120);
       BOOST_TEST_MESSAGE("gamma " << gamma[i] << ", by quadrature " << fine << ", difference " << gamma[i] - fine);
-      // 6-point faces: 3e-6 measured on spheres (far_enough in sph_fans.cc).
-      BOOST_TEST(std::abs(gamma[i] - fine) < 3e-6 + std::abs(fine - coarse));
+      // 6-point faces: 3e-6 measured on spheres (far_enough in sph_fans.cc); the steeper kernel of fourth order has 1.0e-5 here.
+      BOOST_TEST(std::abs(gamma[i] - fine) < (fourth_order ? 2e-5 : 3e-6) + std::abs(fine - coarse));
       least = std::min(least, gamma[i]);
     }
-  BOOST_TEST(least < 0.8); // some were near the wall
+  BOOST_TEST(least < (fourth_order ? 0.9 : 0.8)); // some were near the wall
 }
 
 BOOST_AUTO_TEST_CASE(volumes_fill_the_cell)
