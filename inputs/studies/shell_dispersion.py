@@ -34,7 +34,7 @@ def roots(c, count):
 
 
 def kernel(fourth_order):
-    """W over its integral, support 1, in 3D: Wendland C2, or the same times a polynomial that takes its second moment away."""
+    """W over its integral, support 1, in 3D (sph_kernels.inc.h)."""
     peak = 21 / (2 * np.pi)
     if fourth_order:
         return lambda u: 50 / 17 * peak * (1 - 3.3 * u * u) * (1 - u) ** 4 * (1 + 4 * u)

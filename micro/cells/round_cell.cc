@@ -430,13 +430,14 @@ double bring_to_turgor(RoundCell<dim> &cell, const std::function<void(unsigned i
   // The wall gives way while the cell fills, so that pressure follows several times as slowly as at constant volume.
   const double rate = 4. / crossing;
   const Osmosis osmosis(p.turgor, rate, bulk);
+  const bool settled = p.settle_steps > 0 && p.turgor == 0.; // all that is left is what the wall stirs up when it is let go
   KickDriftKick<dim> integrator(cell.system);
   cell.system.compute_forces();
   const unsigned int steps = p.fluid == "none" ? 0 : p.anneal_steps;
   for (unsigned int s = 0; s < steps; ++s)
     {
       const double through = double(s) / steps;
-      integrator.step(dt, (through < 0.2 ? 0.5 : through < 0.5 ? 0.1 : 5.) / crossing);
+      integrator.step(dt, (settled ? 5. : through < 0.2 ? 0.5 : through < 0.6 ? 0.1 : 0.5) / crossing);
       if (s % 10 == 9)
         {
           if (cell.sph)

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -61,7 +62,7 @@ std::vector<Harmonic> harmonics(const std::vector<double> &signal, const double 
 Harmonic largest_between(const std::vector<Harmonic> &parts, const double low, const double high)
 {
   for (const Harmonic &part : parts)
-    if (part.omega > low && part.omega < high)
+    if (part.omega > low && part.omega < high && std::abs(part.decay) < part.omega / (2. * std::numbers::pi))
       return part;
   return {};
 }
