@@ -1,12 +1,18 @@
 // Necrosis and lysis (thesis 2.2.2, 5.3.1 H.I, C.1.3, C.2.2).
 //
 //   necrosis   a cell deeper than the viable rim, edge - r > lambda, dies when its pressure reaches its own threshold p_th
-//   lysis      what is left is the solid part, phi of the volume it had uncompressed:
-//     delayed  V_ref -> phi V_ref at once; V follows by C.3 with T_lys in place of T_rel (C.1.3)
-//     linear   dV_ref/dt = -V_ref(death)/T_lys down to phi V_ref(death), which takes (1 - phi) T_lys (2.12 corrected)
+//   lysis      fluid drains until the solid part is left, V_s = phi V_ref(death); V_ref is the volume the cell would have without
+//              pressure with the fluid it still has:
+//     delayed  V follows by C.3 with T_lys in place of T_rel towards V_s under its pressure (C.1.3)
+//     linear   dV_ref/dt = -V_ref(death)/T_lys down to V_s, which takes (1 - phi) T_lys (2.12 corrected)
 //   lysed      when the volume is within 5 % of the solid part's at rest; the remains stay (in vitro) or are taken away (in vivo)
 //
-// In linear lysis V_ref(death) is kept in the field `volume_at_death`.
+// C.1.3 sets V_ref to V_s at once. C.3 is linear in the strain log(V_s/V), so it is the sum of what has drained, log(V_s/V_ref),
+// which goes to 0 as exp(-t/T_lys), and the elastic strain log(V_ref/V), which goes to that at rest with T_lys: the same V(t). Kept
+// apart because the contact's d_ij (C.9) takes the radius of a free cell: with V_s the strain of packed dead cells would be negative
+// at once, and the core, which the thesis finds stiff (C.2.3), as soft as free cells.
+//
+// V_ref(death) is kept in the field `volume_at_death`.
 // In: m, Pa, m^3, s.
 #pragma once
 
@@ -39,20 +45,17 @@ struct CellDeath
     return rim == Rim::necrotic && depth > rim_thickness && pressure >= threshold;
   }
 
-  /// At death: V stays what it is.
-  void die(double &V_ref, double &strain) const
+  /// V_ref (m^3) after dt (s) of lysis with T (s).
+  double drained(const double V_ref, const double V_at_death, const double T, const double dt) const
   {
-    if (linear)
-      return;
-    V_ref *= solid_fraction;
-    strain += std::log(solid_fraction);
+    const double solid = solid_fraction * V_at_death;
+    return linear ? std::max(V_ref - V_at_death * dt / T, solid) : solid * std::pow(V_ref / solid, std::exp(-dt / T));
   }
 
-  /// Linear lysis over dt (s): V_ref (m^3); true at its end.
-  bool shrink(double &V_ref, const double V_at_death, const double T, const double dt) const
+  bool ended(const double V_ref, const double V_at_death, const double strain, const double at_rest) const
   {
-    V_ref = std::max(V_ref - V_at_death * dt / T, solid_fraction * V_at_death);
-    return V_ref <= solid_fraction * V_at_death;
+    const double left = std::log(V_ref / (solid_fraction * V_at_death));
+    return linear ? left <= 0. : left + at_rest - strain < nearly;
   }
 };
 } // namespace turgor

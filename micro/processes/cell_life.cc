@@ -18,7 +18,7 @@ void CellLife::declare_fields(Particles<3> &particles) const
 {
   for (const char *name : {"reference_volume", "strain", "phase", "cycle_time", "bulk_modulus"})
     particles.declare(name);
-  if (parameters.death.rim == Rim::necrotic && parameters.death.linear)
+  if (parameters.death.rim == Rim::necrotic)
     particles.declare("volume_at_death");
 }
 
@@ -93,15 +93,12 @@ void CellLife::advance(CellPopulation &cells, const SphereContacts &contacts,
         {
           const double T_lys = parameters.variability(death.lysis_time, cells.id[i], Varied::lysis_time);
           eps[i] = relaxed_strain(eps[i], rest, dt, death.linear ? parameters.relaxation : T_lys);
-          if (cells.state[i] == CellState::necrotic)
+          V_ref[i] = death.drained(V_ref[i], (*V_at_death)[i], T_lys, dt);
+          if (cells.state[i] == CellState::necrotic && death.ended(V_ref[i], (*V_at_death)[i], eps[i], rest))
             {
-              const bool ended = death.linear ? death.shrink(V_ref[i], (*V_at_death)[i], T_lys, dt) : rest - eps[i] < CellDeath::nearly;
-              if (ended)
-                {
-                  cells.state[i] = CellState::lysed;
-                  gone[i] = death.remove;
-                  any_gone = any_gone || death.remove;
-                }
+              cells.state[i] = CellState::lysed;
+              gone[i] = death.remove;
+              any_gone = any_gone || death.remove;
             }
           continue;
         }
@@ -111,9 +108,7 @@ void CellLife::advance(CellPopulation &cells, const SphereContacts &contacts,
           && death.dies(HUGE_VAL, pressure[i],
                         parameters.variability(death.necrosis_pressure, cells.id[i], Varied::necrosis_pressure)))
         {
-          if (V_at_death)
-            (*V_at_death)[i] = V_ref[i];
-          death.die(V_ref[i], eps[i]);
+          (*V_at_death)[i] = V_ref[i];
           cells.state[i] = CellState::necrotic;
           ++deaths;
           continue;

@@ -7,7 +7,7 @@
 // of the end, and cells divide or are taken away. First order in dt.
 //
 // Fields of the population: reference_volume (m^3), strain (no unit), phase (no unit), cycle_time (s), bulk_modulus (Pa), with
-// linear lysis volume_at_death (m^3).
+// necrosis volume_at_death (m^3).
 #pragma once
 
 #include "micro/cells/cell_population.h"

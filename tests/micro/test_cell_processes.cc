@@ -21,6 +21,24 @@ CellLifeParameters plain()
   p.growth.inhibition = Inhibition::none;
   return p;
 }
+
+struct Press final : Surroundings // a given pressure on all cells from all sides
+{
+  const CellLife &life;
+  const CellPopulation &cells;
+  double p = 0.;
+  Press(const CellLife &l, const CellPopulation &c)
+    : life(l)
+    , cells(c)
+  {}
+  std::string name() const override { return "press"; }
+  void add_forces(Particles<3> &) override {}
+  void add_virial(const Particles<3> &, std::vector<Tensor2<3>> &virial) const override
+  {
+    for (std::size_t i = 0; i < virial.size(); ++i)
+      virial[i] -= p * life.volume(cells, i) * Tensor2<3>::Identity();
+  }
+};
 } // namespace
 
 BOOST_AUTO_TEST_SUITE(cell_processes)
@@ -143,20 +161,66 @@ BOOST_AUTO_TEST_CASE(a_dead_cell_shrinks_to_its_solid_part)
   BOOST_TEST(death.dies(21e-6, 1600., 1500.));
   BOOST_TEST(!death.dies(19e-6, 1600., 1500.)); // in the rim
   BOOST_TEST(!death.dies(21e-6, 1400., 1500.));
+  // C.1.3: C.3 with T_lys in the strain to the solid part, from log(phi) + 0.1 to 0.3, however many steps it takes
+  const double T = 5. * 24. * hour, at_rest = 0.3, whole = std::log(death.solid_fraction) + 0.1;
   double V_ref = 1., eps = 0.1;
-  const double V = compressed_volume(V_ref, eps);
-  death.die(V_ref, eps);
-  BOOST_TEST(compressed_volume(V_ref, eps) == V, digits(1e-14)); // nothing jumps
-  // C.3 with T_lys and no pressure: V = phi exp(-eps exp(-t/T_lys))
-  const double T = 5. * 24. * hour, start = eps;
-  eps = relaxed_strain(eps, 0., 2. * T, T);
-  BOOST_TEST(compressed_volume(V_ref, eps) == death.solid_fraction * std::exp(-start * std::exp(-2.)), digits(1e-12));
+  for (int k = 1; k <= 40; ++k)
+    {
+      V_ref = death.drained(V_ref, 1., T, 0.2 * T);
+      eps = relaxed_strain(eps, at_rest, 0.2 * T, T);
+      BOOST_TEST(compressed_volume(V_ref, eps) == death.solid_fraction * std::exp(-(at_rest + (whole - at_rest) * std::exp(-0.2 * k))),
+                 digits(1e-12));
+      BOOST_TEST(death.ended(V_ref, 1., eps, at_rest) == ((at_rest - whole) * std::exp(-0.2 * k) < CellDeath::nearly));
+    }
   // 2.12: linear, down to phi after (1 - phi) T
-  double V_linear = 3.;
-  BOOST_TEST(!death.shrink(V_linear, 3., T, 0.5 * T));
+  death.linear = true;
+  double V_linear = death.drained(3., 3., T, 0.5 * T);
   BOOST_TEST(V_linear == 1.5, digits(1e-14));
-  BOOST_TEST(death.shrink(V_linear, 3., T, 0.3 * T + 1.));
+  BOOST_TEST(!death.ended(V_linear, 3., 0., 0.));
+  V_linear = death.drained(V_linear, 3., T, 0.3 * T + 1.);
   BOOST_TEST(V_linear == 0.6, digits(1e-14));
+  BOOST_TEST(death.ended(V_linear, 3., 0., 0.));
+}
+
+// Two packed cells at rest under their pressure die: death itself changes no force, and the contact's d_ij follows the drained cell.
+BOOST_AUTO_TEST_CASE(death_does_not_soften_the_contact)
+{
+  CellLifeParameters parameters = plain();
+  parameters.death = {.rim = Rim::necrotic, .rim_thickness = -1., .necrosis_pressure = 1000.}; // every cell is deep enough
+  CellLife life(parameters);
+  CellPopulation cells;
+  life.declare_fields(cells.particles);
+  const double R_ref = parameters.birth_radius, eps = 0.2, d = 0.13;
+  for (const double x : {0., 2. * R_ref * (1. - d)})
+    life.add(cells, Vector<3>(x, 0., 0.), 0.);
+  for (int i = 0; i < 2; ++i)
+    {
+      cells.particles.field("strain")[i] = eps;
+      cells.particles.field("radius")[i] = sphere_radius(life.volume(cells, i));
+    }
+  const LocalStiffness law = LocalStiffness::repaired_C9();
+  SphereContacts contacts(HertzContact(), 1e-6, law), soft(HertzContact(), 1e-6);
+  std::vector<std::unique_ptr<Surroundings>> around;
+  around.push_back(std::make_unique<Press>(life, cells));
+  const auto force = [&](SphereContacts &c) {
+    for (auto &f : cells.particles.f)
+      std::fill(f.begin(), f.end(), 0.);
+    c.add_forces(cells.particles, 1);
+    return cells.particles.f[0][1];
+  };
+  const double before = force(contacts), p = 5e3 * std::expm1(eps);
+  BOOST_TEST(before / force(soft) == law(d).factor, digits(1e-12));
+  auto &press = static_cast<Press &>(*around[0]); // p, less what the pair presses itself
+  press.p = p - life.measure_pressures(cells, contacts, {}, 1)[0];
+  const auto pass = [&](const double dt) { life.advance(cells, contacts, around, dt, 1, [](const auto &) {}); };
+  pass(60.);
+  BOOST_CHECK(!cells.alive(0) && !cells.alive(1));
+  BOOST_TEST(force(contacts) == before, digits(1e-9));
+  // drained for T_lys/10 at the same pressure: V_ref = phi exp(-log(phi) exp(-0.1)) of that at death
+  pass(0.1 * parameters.death.lysis_time);
+  const double share = std::pow(0.2, 1. - std::exp(-0.1)), shrunk = R_ref * std::cbrt(share);
+  BOOST_TEST(cells.particles.field("radius")[0] == shrunk * std::exp(-eps / 3.), digits(1e-9));
+  BOOST_TEST(force(contacts) / force(soft) == law(1. - (1. - d) * R_ref / shrunk).factor, digits(1e-9));
 }
 
 BOOST_AUTO_TEST_CASE(variability_is_a_clamped_gaussian_of_the_id)
@@ -298,22 +362,6 @@ BOOST_AUTO_TEST_CASE(a_lonely_cell_doubles_every_cycle)
 // eps = (a/K) [t - T_rel (1 - exp(-t/T_rel))]. First order in the interval; with hardening at rest log(1 + p/K).
 BOOST_AUTO_TEST_CASE(a_compressed_cell_follows_its_closed_form)
 {
-  struct Press final : Surroundings // a given pressure from all sides
-  {
-    const CellLife &life;
-    const CellPopulation &cells;
-    double p = 0.;
-    Press(const CellLife &l, const CellPopulation &c)
-      : life(l)
-      , cells(c)
-    {}
-    std::string name() const override { return "press"; }
-    void add_forces(Particles<3> &) override {}
-    void add_virial(const Particles<3> &, std::vector<Tensor2<3>> &virial) const override
-    {
-      virial[0] -= p * life.volume(cells, 0) * Tensor2<3>::Identity();
-    }
-  };
   const double K = 5e3, T_rel = 2. * hour, end = 4. * hour, most = 10e3;
   const auto strain_after = [&](const bool hardening, const bool ramp, const int n) {
     CellLifeParameters parameters = plain();
