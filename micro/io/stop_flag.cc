@@ -11,6 +11,7 @@ namespace
 {
 volatile std::sig_atomic_t requested = 0;
 timer_t timer;
+pid_t owner = 0; // of the timer: a child of fork() does not inherit it
 int seconds = 0; // 0: no timer
 
 extern "C" void turgor_stop_handler(const int signal_number)
@@ -48,7 +49,7 @@ void install_stop_handler(const int patience)
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   sigaction(SIGUSR1, &action, nullptr); // what mpirun hands on to its ranks
-  if (seconds > 0)
+  if (owner == ::getpid())
     return;
   action.sa_handler = turgor_patience_handler;
   sigaction(SIGPROF, &action, nullptr);
@@ -56,7 +57,10 @@ void install_stop_handler(const int patience)
   event.sigev_notify = SIGEV_SIGNAL;
   event.sigev_signo = SIGPROF;
   if (timer_create(CLOCK_PROCESS_CPUTIME_ID, &event, &timer) == 0)
-    seconds = patience;
+    {
+      seconds = patience;
+      owner = ::getpid();
+    }
 }
 
 bool stop_was_requested()
