@@ -2,6 +2,7 @@
 
 #include "micro/engine/binary.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace turgor
@@ -13,10 +14,23 @@ DextranPressure::DextranPressure(const DextranParameters &parameters_)
     throw std::invalid_argument("the pressure of the dextran solution has to be positive (Pa).");
 }
 
+void DextranPressure::unit_forces(const Particles<3> &particles)
+{
+  forces.resize(cells.size());
+  Vector<3> mean = Vector<3>::Zero();
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    {
+      const Vector<3> from = particles.position(cells[k]) - centre;
+      forces[k] = -share[k] / std::max(from.norm(), softened) * from;
+      mean += forces[k] / double(cells.size());
+    }
+  for (Vector<3> &f : forces)
+    f -= mean;
+}
+
 void DextranPressure::update(const CellPopulation &population, const double t)
 {
   cells.clear();
-  forces.clear();
   if (t < parameters.start)
     return;
   const Particles<3> &particles = population.particles;
@@ -26,44 +40,37 @@ void DextranPressure::update(const CellPopulation &population, const double t)
   double volume = 0.;
   for (const double R : radius)
     volume += sphere_volume(R);
-  // forces for F_0 = 1 first; their moment then decides F_0
-  Vector<3> mean = Vector<3>::Zero();
-  for (const std::uint32_t i : outer.cells)
-    {
-      const Vector<3> from = particles.position(i) - outer.centre;
-      const double share = reference ? sphere_volume(radius[i]) / (*reference)[i] : 1.;
-      forces.push_back(from.norm() > 0. ? Vector<3>(-share / from.norm() * from) : Vector<3>::Zero());
-      mean += forces.back() / double(outer.cells.size());
-    }
+  centre = outer.centre;
+  softened = outer.mean_radius;
+  cells = outer.cells;
+  share.clear();
+  for (const std::uint32_t i : cells)
+    share.push_back(reference ? sphere_volume(radius[i]) / (*reference)[i] : 1.);
+  unit_forces(particles);
   double moment = 0.;
-  for (std::size_t k = 0; k < forces.size(); ++k)
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    moment -= forces[k].dot(particles.position(cells[k]) - centre);
+  if (!(moment > 0.)) // one cell: nothing to press against
     {
-      forces[k] -= mean;
-      moment -= forces[k].dot(particles.position(outer.cells[k]) - outer.centre);
-    }
-  if (!(moment > 0.))
-    {
-      forces.clear(); // one cell: nothing to press against
+      cells.clear();
       return;
     }
-  if (!(parameters.fixed_force && F_0 > 0.))
-    F_0 = 3. * parameters.pressure * volume / moment;
-  for (Vector<3> &f : forces)
-    f *= F_0;
-  cells = outer.cells;
+  const double risen = parameters.rise > 0. ? std::min(1., (t - parameters.start) / parameters.rise) : 1.;
+  if (!(parameters.fixed_force && F_0 > 0. && t > parameters.start + parameters.rise))
+    F_0 = 3. * risen * parameters.pressure * volume / moment;
 }
 
 void DextranPressure::add_forces(Particles<3> &particles)
 {
+  unit_forces(particles);
   for (std::size_t k = 0; k < cells.size(); ++k)
     for (int d = 0; d < 3; ++d)
-      particles.f[d][cells[k]] += forces[k][d];
+      particles.f[d][cells[k]] += F_0 * forces[k][d];
 }
 
 void DextranPressure::gather(const std::vector<std::uint32_t> &)
 {
   cells.clear(); // found again by the next update
-  forces.clear();
 }
 
 std::vector<Surroundings::Value> DextranPressure::values(const CellPopulation &) const
@@ -71,26 +78,7 @@ std::vector<Surroundings::Value> DextranPressure::values(const CellPopulation &)
   return {{"unit_force", "N", F_0}, {"outer_cells", "1", double(cells.size())}};
 }
 
-void DextranPressure::save(std::ostream &out) const
-{
-  write_binary(out, F_0);
-  write_binary(out, cells);
-  std::vector<double> flat;
-  for (const Vector<3> &f : forces)
-    flat.insert(flat.end(), {f[0], f[1], f[2]});
-  write_binary(out, flat);
-}
-
-void DextranPressure::load(std::istream &in)
-{
-  std::vector<double> flat;
-  read_binary(in, F_0);
-  read_binary(in, cells);
-  read_binary(in, flat);
-  if (flat.size() != 3 * cells.size())
-    throw std::runtime_error("the checkpoint's outer cells do not belong to this scene");
-  forces.clear();
-  for (std::size_t k = 0; k < cells.size(); ++k)
-    forces.push_back(Vector<3>(flat[3 * k], flat[3 * k + 1], flat[3 * k + 2]));
-}
+// Checkpoints are taken between intervals, and every interval begins with update(): F_0 is all that lasts.
+void DextranPressure::save(std::ostream &out) const { write_binary(out, F_0); }
+void DextranPressure::load(std::istream &in) { read_binary(in, F_0); }
 } // namespace turgor

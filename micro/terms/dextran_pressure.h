@@ -7,7 +7,9 @@
 // sum_i p_i V_i = -1/3 sum_outer F_i . r_i = p sum_i V_i, r_i from the centroid. Then the mean weighted with V_i is p up to what
 // the medium's friction carries.
 //
-// Who is an outer cell and F_0 are found in update(); in between the forces are dead loads.
+// Who is an outer cell, the centroid and F_0 are found in update(); in between the forces keep their size and point to that centroid
+// (within a mean radius of it they fall to zero): dead loads would push a cell through the spheroid and out.
+// The pressure rises in proportion to time over `rise`.
 // F_0 fixed ("fixed for each experiment"): it keeps the value of the first update.
 //
 // Fields read: radius, reference_volume.
@@ -22,6 +24,7 @@ struct DextranParameters
 {
   double pressure = 5e3;    ///< Pa
   double start = 0.;        ///< s, when the dextran is added
+  double rise = 0.;         ///< s, until the whole pressure is there
   bool fixed_force = false; ///< F_0 of the first update for good
 };
 
@@ -42,9 +45,14 @@ public:
   const std::vector<std::uint32_t> &outer_cells() const { return cells; }
 
 private:
+  /// The forces on the outer cells where they are now (N), for F_0 = 1.
+  void unit_forces(const Particles<3> &particles);
+
   DextranParameters parameters;
-  double F_0 = 0.;
+  double F_0 = 0., softened = 0.; ///< N; m, within it of the centroid forces fall to zero
+  Vector<3> centre = Vector<3>::Zero();
   std::vector<std::uint32_t> cells;
-  std::vector<Vector<3>> forces; ///< N, of cells
+  std::vector<double> share;      ///< V/V_ref of cells
+  std::vector<Vector<3>> forces;
 };
 } // namespace turgor

@@ -1,7 +1,8 @@
-// Spheroids in a capsule: same bits on two threads and after a stop, balance of pressures, order in memory, bad input.
+// Spheroids in a capsule and under dextran: same bits on two threads and after a stop, balance of pressures, order in memory, bad input.
 #include "micro/engine/gathered.h"
 #include "micro/engine/space_order.h"
 #include "micro/scenarios/spheroid_capsule.h"
+#include "micro/scenarios/spheroid_dextran.h"
 #include "tests/memory_context.h"
 
 #include <boost/test/unit_test.hpp>
@@ -80,6 +81,18 @@ subsection Capsule
   set Time confined = 0
 end
 )";
+const std::string dextran = cells + R"(
+set Duration = 100000
+subsection Death
+  set Rim = quiescent
+  set Rim thickness = 15e-6
+end
+subsection Dextran
+  set Cell line = FHI
+  set Pressure = 1000
+  set Regime change = 60000
+end
+)";
 } // namespace
 
 BOOST_AUTO_TEST_SUITE(spheroid_surrounded)
@@ -122,6 +135,15 @@ BOOST_AUTO_TEST_CASE(a_capsule_in_balance_with_its_cells_has_the_same_bits_alway
       BOOST_CHECK(resumed.rows == whole.rows);
       BOOST_CHECK(resumed.results == whole.results);
     }
+}
+
+BOOST_AUTO_TEST_CASE(dextran_holds_the_pressure_and_has_the_same_bits_always)
+{
+  const Outcome whole = run<SpheroidDextran>(dextran);
+  // volume-weighted over the living cells, all of them here; 5 %: cells grow between two updates of the force
+  BOOST_TEST(whole.results.at("pressure") == 1000., boost::test_tools::tolerance(0.05));
+  BOOST_CHECK(run<SpheroidDextran>(dextran, 2).rows == whole.rows);
+  BOOST_CHECK(run<SpheroidDextran>(dextran, 1, 23).rows == whole.rows);
 }
 
 BOOST_AUTO_TEST_CASE(bad_input_is_refused)

@@ -1,0 +1,88 @@
+#include "micro/scenarios/spheroid_dextran.h"
+
+#include "micro/io/run_context.h"
+#include "micro/terms/dextran_pressure.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
+
+namespace turgor
+{
+std::string SpheroidDextran::description() const
+{
+  return "A tumour spheroid under the osmotic pressure of a dextran solution: five cell lines and their controls.";
+}
+
+void SpheroidDextran::declare_more(dealii::ParameterHandler &prm)
+{
+  using namespace dealii::Patterns;
+  prm.enter_subsection("Dextran");
+  prm.add_parameter("Cell line", cell_line, "Sets cycle time and change of the rim; own: Cell/Cycle time, no change. Units: none.",
+                    Selection("CT26|AB6|HT29|BC52|FHI|own"));
+  prm.add_parameter("Pressure", pressure, "Mean of the cells (5.3); 0: the control without dextran. Units: Pa.", Double(0., 1e9));
+  prm.add_parameter("Fixed force", fixed_force, "F_0 stays what it is at the start instead of holding the pressure. Units: none.", Bool());
+  prm.add_parameter("Rise time", rise, "Until the whole pressure is there. Units: s.", Double(0., 1e12));
+  prm.add_parameter("Regime change", regime_change, "When BC52's and FHI's rim changes. Units: s.", Double(0., 1e12));
+  prm.leave_subsection();
+}
+
+SpheroidDextran::Line SpheroidDextran::line() const
+{
+  constexpr double hour = 3600.;
+  return cell_line == "CT26" ? Line{17. * hour, 1.} :
+         cell_line == "AB6"  ? Line{13. * hour, 1.} :
+         cell_line == "HT29" ? Line{46. * hour, 1.} :
+         cell_line == "BC52" ? Line{31. * hour, 0.7} :
+         cell_line == "FHI"  ? Line{20. * hour, 0.35} :
+                               Line{entries.numbers.life.cycle_time, 1.};
+}
+
+CultureParameters SpheroidDextran::culture_parameters() const
+{
+  CultureParameters result = entries.parameters();
+  result.life.cycle_time = line().cycle_time;
+  return result;
+}
+
+std::vector<std::unique_ptr<Surroundings>> SpheroidDextran::make_surroundings() const
+{
+  std::vector<std::unique_ptr<Surroundings>> around;
+  if (pressure > 0.)
+    around.push_back(std::make_unique<DextranPressure>(DextranParameters{.pressure = pressure, .rise = rise, .fixed_force = fixed_force}));
+  return around;
+}
+
+void SpheroidDextran::before_interval(CellCulture &culture) const
+{
+  const double rim = entries.numbers.life.death.rim_thickness;
+  culture.life.set_rim_thickness(culture.time() < regime_change ? rim : rim * line().rim_factor);
+}
+
+void SpheroidDextran::report(RunContext &context, const GrowthTable &table, CellCulture &culture) const
+{
+  constexpr double day = 86400.;
+  const std::vector<double> time = table.column("time"), R = table.column("radius"), p = table.column("pressure");
+  const double end = culture.time();
+  const auto slope = [&](const double from, const double to) { return fitted_slope(time, R, from, to, false) * day * 1e6; };
+  if (end > 2. * day)
+    {
+      context.result("radial_speed", slope(day, end), "um/d");
+      double mean = 0., count = 0.;
+      for (std::size_t k = 0; k < time.size(); ++k)
+        if (time[k] >= day)
+          {
+            mean += p[k];
+            count += 1.;
+          }
+      context.result("mean_pressure", mean / count, "Pa");
+    }
+  if (line().rim_factor < 1. && end > regime_change + day)
+    {
+      context.result("radial_speed_first", slope(std::min(day, 0.5 * regime_change), regime_change), "um/d");
+      context.result("radial_speed_second", slope(regime_change + 0.5 * day, end), "um/d");
+    }
+}
+
+std::unique_ptr<Scenario> make_spheroid_dextran() { return std::make_unique<SpheroidDextran>(); }
+} // namespace turgor
