@@ -36,7 +36,8 @@ def run_all(options, runs):
                 command += ["--set", f"{name}={value}"]
             out = subprocess.run(command, capture_output=True, text=True, stdin=subprocess.DEVNULL)
             if out.returncode != 0:
-                done.append((label, None, (out.stdout + out.stderr).strip().splitlines()[-1]))
+                said = (out.stdout + out.stderr).strip().splitlines() or [f"ended with code {out.returncode}"]
+                done.append((label, None, next((line for line in said if line.startswith("turgor: ")), said[-1])))
                 print(label, "FAILED", done[-1][2], flush=True)
                 continue
         done.append((label, place, ""))
