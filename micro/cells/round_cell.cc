@@ -4,6 +4,7 @@
 #include "micro/engine/counter_random.h"
 #include "micro/engine/kick_drift_kick.h"
 #include "micro/processes/osmosis.h"
+#include "micro/terms/thesis_fluid.h"
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -58,6 +59,55 @@ std::vector<Vector<dim>> scattered(const std::size_t n, const double radius, con
     }
   return points;
 }
+template <int dim>
+void add_sph_fluid(RoundCell<dim> &cell, const EquationOfState &eos, const double spacing, const double mass)
+{
+  const RoundCellParameters &p = cell.parameters;
+  SphFluidParameters fluid;
+  fluid.support = p.support_ratio * spacing;
+  fluid.skin = p.skin_ratio * spacing;
+  fluid.depth = p.depth;
+  fluid.viscosity = p.fluid_viscosity;
+  fluid.ordering = p.ordering * p.fluid_modulus;
+  fluid.fourth_order = p.kernel == "fourth_order";
+  fluid.barrier = cell.damage ? p.fluid_modulus : 0.; // or an opened cell leaks through what is left of its wall
+  if constexpr (dim == 3)
+    cell.sph = &cell.system.add(std::make_unique<SphFluid<3>>(fluid, eos, std::vector<double>(1, mass), cell.mesh, cell.damage));
+  else
+    cell.sph = &cell.system.add(std::make_unique<SphFluid<2>>(fluid, eos, std::vector<double>(1, mass), cell.damage));
+  cell.fluid = cell.sph;
+}
+
+/// Range and strength of the wall's repulsion as in the parenchyma's baseline (lennard_jones_wall.h).
+template <int dim>
+void add_thesis_fluid(RoundCell<dim> &cell, const EquationOfState &eos, const double spacing, const double mass)
+{
+  const RoundCellParameters &p = cell.parameters;
+  const double range = 1.5 * spacing, strength = 4., wall_nodes = cell.group().wall_count();
+  ThesisFluidParameters fluid;
+  fluid.support = p.support_ratio * spacing;
+  fluid.skin = p.skin_ratio * spacing;
+  fluid.viscosity = p.fluid_viscosity;
+  fluid.initial_density = p.fluid_density;
+  std::vector<std::array<std::uint16_t, 3>> faces;
+  if constexpr (dim == 3)
+    {
+      fluid.holding_force = p.turgor * spacing * spacing;
+      for (const auto &face : cell.mesh->faces)
+        faces.push_back({std::uint16_t(face[0]), std::uint16_t(face[1]), std::uint16_t(face[2])});
+      const double node_area = 4. * pi * p.radius * p.radius / wall_nodes;
+      cell.fluid = &cell.system.add(std::make_unique<ThesisFluid<3>>(
+        fluid, eos, LennardJonesWall::holding_net(p.turgor, spacing, node_area, range, strength), std::vector<double>(1, mass), faces));
+    }
+  else
+    {
+      fluid.depth = p.depth;
+      fluid.holding_force = p.turgor * spacing * p.depth;
+      cell.fluid = &cell.system.add(std::make_unique<ThesisFluid<2>>(
+        fluid, eos, LennardJonesWall::holding(p.turgor, spacing, 2. * pi * p.radius / wall_nodes, p.depth, range, strength),
+        std::vector<double>(1, mass), faces));
+    }
+}
 } // namespace
 
 void RoundCellParameters::add_parameters(dealii::ParameterHandler &prm)
@@ -83,10 +133,11 @@ void RoundCellParameters::add_parameters(dealii::ParameterHandler &prm)
   prm.add_parameter("Wall bending", wall_bending, "Bending stiffness of the wall's own thickness. Units: true or false.", Bool());
   prm.add_parameter("Turgor", turgor, "Pressure of the turgid cell, gauge. Units: Pa.", Double(0., 1e8));
   prm.add_parameter("Fluid", fluid,
-                    "sph: particles; pressure: one pressure for the whole cell (nothing flows, quasi-static loading only); "
+                    "sph: particles; thesis: particles by the thesis's scheme (density by continuity, Lennard-Jones wall, Eq. 3.7), the "
+                    "baseline, intact walls only; pressure: one pressure for the whole cell (nothing flows, quasi-static loading only); "
                     "none: an empty shell. Units: none.",
-                    Selection("sph|pressure|none"));
-  prm.add_parameter("Fluid particles", fluid_particles, "Fluid = sph. Units: none.", Integer(20, 60000));
+                    Selection("sph|thesis|pressure|none"));
+  prm.add_parameter("Fluid particles", fluid_particles, "Fluid = sph or thesis. Units: none.", Integer(20, 60000));
   prm.add_parameter("Fluid density", fluid_density, "rho_0 of Eq. 2.22. Units: kg/m^3.", Double(1., 1e5));
   prm.add_parameter("Fluid modulus", fluid_modulus, "K of Eq. 2.22; the bulk modulus is 7 K. Units: Pa.", Double(1e3, 1e10));
   prm.add_parameter("Fluid viscosity", fluid_viscosity, "Dynamic viscosity. Units: Pa s.", Double(0., 1e6));
@@ -127,7 +178,11 @@ void RoundCellParameters::check(const int dim) const
   if (dim == 3 && yield_drop > 0.)
     fail("Yield drop", yield_drop, "0 with Dimension = 3 (only the 2D wall yields by Eq. 3.8)");
   const double most = dim == 3 ? std::cbrt(4. / 3. * pi / fluid_particles) : std::sqrt(pi / fluid_particles);
-  if (fluid == "sph" && !(support_ratio * most < 1.))
+  if (fluid == "thesis" && !(turgor > 0.))
+    fail("Turgor", turgor, "positive (Pa) with Fluid = thesis: the repulsion of the wall's nodes is chosen by the pressure it holds");
+  if (fluid == "thesis" && kernel != "wendland")
+    throw std::invalid_argument("Cell/Kernel is " + kernel + ", which only Cell/Fluid = sph has; with Fluid = thesis it has to be wendland.");
+  if (has_particles() && !(support_ratio * most < 1.))
     fail("Fluid particles", fluid_particles, "so many that the kernel's radius is smaller than the cell's");
   turgid_stretch(dim);
 }
@@ -198,7 +253,7 @@ double RoundCell<dim>::mean_radius() const
 template <int dim>
 double RoundCell<dim>::pressure() const
 {
-  return sph ? sph->mean_pressure(system.particles, 0) : enclosed ? enclosed->pressure(system.particles, 0) : 0.;
+  return fluid ? fluid->mean_pressure(system.particles, 0) : enclosed ? enclosed->pressure(system.particles, 0) : 0.;
 }
 
 template <int dim>
@@ -309,7 +364,9 @@ std::unique_ptr<RoundCell<dim>> make_round_cell(const RoundCellParameters &param
     for (unsigned int k = 0; k < p.ring_nodes; ++k)
       nodes.push_back({r0 * std::cos(2. * pi * k / p.ring_nodes), r0 * std::sin(2. * pi * k / p.ring_nodes)});
   const std::uint32_t nw = std::uint32_t(nodes.size());
-  const std::uint32_t nf = p.fluid == "sph" ? p.fluid_particles : 0;
+  const std::uint32_t nf = p.has_particles() ? p.fluid_particles : 0;
+  if (can_fail && p.fluid == "thesis")
+    throw std::invalid_argument("Cell/Fluid is thesis, whose wall cannot open; a wall that fails needs Cell/Fluid = sph or pressure.");
   const std::size_t bond_count = dim == 3 ? cell->mesh->edges.size() : nw, face_count = dim == 3 ? cell->mesh->faces.size() : nw;
   if (can_fail)
     cell->damage = std::make_shared<WallDamage>(1, bond_count, face_count);
@@ -345,7 +402,7 @@ std::unique_ptr<RoundCell<dim>> make_round_cell(const RoundCellParameters &param
 
   const EquationOfState eos(p.fluid_density, p.fluid_modulus, p.cavitation_pressure);
   const double volume = cell->volume();
-  if (p.fluid == "sph")
+  if (p.has_particles())
     {
       const double spacing = dim == 3 ? std::cbrt(volume / nf) : std::sqrt(volume / p.depth / nf);
       const auto points = scattered<dim>(nf, r0, spacing, p.seed);
@@ -356,19 +413,10 @@ std::unique_ptr<RoundCell<dim>> make_round_cell(const RoundCellParameters &param
             particles.x[d][nw + i] = points[i][d];
           particles.inverse_mass[nw + i] = 1. / mass;
         }
-      SphFluidParameters fluid;
-      fluid.support = p.support_ratio * spacing;
-      fluid.skin = p.skin_ratio * spacing;
-      fluid.depth = p.depth;
-      fluid.viscosity = p.fluid_viscosity;
-      fluid.ordering = p.ordering * p.fluid_modulus;
-      fluid.fourth_order = p.kernel == "fourth_order";
-      fluid.barrier = can_fail ? p.fluid_modulus : 0.; // or an opened cell leaks through what is left of its wall
-      if constexpr (dim == 3)
-        cell->sph = &cell->system.add(
-          std::make_unique<SphFluid<3>>(fluid, eos, std::vector<double>(1, mass), cell->mesh, cell->damage));
+      if (p.fluid == "thesis")
+        add_thesis_fluid(*cell, eos, spacing, mass);
       else
-        cell->sph = &cell->system.add(std::make_unique<SphFluid<2>>(fluid, eos, std::vector<double>(1, mass), cell->damage));
+        add_sph_fluid(*cell, eos, spacing, mass);
     }
   else if (p.fluid == "pressure")
     cell->enclosed = &cell->system.add(std::make_unique<EnclosedFluid<dim>>(
@@ -421,7 +469,7 @@ double bring_to_turgor(RoundCell<dim> &cell, const std::function<void(unsigned i
   if (p.fluid != "none")
     {
       const double heavy =
-        0.5 * p.fluid_density * cell.volume() / (p.fluid == "sph" ? double(p.fluid_particles) : 2. * double(nw));
+        0.5 * p.fluid_density * cell.volume() / (p.has_particles() ? double(p.fluid_particles) : 2. * double(nw));
       for (std::uint32_t i = 0; i < nw; ++i)
         inverse_mass[i] = std::min(inverse_mass[i], 1. / heavy);
     }
@@ -430,6 +478,7 @@ double bring_to_turgor(RoundCell<dim> &cell, const std::function<void(unsigned i
   // The wall gives way while the cell fills, so that pressure follows several times as slowly as at constant volume.
   const double rate = 4. / crossing;
   const Osmosis osmosis(p.turgor, rate, bulk);
+  const double through_wall = std::min(10. * dt * rate, 0.3); // or a wall with long steps overfills and empties in turns
   const bool settled = p.settle_steps > 0 && p.turgor == 0.; // all that is left is what the wall stirs up when it is let go
   KickDriftKick<dim> integrator(cell.system);
   cell.system.compute_forces();
@@ -440,11 +489,11 @@ double bring_to_turgor(RoundCell<dim> &cell, const std::function<void(unsigned i
       integrator.step(dt, (settled ? 5. : through < 0.2 ? 0.5 : through < 0.6 ? 0.1 : 0.5) / crossing);
       if (s % 10 == 9)
         {
-          if (cell.sph)
-            osmosis.apply(cell.system, *cell.sph, 10. * dt);
+          if (cell.fluid)
+            osmosis.apply(cell.system, *cell.fluid, 10. * dt);
           else if (cell.enclosed)
             cell.enclosed->set_cell_mass(0, cell.enclosed->cell_mass(0)
-                                              * (1. + 10. * dt * rate * (p.turgor - cell.pressure()) / bulk));
+                                              * (1. + through_wall * (p.turgor - cell.pressure()) / bulk));
         }
       if (s % 200 == 0 && !cell.finite())
         throw std::runtime_error("the cell diverged while it was inflated (step " + std::to_string(s)

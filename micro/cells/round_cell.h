@@ -6,7 +6,7 @@
 //   2D   F(lambda_0) = turgor R z0                 (RingWall, Eq. 3.4)
 //   3D   G t0 (1 - lambda_0^-6) = turgor R/2       (NetWall, Eq. 3.6; there is none if turgor R/2 >= G t0)
 //
-// Fluid particles start on a jittered lattice (hexagonal, fcc), the nearest N to the middle.
+// Fluid particles start on a jittered lattice (hexagonal, fcc), the nearest N to the middle. The thesis's own fluid (thesis_fluid.h) is the baseline.
 #pragma once
 
 #include "micro/engine/particle_system.h"
@@ -41,7 +41,7 @@ struct RoundCellParameters
   double yield_drop = 0.;          ///< B of Eq. 3.8 (2D)
   bool wall_bending = true;
   double turgor = 200e3;           ///< Pa
-  std::string fluid = "sph";       ///< sph | pressure | none
+  std::string fluid = "sph";       ///< sph | thesis | pressure | none
   unsigned int fluid_particles = 5000;
   double fluid_density = 1000.;    ///< kg/m^3
   double fluid_modulus = 6e6;      ///< Pa, K
@@ -56,6 +56,7 @@ struct RoundCellParameters
   void add_parameters(dealii::ParameterHandler &prm);
   /// Throws std::invalid_argument: entry, value, allowed range.
   void check(int dim) const;
+  bool has_particles() const { return fluid == "sph" || fluid == "thesis"; }
   /// lambda_0.
   double turgid_stretch(int dim) const;
 };
@@ -71,7 +72,8 @@ struct RoundCell
   std::shared_ptr<WallDamage> damage;       ///< of a wall that can fail
   ParticleSystem<dim> system;
   Wall *wall = nullptr;
-  SphFluid<dim> *sph = nullptr;
+  CellFluid<dim> *fluid = nullptr; ///< of particles, either formulation
+  SphFluid<dim> *sph = nullptr;    ///< the same, if it is ours
   EnclosedFluid<dim> *enclosed = nullptr;
 
   const Group &group() const { return system.particles.groups.front(); }

@@ -98,10 +98,10 @@ void Laplace::run_in(RunContext &context) const
   context.result("deviation_cut_virial", 100. * (balances(cut) / fluid_virial - 1.), "%");
   context.result("deviation_virial_eos", 100. * (balances(virial) / eos - 1.), "%");
   context.result("deviation_virial_virial", 100. * (balances(virial) / fluid_virial - 1.), "%");
-  if (round.sph)
+  if (round.fluid)
     {
-      context.result("mean_neighbours", round.sph->mean_neighbours(round.system.particles), "");
-      context.result("crossed", double(round.sph->crossed()), "");
+      context.result("mean_neighbours", round.fluid->mean_neighbours(round.system.particles), "");
+      context.result("crossed", double(round.fluid->crossed()), "");
     }
   RoundCellFields<dim> fields(context, false);
   fields.write(round, 0.);

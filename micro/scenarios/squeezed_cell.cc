@@ -60,6 +60,12 @@ void SqueezedCell::declare_parameters(dealii::ParameterHandler &prm)
                     "Rate at which all velocities decay, for quasi-static loading; 0: none. Units: 1/s.", Double(0., 1e12));
   prm.add_parameter("Deformation", deformation, "Approach of the plates over 2 R at the end. Units: none.",
                     Double(0.001, 0.9));
+  prm.add_parameter("Plate mass", plate_mass,
+                    "Of the upper plate, which then starts at Speed and moves by its own inertia, Plate force and the cell; 0: driven at Speed. "
+                    "Units: kg.",
+                    Double(0., 1.));
+  prm.add_parameter("Plate force", plate_force, "Plate mass > 0: constant force that presses the upper plate down. Units: N.", Double(0., 1e6));
+  prm.add_parameter("End time", end_time, "Plate mass > 0: length of the run, in place of Deformation. Units: s.", Double(0., 1e3));
   prm.add_parameter("Plate stiffness", plate_stiffness, "Penalty of a wall node behind a plate; 0: ten times the wall's G t0. Units: N/m.", Double(0., 1e9));
   prm.add_parameter("Critical stretch", critical_stretch,
                     "lambda_c at which a bond of the wall breaks, above 1; 0: walls do not fail. Units: none.",
@@ -76,6 +82,10 @@ void SqueezedCell::declare_parameters(dealii::ParameterHandler &prm)
 void SqueezedCell::check() const
 {
   cell.check(int(dimension));
+  if (plate_mass > 0. && (both_move || !(end_time > 0.)))
+    throw InputError("Plate mass is above 0: such a run needs End time > 0 (s), and only the upper plate moves.");
+  if (!(plate_mass > 0.) && (plate_force > 0. || end_time > 0.))
+    throw InputError("Plate force and End time are for a plate that has mass; a driven one (Plate mass = 0) needs 0 for both.");
   if (critical_stretch != 0. && !(critical_stretch > cell.turgid_stretch(int(dimension))))
     throw InputError("Critical stretch is " + std::to_string(critical_stretch)
                      + ", but has to be 0 or larger than the stretch of the turgid wall, "
@@ -112,6 +122,7 @@ void SqueezedCell::run_in(RunContext &context)
   two[1].side = -1; // above
   two[0].position = -1e3; // far away until the cell is turgid
   two[1].position = 1e3;
+  two[1].mass = plate_mass;
   Plates<dim> &plates = system.add(std::make_unique<Plates<dim>>(two, plate_stiffness > 0. ? plate_stiffness : 10. * cell.wall_stiffness));
   context.active(system.term_names(), particles.field_names());
 
@@ -156,6 +167,7 @@ void SqueezedCell::run_in(RunContext &context)
       plates.set_position(1, frame.high);
       plates.set_velocity(0, both_move ? 0.5 * speed : 0.);
       plates.set_velocity(1, both_move ? -0.5 * speed : -speed);
+      plates.set_load(1, -plate_force);
       system.compute_forces();
       integrator.begin_here();
       at_step.dt = integrator.safe_step();
@@ -165,8 +177,7 @@ void SqueezedCell::run_in(RunContext &context)
   rest_radius = round.rest_radius;
   start_pressure = at_step.start_pressure;
 
-  const double span = deformation * at_step.height / speed;
-  const std::uint64_t last = std::max<std::uint64_t>(1, std::uint64_t(std::ceil(span / at_step.dt)));
+  const std::uint64_t last = std::max<std::uint64_t>(1, std::uint64_t(std::ceil(span(at_step.height) / at_step.dt)));
   const std::uint64_t sample_every = steps_between(last, samples), frame_every = steps_between(last, frames);
   const auto table = context.series("force", {{"time", "s"},
                                               {"deformation", "1"},
@@ -202,6 +213,9 @@ void SqueezedCell::run_in(RunContext &context)
     if (!round.finite())
       throw diverged("the cell diverged");
     Row row = measure_squeezed(round, plates, polar, at_step.height);
+    if (row.deformation > 0.95)
+      throw RunFailed("the plate has squeezed the cell flat (deformation above 0.95) before t = "
+                      + std::to_string(1e6 * double(at_step.step) * at_step.dt) + " us: use less Plate mass, Plate force or Speed, or a shorter End time.");
     row.time = double(at_step.step) * at_step.dt;
     row.energy = row.kinetic + system.potential_energy() - at_step.start_energy;
     row.work = plates.work();
@@ -277,8 +291,8 @@ void SqueezedCell::run_in(RunContext &context)
   context.result("time_step", at_step.dt, "s");
   context.result("steps", double(last), "");
   context.result("volume_change", rows.back().volume / rows.front().volume - 1., "1");
-  if (round.sph)
-    context.result("crossed", double(round.sph->crossed()), "");
+  if (round.fluid)
+    context.result("crossed", double(round.fluid->crossed()), "");
   if (round.damage)
     {
       const double broken = round.damage->cells[0].broken;
@@ -297,6 +311,16 @@ void SqueezedCell::run_in(RunContext &context)
         escaped += winding(round, particles.position(i)) < 0.5;
       if (round.group().fluid_count() > 0)
         context.result("escaped_fluid", escaped / round.group().fluid_count(), "1");
+    }
+  if (plate_mass > 0.)
+    {
+      const double start = 0.5 * plate_mass * speed * speed, end = 0.5 * plate_mass * plates[1].velocity * plates[1].velocity;
+      const double pressed = plate_force * rows.back().deformation * at_step.height;
+      context.result("largest_deformation",
+                     std::max_element(rows.begin(), rows.end(), [](const Row &a, const Row &b) { return a.deformation < b.deformation; })->deformation, "1");
+      context.result("plate_velocity", plates[1].velocity, "m/s");
+      context.result("plate_energy_returned", end / start, "1");
+      context.result("plate_energy_balance", (start + pressed - end - rows.back().work) / (start + pressed), "1");
     }
   context.result("energy_gained", squeezed::energy_gained(rows), "1");
   if (!(rows.back().broken > 0.)) // a broken bond takes its energy along

@@ -1,8 +1,8 @@
 // One round cell between two rigid plates: what cell_compression, cell_impact and cell_failure share.
 //
 // The turgid cell (round_cell.h) touches both plates at the start. The upper one moves down at a given speed (impact), or
-// both towards each other at half of it (slow: Damping then takes the inertia out of it). Deformation is the approach of the plates over
-// 2 R. Recorded: forces on both plates, pressure, how far each side is flattened and stretched, broken bonds (squeezed_rows.h).
+// both towards each other at half of it (slow: Damping then takes the inertia out of it), or it is a body of its own mass that starts at that
+// speed and is pressed on by a force. Deformation is the approach of the plates over 2 R. Recorded: forces on both plates, pressure, how far each side is flattened and stretched, broken bonds (squeezed_rows.h).
 #pragma once
 
 #include "micro/cells/round_cell.h"
@@ -38,6 +38,9 @@ protected:
   bool both_move = false;
   double damping = 0.;          ///< 1/s
   double deformation = 0.3;     ///< at the end
+  double plate_mass = 0.;       ///< kg, of the upper plate; 0: driven
+  double plate_force = 0.;      ///< N, down, on a plate with mass
+  double end_time = 0.;         ///< s, with a plate that has mass
   double plate_stiffness = 0.; ///< N/m per wall node; 0: 10 G t0
   double critical_stretch = 0.; ///< lambda_c; 0: walls do not fail
   double step_fraction = 0.5;
@@ -47,6 +50,8 @@ protected:
   double first_deformation = -1.;                            ///< 1, of the first broken bond; -1: none
 
 private:
+  double span(double height) const { return plate_mass > 0. ? end_time : deformation * height / speed; } ///< s
+
   template <int dim>
   void run_in(RunContext &context);
 };

@@ -107,6 +107,10 @@ Rates Plates<dim>::rates(const Particles<dim> &particles) const
   if (g.wall_count() > 0)
     bound.wall.frequency_squared =
       stiffness * *std::max_element(particles.inverse_mass.begin() + g.begin, particles.inverse_mass.begin() + g.fluid);
+  double lightest = 0.; // 1/kg
+  for (const Plate &plate : plates)
+    lightest = std::max(lightest, plate.mass > 0. ? 1. / plate.mass : 0.);
+  bound.wall.frequency_squared += stiffness * lightest * double(particles.size()); // all of them may touch it
   if (fluid && g.fluid_count() > 0)
     bound.fluid.frequency_squared =
       stiffness * *std::max_element(particles.inverse_mass.begin() + g.fluid, particles.inverse_mass.begin() + g.end);
