@@ -1,5 +1,6 @@
 #include "micro/cells/hydrostatic_network.h"
 
+#include "micro/cells/ring_geometry.h"
 #include "micro/terms/lamella_tie.h"
 #include "micro/terms/wall_bending.h"
 
@@ -16,24 +17,6 @@ namespace
 EquationOfState equation_of_state(const ParenchymaParameters &p)
 {
   return {p.fluid_density, p.fluid_modulus, p.cavitation_pressure};
-}
-
-Vector<2> at(const std::vector<double> &x, const std::size_t node)
-{
-  return {x[2 * node], x[2 * node + 1]};
-}
-
-// Area relative to the first node, so that its round-off does not grow with the distance from the origin.
-double polygon_area(const std::vector<double> &x, const WallRing &ring)
-{
-  const double x0 = x[2 * ring.first], y0 = x[2 * ring.first + 1];
-  double twice = 0.;
-  for (std::uint32_t k = 1; k + 1 < ring.count; ++k)
-    {
-      const double *a = &x[2 * (ring.first + k)];
-      twice += (a[0] - x0) * (a[3] - y0) - (a[2] - x0) * (a[1] - y0);
-    }
-  return 0.5 * twice;
 }
 } // namespace
 
@@ -178,69 +161,6 @@ HydrostaticNetwork::CellPressure HydrostaticNetwork::cell_pressure(const std::si
         }
     }
   return result;
-}
-
-WallHistory HydrostaticNetwork::new_history(const std::vector<double> &x) const
-{
-  WallHistory history;
-  if (limits.plastic)
-    {
-      history.reached.assign(geometry.nodes.size(), 1.);
-      for (const WallRing &ring : geometry.rings)
-        for (std::size_t i = ring.first; i < ring.first + ring.count; ++i)
-          history.reached[i] = std::max(1., stretch(x, ring, i));
-      for (const double reached : history.reached)
-        history.permanent.push_back(WallHistory::permanent_at(wall, elastic, reached));
-    }
-  if (limits.failure())
-    {
-      history.broken.assign(geometry.nodes.size(), 0);
-      history.failed.assign(geometry.rings.size(), 0);
-      for (std::size_t c = 0; c < geometry.rings.size(); ++c)
-        history.mass.push_back(fluid_mass(c));
-    }
-  return history;
-}
-
-void HydrostaticNetwork::unpack(const std::vector<double> &numbers, WallHistory &history) const
-{
-  history.unpack(numbers, wall, elastic, geometry.rings.front().count);
-}
-
-double HydrostaticNetwork::stretch(const std::vector<double> &x, const WallRing &ring, const std::size_t bond) const
-{
-  const std::size_t after = bond + 1 == ring.first + ring.count ? ring.first : bond + 1;
-  return (at(x, after) - at(x, bond)).norm() / geometry.rest_length;
-}
-
-void HydrostaticNetwork::flow(const std::vector<double> &x, WallHistory &history) const
-{
-  if (history.reached.empty())
-    return;
-  for (const WallRing &ring : geometry.rings)
-    for (std::size_t i = ring.first; i < ring.first + ring.count; ++i)
-      history.flow_dissipated += geometry.rest_length * history.flow(wall, elastic, i, stretch(x, ring, i));
-}
-
-void HydrostaticNetwork::leak(const std::vector<double> &x, WallHistory &history) const
-{
-  for (std::size_t c = 0; c < history.mass.size(); ++c)
-    if (history.failed[c])
-      {
-        const double volume = depth() * polygon_area(x, geometry.rings[c]);
-        const double left = history.pressure_share * fluid.pressure(history.mass[c], volume);
-        history.mass[c] = volume * fluid.fluid.density_at(left);
-      }
-}
-
-double HydrostaticNetwork::stored_energy(const std::vector<double> &x, const Tensor2<2> &H,
-                                         const WallHistory &history) const
-{
-  WallHistory settled = history;
-  settled.pressure_share = 1.;
-  NetworkEvaluation e;
-  evaluate(x, H, NetworkOrder::energy, e, &settled);
-  return e.energy;
 }
 
 void HydrostaticNetwork::evaluate(const std::vector<double> &x, const Tensor2<2> &H, const NetworkOrder order,
@@ -408,81 +328,5 @@ void HydrostaticNetwork::evaluate(const std::vector<double> &x, const Tensor2<2>
       out.gradient[i] -= dead[i];
   if (with_energy && std::isnan(out.energy))
     out.energy = HUGE_VAL;
-}
-
-void HydrostaticNetwork::affine_response(const std::vector<double> &x, const Tensor2<2> &H,
-                                         const NetworkEvaluation &e, const std::array<Tensor2<2>, 4> &L,
-                                         std::array<std::vector<double>, 4> &forces,
-                                         Tensor4<2> &curvature) const
-{
-  curvature.setZero();
-  const double z0 = depth();
-  using Rows = Eigen::Matrix<double, 2, 4>; // column k: what motion L[k] does to a vector
-  const auto moved = [&](const Vector<2> &v) {
-    Rows r;
-    for (int k = 0; k < 4; ++k)
-      r.col(k) = L[k] * v;
-    return r;
-  };
-  const auto add = [&](const std::size_t node, const Rows &f) {
-    for (int k = 0; k < 4; ++k)
-      {
-        forces[k][2 * node] += f(0, k);
-        forces[k][2 * node + 1] += f(1, k);
-      }
-  };
-  for (int k = 0; k < 4; ++k)
-    forces[k].assign(x.size(), 0.);
-
-  for (std::size_t c = 0; c < geometry.rings.size(); ++c)
-    {
-      const WallRing &ring = geometry.rings[c];
-      const std::size_t first = ring.first, count = ring.count;
-      const double area = e.volume[c] / z0;
-      Eigen::Matrix<double, 1, 4> d_volume; // affine: trace(L) V
-      for (int k = 0; k < 4; ++k)
-        d_volume(k) = L[k].trace() * e.volume[c];
-      curvature += e.stiffness[c] * d_volume.transpose() * d_volume;
-      // bilinear second derivative of the area under affine motions: A (tr tr - trace of product)
-      for (int k = 0; k < 4; ++k)
-        for (int l = 0; l < 4; ++l)
-          curvature(k, l) -=
-            e.pressure[c] * z0 * area * (L[k].trace() * L[l].trace() - (L[k] * L[l]).trace());
-      const Eigen::Matrix<double, 1, 4> pressure_rise = e.stiffness[c] * d_volume;
-
-      for (std::size_t k = 0; k < count; ++k)
-        {
-          const std::size_t i = first + k, before = first + (k == 0 ? count - 1 : k - 1),
-                            after = first + (k + 1 == count ? 0 : k + 1);
-          const Rows de = moved({e.ex[i], e.ey[i]});
-          // change of t_i: S_i de_i + C_(i-1)^T de_(i-1) + C_i de_(i+1), C_i = -B/l g_i g_(i+1)^T
-          Tensor2<2> S;
-          S << e.Sxx[i], e.Sxy[i], e.Sxy[i], e.Syy[i];
-          const Vector<2> g(e.gx[i], e.gy[i]), g_before(e.gx[before], e.gy[before]),
-            g_after(e.gx[after], e.gy[after]);
-          const Eigen::Matrix<double, 1, 4> turn_before = g_before.transpose() * moved({e.ex[before], e.ey[before]}),
-                                            turn_after = g_after.transpose() * moved({e.ex[after], e.ey[after]});
-          const Rows dt = e.hinge.empty() ? Rows(S * de - hinge * g * (turn_before + turn_after)) :
-                                            Rows(S * de - g * (e.hinge[i] * turn_before + e.hinge[after] * turn_after));
-          curvature += de.transpose() * dt;
-          add(i, -dt);
-          add(after, dt);
-
-          // fluid: -p z0 d(dA/dx_i) + (d2E/dV2 dV) z0 dA/dx_i; dA/dx_i = half the turned neighbour edge sum
-          const Rows ds = moved({e.ex[before] + e.ex[i], e.ey[before] + e.ey[i]});
-          const Vector<2> dA(0.5 * (e.ey[before] + e.ey[i]), -0.5 * (e.ex[before] + e.ex[i]));
-          Rows turned;
-          turned.row(0) = 0.5 * ds.row(1);
-          turned.row(1) = -0.5 * ds.row(0);
-          add(i, -e.pressure[c] * z0 * turned + z0 * dA * pressure_rise);
-        }
-    }
-  for (const LamellaTie &tie : geometry.ties)
-    {
-      const Rows dd = moved(LamellaSpring::gap(at(x, tie.a), at(x, tie.b), tie.shift, H));
-      curvature += geometry.tie_stiffness * dd.transpose() * dd;
-      add(tie.a, -geometry.tie_stiffness * dd);
-      add(tie.b, geometry.tie_stiffness * dd);
-    }
 }
 } // namespace turgor
