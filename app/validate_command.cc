@@ -141,10 +141,8 @@ std::vector<ValidationResult> measured(const Validation &validation, const std::
       result = {validation.name, row.quantity, "", row.unit, seconds, "failed"};
       try
         {
-          const double value = value_of(row, directories);
-          char digits[40];
-          std::snprintf(digits, sizeof digits, "%.4g", value);
-          result.value = digits;
+          const Measured value = value_of(row, directories, validation.means);
+          result.value = in_digits(value);
           result.verdict = verdict_of(row, value);
         }
       catch (const std::exception &problem)

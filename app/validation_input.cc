@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <sstream>
 
 namespace turgor
 {
@@ -32,7 +33,7 @@ std::string text_of(const Json &json, const std::string &key, const std::string 
 
 RunRequest run_of(const Json &json, const std::filesystem::path &base, const std::string &where)
 {
-  require_keys(json, {"input", "overrides", "threads"}, where);
+  require_keys(json, {"input", "overrides", "threads", "each"}, where);
   RunRequest run;
   run.input = base / text_of(json, "input", where);
   run.overrides = json.value("overrides", std::vector<std::string>());
@@ -40,6 +41,20 @@ RunRequest run_of(const Json &json, const std::filesystem::path &base, const std
   if (run.threads < 1 || run.threads > 1024)
     throw InputError(where + ": 'threads' has to be a number from 1 to 1024.");
   return run;
+}
+
+/// "ENTRY = VALUE | VALUE | ..." as overrides, one a run.
+std::vector<std::string> each_of(const std::string &text, const std::string &where)
+{
+  const std::size_t equals = text.find('=');
+  std::vector<std::string> overrides;
+  std::istringstream values(equals == std::string::npos ? "" : text.substr(equals + 1));
+  for (std::string value; std::getline(values, value, '|');)
+    if (const std::size_t first = value.find_first_not_of(' '); first != std::string::npos)
+      overrides.push_back(text.substr(0, text.find_last_not_of(' ', equals - 1) + 1) + "=" + value.substr(first, value.find_last_not_of(' ') + 1 - first));
+  if (overrides.size() < 2)
+    throw InputError(where + ": 'each' is '" + text + "'; 'ENTRY = VALUE | VALUE | ...' with two values or more is needed.");
+  return overrides;
 }
 
 ValidationRow row_of(const Json &json, const std::string &where)
@@ -86,7 +101,22 @@ std::vector<Validation> load_validations(const std::filesystem::path &directory)
           require_keys(json, {"runs", "rows"}, file.string());
           const Json runs = json.value("runs", Json::object()), rows = json.value("rows", Json::array());
           for (const auto &item : runs.items())
-            validation.runs[item.key()] = run_of(item.value(), directory, file.string() + ", run '" + item.key() + "'");
+            {
+              const std::string where = file.string() + ", run '" + item.key() + "'";
+              const RunRequest run = run_of(item.value(), directory, where);
+              if (!item.value().contains("each"))
+                {
+                  validation.runs[item.key()] = run;
+                  continue;
+                }
+              for (const std::string &override : each_of(text_of(item.value(), "each", where), where))
+                {
+                  std::vector<std::string> &labels = validation.means[item.key()];
+                  labels.push_back(item.key() + " " + std::to_string(labels.size() + 1));
+                  validation.runs[labels.back()] = run;
+                  validation.runs[labels.back()].overrides.push_back(override);
+                }
+            }
           for (const Json &row : rows)
             {
               const std::string where = file.string() + ", row " + std::to_string(validation.rows.size() + 1);

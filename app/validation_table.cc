@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -24,23 +25,43 @@ std::string digits(const double value)
   return text;
 }
 
-/// A result by NAME or LABEL:NAME, or the number itself.
-double look_up(const std::string &reference, const std::map<std::string, std::filesystem::path> &directories)
+using Directories = std::map<std::string, std::filesystem::path>;
+
+double result_of(const std::string &label, const std::string &name, const Directories &directories)
 {
-  double number = 0.;
-  const auto [end, problem] = std::from_chars(reference.data(), reference.data() + reference.size(), number);
-  if (problem == std::errc() && end == reference.data() + reference.size())
-    return number;
-  const std::size_t colon = reference.find(':');
-  const std::string label = colon == std::string::npos ? "" : reference.substr(0, colon);
-  const std::string name = colon == std::string::npos ? reference : reference.substr(colon + 1);
   const auto found = directories.find(label);
   if (found == directories.end())
-    throw std::runtime_error("'" + reference + "': no finished run with the label '" + label + "'.");
+    throw std::runtime_error("'" + name + "': no finished run with the label '" + label + "'.");
   const auto json = nlohmann::json::parse(read_whole(found->second / "summary.json"));
   if (!json.contains("results") || !json["results"].contains(name))
     throw std::runtime_error("'" + name + "' is no result of " + (found->second / "summary.json").string() + ".");
   return json["results"][name]["value"];
+}
+
+/// A result by NAME or LABEL:NAME, the mean where the label has several runs, or the number itself.
+Measured look_up(const std::string &reference, const Directories &directories, const std::map<std::string, std::vector<std::string>> &means)
+{
+  double number = 0.;
+  const auto [end, problem] = std::from_chars(reference.data(), reference.data() + reference.size(), number);
+  if (problem == std::errc() && end == reference.data() + reference.size())
+    return {number, 0.};
+  const std::size_t colon = reference.find(':');
+  const std::string label = colon == std::string::npos ? "" : reference.substr(0, colon);
+  const std::string name = colon == std::string::npos ? reference : reference.substr(colon + 1);
+  const auto several = means.find(label);
+  if (several == means.end())
+    return {result_of(label, name, directories), 0.};
+  std::vector<double> values;
+  for (const std::string &one : several->second)
+    values.push_back(result_of(one, name, directories));
+  Measured mean;
+  const double n = double(values.size());
+  for (const double value : values)
+    mean.value += value / n;
+  for (const double value : values)
+    mean.error += (value - mean.value) * (value - mean.value) / (n * (n - 1.));
+  mean.error = std::sqrt(mean.error);
+  return mean;
 }
 
 /// One line of a CSV whose fields may be quoted.
@@ -69,21 +90,45 @@ std::string in_cell(const std::string &text)
 }
 } // namespace
 
-double value_of(const ValidationRow &row, const std::map<std::string, std::filesystem::path> &directories)
+Measured value_of(const ValidationRow &row, const Directories &directories, const std::map<std::string, std::vector<std::string>> &means)
 {
-  const double result = look_up(row.result, directories);
-  const double value = row.relative_to.empty() ? row.scale * result : 100. * (result / look_up(row.relative_to, directories) - 1.);
-  if (!std::isfinite(value))
+  const Measured result = look_up(row.result, directories, means);
+  Measured measured = {row.scale * result.value, std::abs(row.scale) * result.error};
+  if (!row.relative_to.empty())
+    {
+      const Measured base = look_up(row.relative_to, directories, means);
+      const double ratio = result.value / base.value;
+      // errors of two independent means, to first order
+      measured = {100. * (ratio - 1.), 100. * std::hypot(result.error / base.value, ratio * base.error / base.value)};
+    }
+  if (!std::isfinite(measured.value) || !std::isfinite(measured.error))
     throw std::runtime_error("'" + row.quantity + "' is not a finite number.");
-  return value;
+  return measured;
 }
 
-std::string verdict_of(const ValidationRow &row, const double value)
+std::string verdict_of(const ValidationRow &row, const Measured &measured)
 {
   if (!row.least && !row.most)
     return "reported";
+  const double value = measured.value;
+  double nearest = std::numeric_limits<double>::infinity(); // end of the target
+  if (row.least)
+    nearest = std::abs(value - *row.least);
+  if (row.most)
+    nearest = std::min(nearest, std::abs((row.least ? value : std::abs(value)) - *row.most));
+  if (nearest < 2. * measured.error)
+    return "within the scatter";
   const bool met = row.least ? value >= *row.least && (!row.most || value <= *row.most) : std::abs(value) <= *row.most;
   return met ? "met" : "missed";
+}
+
+std::string in_digits(const Measured &measured)
+{
+  if (measured.error == 0.)
+    return digits(measured.value);
+  char error[40];
+  std::snprintf(error, sizeof error, " +- %.2g", measured.error);
+  return digits(measured.value) + error;
 }
 
 std::string target_of(const ValidationRow &row)

@@ -11,16 +11,27 @@
 
 namespace turgor
 {
-/// Verdicts: met, missed, reported (no target), failed (a run gave no value).
+/// Verdicts: met, missed, reported (no target), failed (a run gave no value); of a mean over runs, "within the scatter" where two standard
+/// errors or less separate it from the nearest end of its target, on either side.
 struct ValidationResult
 {
   std::string name, quantity, value, unit, cpu_time, verdict; ///< value in digits; empty when failed
 };
 
-/// The row's value from the directories of its runs (by label); throws std::runtime_error naming what is missing.
-double value_of(const ValidationRow &row, const std::map<std::string, std::filesystem::path> &directories);
+struct Measured
+{
+  double value = 0.;
+  double error = 0.; ///< standard error of a mean over runs; 0 for one run
+};
 
-std::string verdict_of(const ValidationRow &row, double value);
+/// The row's value from the directories of its runs (by label), means: labels of several runs; throws std::runtime_error naming what is missing.
+Measured value_of(const ValidationRow &row, const std::map<std::string, std::filesystem::path> &directories,
+                  const std::map<std::string, std::vector<std::string>> &means = {});
+
+std::string verdict_of(const ValidationRow &row, const Measured &measured);
+
+/// "12.3", or "12.3 +- 0.4" of a mean.
+std::string in_digits(const Measured &measured);
 
 /// "at most 1 %", "0.98 to 1.02", ...; empty without a target.
 std::string target_of(const ValidationRow &row);
