@@ -12,7 +12,7 @@ struct Row
 {
   static constexpr std::size_t P = 0, sigma = dim * dim, energy = 2 * dim * dim, pressure = energy + 1,
                                iterations = energy + 2, residual = energy + 3, spread = energy + 4,
-                               cpu = energy + 5, failed = energy + 6, tangent = energy + 7;
+                               cpu = energy + 5, failed = energy + 6, dragged = energy + 7, tangent = energy + 8;
 };
 } // namespace
 
@@ -41,6 +41,7 @@ void AnswerTable<dim>::put(const std::size_t point, const RveAnswer<dim> &a)
   row[R::residual] = a.diagnostics.residual;
   row[R::spread] = a.diagnostics.stress_spread;
   row[R::cpu] = a.diagnostics.cpu_seconds;
+  row[R::dragged] = a.diagnostics.dragged;
   if (tangents)
     for (int i = 0; i < dim * dim; ++i)
       for (int j = 0; j < dim * dim; ++j)
@@ -105,6 +106,7 @@ RveDiagnostics AnswerTable<dim>::diagnostics(const std::size_t point) const
   diagnostics.residual = row[R::residual];
   diagnostics.stress_spread = row[R::spread];
   diagnostics.cpu_seconds = row[R::cpu];
+  diagnostics.dragged = row[R::dragged] != 0.;
   return diagnostics;
 }
 

@@ -124,7 +124,9 @@ void RveLaw<dim>::Impl::count(const AnswerTable<dim> &table)
     const RveDiagnostics d = table.diagnostics(p);
     s.iterations += static_cast<std::uint64_t>(d.iterations);
     s.max_iterations = std::max(s.max_iterations, d.iterations);
-    s.max_residual = std::max(s.max_residual, d.residual);
+    s.dragged_calls += d.dragged ? 1 : 0;
+    double &residual = d.dragged ? s.max_dragged_residual : s.max_residual;
+    residual = std::max(residual, d.residual);
     s.max_stress_spread = std::max(s.max_stress_spread, d.stress_spread);
     s.rve_cpu_seconds += d.cpu_seconds;
     // The last cost alone does not predict the next: a step that needed one Newton iteration more is no trend.

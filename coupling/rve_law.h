@@ -39,7 +39,9 @@ struct RveLawStatistics
   std::uint64_t failed_batches = 0; ///< batches with at least one failed call
   std::uint64_t iterations = 0;     ///< sum over calls
   int max_iterations = 0;
-  double max_residual = 0.;         ///< largest RveDiagnostics::residual of a converged call
+  double max_residual = 0.;         ///< largest RveDiagnostics::residual of a converged call without drag
+  std::uint64_t dragged_calls = 0;  ///< torn RVEs without an equilibrium near by, held by drag (hydrostatic_rve.h)
+  double max_dragged_residual = 0.; ///< the same of these
   double max_stress_spread = 0.;    ///< Pa
   double rve_cpu_seconds = 0.;      ///< inside RVEs, all threads and ranks
   double wall_seconds = 0.;         ///< inside evaluate(), this rank

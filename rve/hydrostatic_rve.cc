@@ -343,6 +343,7 @@ RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor
           const int before = report.iterations;
           report = after;
           report.iterations += before;
+          answer.diagnostics.dragged = report.converged;
           if (!report.converged)
             report.message = first;
         }

@@ -48,6 +48,7 @@ struct RveDiagnostics
   std::string message;       ///< a sentence when !converged, else empty
   int iterations = 0;        ///< Newton iterations or micro steps
   double residual = 0.;      ///< largest unbalanced force / (turgor * spacing * depth)
+  bool dragged = false;      ///< no equilibrium near by: nodes held back by drag, which the residual contains
   double energy_drift = 0.;  ///< relative, over a rule's dynamics; 0 without dynamics
   double stress_spread = 0.; ///< Pa, rms of the stress over the window tau_0; 0 without window
   double cpu_seconds = 0.;

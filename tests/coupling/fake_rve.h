@@ -27,6 +27,7 @@ public:
   double fails_longer_than = std::numeric_limits<double>::infinity(); // s since commit
   double shear_fails_above = std::numeric_limits<double>::infinity();  // |F_10|
   bool remembers = false;
+  double drags_above = std::numeric_limits<double>::infinity();        // tells of drag, F_00
   mutable std::atomic<int> calls{0};
 
   bool has_history() const override { return remembers; }
@@ -69,6 +70,8 @@ public:
       a.condition.failed = a.trial.history[0] > 2. ? 1. : 0.;
     }
     a.diagnostics.iterations = 3;
+    a.diagnostics.dragged = F(0, 0) > drags_above;
+    a.diagnostics.residual = a.diagnostics.dragged ? 0.5 : 1e-9;
     a.diagnostics.cpu_seconds = 1e-6 * std::exp(3. * F(0, 0)); // uneven
     if (F(0, 0) > fails_above || request.time_since_commit > fails_longer_than || std::abs(F(1, 0)) > shear_fails_above)
     {

@@ -163,6 +163,27 @@ BOOST_AUTO_TEST_CASE(failures_are_answers_with_place_and_reason)
   }
 }
 
+// Answers that drag has helped to are counted by themselves, and so is what they leave out of balance.
+BOOST_AUTO_TEST_CASE(answers_under_drag_are_counted)
+{
+  auto rve = std::make_shared<FakeRve<2>>();
+  rve->drags_above = 1.25;
+  RveLaw<2> law(rve, {});
+  Batch<2> batch(5);
+  law.set_points(batch.points);
+  for (auto &f : batch.F)
+    f[0][0] = 1.;
+  LawAnswer<2> answer;
+  law.evaluate(batch.F, batch.F_dot, {}, answer);
+  BOOST_TEST(law.statistics().dragged_calls == 0u);
+  batch.F[1][0][0] = batch.F[4][0][0] = 1.3;
+  law.evaluate(batch.F, batch.F_dot, {}, answer);
+  BOOST_TEST(law.statistics().dragged_calls == 2u);
+  BOOST_TEST(law.statistics().calls == 10u);
+  BOOST_TEST(law.statistics().max_dragged_residual == 0.5);
+  BOOST_TEST(law.statistics().max_residual == 1e-9);
+}
+
 BOOST_AUTO_TEST_CASE(same_bits_on_one_and_two_threads)
 {
   std::vector<std::string> bytes;

@@ -296,6 +296,8 @@ BOOST_AUTO_TEST_CASE(torn_patch_goes_on)
       BOOST_TEST((answer.diagnostics.converged || !answer.diagnostics.message.empty()));
       ++asked;
       answered += answer.diagnostics.converged;
+      if (!answer.diagnostics.dragged) // which would leave more
+        BOOST_TEST(answer.diagnostics.residual <= settings.equilibrium.tolerance);
       if (answer.diagnostics.converged)
         walk.state = answer.trial;
       else
