@@ -1,32 +1,25 @@
 #include "micro/engine/binary.h"
 #include "micro/scenarios/tissue_run.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <tuple>
 
 namespace turgor
 {
+/// What a checkpoint holds beside the tissue itself, in its order in the file: one list for writing and reading.
+template <class Self>
+auto TissueLoading::Run::kept(Self &r)
+{
+  return std::tie(r.step, r.load_steps, r.dt, r.angle_before, r.angle_inflated, r.void_fraction, r.tie_stress, r.start_energy, r.start.low,
+                  r.start.high, r.start.width, r.start.cell_height, r.start.depth, r.history, r.broken_bonds, r.broken_at_junction,
+                  r.broken_ties, r.deepest, r.most_crossed, r.released, r.created, r.flowed, r.heat, r.heating_before);
+}
+
 void TissueLoading::Run::save(std::ostream &out) const
 {
-  write_binary(out, step);
-  write_binary(out, load_steps);
-  write_binary(out, dt);
-  write_binary(out, angle_before);
-  write_binary(out, angle_inflated);
-  write_binary(out, void_fraction);
-  write_binary(out, tie_stress);
-  write_binary(out, start_energy);
-  write_binary(out, start.low);
-  write_binary(out, start.high);
-  write_binary(out, start.width);
-  write_binary(out, start.cell_height);
-  write_binary(out, start.depth);
-  write_binary(out, history);
-  write_binary(out, broken_bonds);
-  write_binary(out, broken_at_junction);
-  write_binary(out, broken_ties);
-  for (const double value : {deepest, most_crossed, released, created, flowed, heat, heating_before})
-    write_binary(out, value);
+  std::apply([&](const auto &...value) { (write_binary(out, value), ...); }, kept(*this));
   if (tissue->damage)
     tissue->damage->save(out);
   if (tissue->flow)
@@ -39,25 +32,7 @@ void TissueLoading::Run::save(std::ostream &out) const
 
 void TissueLoading::Run::load(std::istream &in)
 {
-  read_binary(in, step);
-  read_binary(in, load_steps);
-  read_binary(in, dt);
-  read_binary(in, angle_before);
-  read_binary(in, angle_inflated);
-  read_binary(in, void_fraction);
-  read_binary(in, tie_stress);
-  read_binary(in, start_energy);
-  read_binary(in, start.low);
-  read_binary(in, start.high);
-  read_binary(in, start.width);
-  read_binary(in, start.cell_height);
-  read_binary(in, start.depth);
-  read_binary(in, history);
-  read_binary(in, broken_bonds);
-  read_binary(in, broken_at_junction);
-  read_binary(in, broken_ties);
-  for (double *value : {&deepest, &most_crossed, &released, &created, &flowed, &heat, &heating_before})
-    read_binary(in, *value);
+  std::apply([&](auto &...value) { (read_binary(in, value), ...); }, kept(*this));
   if (tissue->damage) // before the terms: lists of the fluid depend on it
     tissue->damage->load(in);
   if (tissue->flow)
@@ -71,18 +46,30 @@ void TissueLoading::Run::load(std::istream &in)
 void TissueLoading::Run::require_finite(const std::string &where) const
 {
   const Particles<2> &p = system.particles;
+  const double most = 2. * sound;
   for (std::size_t c = 0; c < p.groups.size(); ++c)
     for (std::uint32_t i = p.groups[c].begin; i < p.groups[c].end; ++i)
-      if (!(std::abs(p.x[0][i]) < reach && std::abs(p.x[1][i]) < reach && std::hypot(p.v[0][i], p.v[1][i]) < 2. * sound))
-        {
-          std::ostringstream sentence;
-          sentence << "the run diverged " << where << " (step " << step << "): a " << (i < p.groups[c].fluid ? "wall node" : "fluid particle")
-                   << " at (" << p.x[0][i] << ", " << p.x[1][i] << ") m of cell (" << c % scene.brick.columns << ", "
-                   << c / scene.brick.columns << ") left the scene or moves at more than twice the speed of sound. The last checkpoint "
-                   << "holds the last good state; use a smaller Step fraction (now " << scene.step_fraction
-                   << ") or a smaller Speed (now " << scene.speed << " m/s).";
-          throw RunFailed(sentence.str());
-        }
+      {
+        const double far = std::max(std::abs(p.x[0][i]), std::abs(p.x[1][i])), speed = std::hypot(p.v[0][i], p.v[1][i]);
+        if (far < reach && speed < most) // false for what is no number
+          continue;
+        std::ostringstream sentence;
+        sentence << "the run diverged " << where << " (step " << step << "): a " << (i < p.groups[c].fluid ? "wall node" : "fluid particle")
+                 << " of cell (" << c % scene.brick.columns << ", " << c / scene.brick.columns << ") ";
+        if (!std::isfinite(p.x[0][i]) || !std::isfinite(p.x[1][i]) || !std::isfinite(speed))
+          sentence << "has a position or velocity that is no number any more";
+        else if (!(far < reach))
+          sentence << "has left the scene, to (" << p.x[0][i] << ", " << p.x[1][i] << ") m";
+        else
+          sentence << "moves at " << speed << " m/s, more than twice the speed of sound";
+        sentence << ". The last checkpoint, where there is one, holds the last good state; use a smaller Step fraction (now "
+                 << scene.step_fraction << ") or ";
+        if (load_steps == 0)
+          sentence << "a longer Inflation time (now " << scene.inflation_time << " s).";
+        else
+          sentence << "a smaller Speed (now " << scene.speed << " m/s).";
+        throw RunFailed(sentence.str());
+      }
 }
 
 /// Drag, flow and breaking only take energy; the integrator's own error is far below a fiftieth of it.

@@ -91,6 +91,7 @@ void TissueLoading::Run::inflate()
         }
       keep.after_step(step);
     }
+  require_finite(where());
   const double pressure = mean_pressure();
   if (!(std::abs(pressure - scene.cell.turgor) < 0.1 * scene.cell.turgor))
     {
