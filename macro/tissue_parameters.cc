@@ -104,6 +104,11 @@ void TissueParameters<dim>::check() const
         throw std::invalid_argument("With Tissue/Elements y = " + std::to_string(elements[1]) + " the cylinder comes down between two nodes and, at Impact/Depth = " +
                                     std::to_string(tool.depth * 1e3) + " mm, touches neither; take more elements, or an even number of them.");
     }
+  if (tool.active() && lateral == "clamped")
+    for (unsigned int d = 1; d < dim; ++d)
+      if (elements[d] * degree < 2)
+        throw std::invalid_argument("With Tissue/Elements " + std::string(axis_names[d]) + " = 1, degree 1 and 'Lateral sides = clamped' every node that the tool touches is held "
+                                    "and nothing can move; take more elements or other lateral sides.");
   if (lateral == "periodic")
     for (unsigned int d = 1; d < dim; ++d)
       if (elements[d] * degree < 2)

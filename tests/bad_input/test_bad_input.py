@@ -202,6 +202,9 @@ for case_name, *rest in turgor_is_needed_by_the_sph_rve():
 add("a_tissue_larger_than_the_machine", ["set Scenario = tissue_bruise\n",
     RUN + ["--set", "Tissue/Elements x=4096", "--set", "Tissue/Elements y=4096"],
     ["4096 x 4096 elements with 6.71e+07 RVEs need about", "GB of memory, this machine has", "take fewer elements"]])
+add("a_tool_on_held_nodes_only", ["set Scenario = tissue_bruise\n",
+    RUN + ["--set", "Impact/Tool=plate", "--set", "Tissue/Elements y=1", "--set", "Tissue/Lateral sides=clamped"],
+    ["every node that the tool touches is held", "take more elements or other lateral sides"]])
 for case_name, *rest in general():
     add(case_name, rest)
 for scene_name in SCENES:
