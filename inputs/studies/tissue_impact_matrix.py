@@ -5,7 +5,7 @@
     /usr/bin/python3 inputs/studies/tissue_impact_matrix.py -o doc/results/tissue_impact failure     one part
 
 Parts: compression (untied ends of walls from 0 to 24 um, that is, void fractions; elastic or yielding walls), impact (viscosity
-x 1, 10, 100, 1000; wall x 1, x 10; dense, sparse), failure (viscosity x 1, x 1000; dense, sparse; three tissues of each; slow; weak lamella).
+x 1, 10, 100, 1000; wall x 1, x 10; dense, sparse), failure (viscosity x 1, x 1000; dense, sparse; six tissues of each; slow; weak lamella).
 Writes DIR/PART.csv (one row a run: all its results) and DIR/PART_curves.csv (strain, stress on both plates, depth of flattening, failed
 cells). Runs go on side by side with --jobs; a row that is there already is kept. tissue_impact_figures.py makes the pictures and the tables.
 """
@@ -24,6 +24,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 SIZE = {"Columns": "5", "Rows": "5", "Cell/Nodes per side": "12", "SPH/Particles per side": "10", "Inflation time": "40e-6",
         "Frames": "0", "Checkpoints": "0"}
 STRUCTURE = {"dense": {"Gap": "0"}, "sparse": {"Gap": "20e-6"}}
+SEEDS = (1, 2, 3, 4, 5, 6)
 KEPT = ["strain", "stress_top [Pa]", "stress_bottom [Pa]", "centre", "failed_cells", "broken_ties"]
 
 
@@ -46,7 +47,7 @@ def runs(part):
         else:
             for viscosity in (1, 1000):
                 fluid = dict(gap, **{"Cell/Fluid viscosity": "%g" % (1e-3 * viscosity)})
-                for seed in (1, 2, 3):
+                for seed in SEEDS:
                     yield "%s, viscosity x %d, tissue %d" % (structure, viscosity, seed), dict(fluid, **{"Tissue seed": "%d" % seed})
                 yield "%s, viscosity x %d, weak lamella" % (structure, viscosity), dict(fluid, **{"Lamella strength": "2.5e6"})
             yield "%s, slow" % structure, dict(gap, Speed="1", Damping="2e4")
