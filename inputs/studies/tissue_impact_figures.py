@@ -63,10 +63,14 @@ def table(head, lines):
 
 
 def spread(values, scale=1.0, digits=3):
-    """mean (least ... most)"""
+    """mean +- its standard error (least ... most)"""
     values = [scale * v for v in values]
+    if not values:
+        return "-"
     text = "%.*g" % (digits, np.mean(values))
-    return text if len(values) == 1 else text + " (%.*g ... %.*g)" % (digits, min(values), digits, max(values))
+    if len(values) == 1:
+        return text
+    return text + " +- %.1g (%.*g ... %.*g)" % (np.std(values, ddof=1) / len(values) ** 0.5, digits, min(values), digits, max(values))
 
 
 def failure(directory):
@@ -165,7 +169,7 @@ def compression(directory):
     figure, (left, right) = plt.subplots(1, 2, figsize=(8.6, 3.1))
     for run, r in results.items():
         curve = curves[run]
-        if run.startswith("9 cells") and any(not other.startswith("9 cells") and "yielding" in other and "gap 20" in other for other in results):
+        if run.startswith("9 cells") and any(not other.startswith("9 cells") and "yielding" in other and "gap 16" in other for other in results):
             continue # shown where the larger tissues are missing
         smooth = np.convolve(curve["stress_bottom [Pa]"], np.ones(5) / 5, "same")[2:-2]
         left.plot(100 * curve["strain"][2:-2], smooth / 1e3, "--" if "elastic" in run else "-", linewidth=1.4,
@@ -216,4 +220,4 @@ if __name__ == "__main__":
               (0, 4, 6, 8, 12))
         cells(where, sys.argv[2], "impact", [("%s_wall_x_%d_viscosity_x_%d" % (s, w, v), "%s, wall x %d, viscosity x %d" % (s, w, v)) for s, w, v in
                                              (("dense", 1, 1), ("dense", 1, 1000), ("dense", 10, 1), ("sparse", 1, 1))], (0, 2, 4, 8, 12))
-        cells(where, sys.argv[2], "compression", [("gap_%d_um_yielding" % g, "gap %d um" % g) for g in (0, 10, 20, 24)], (0, 4, 8, 12))
+        cells(where, sys.argv[2], "compression", [("gap_%d_um_yielding" % g, "gap %d um" % g) for g in (0, 8, 16, 24)], (0, 4, 8, 12))
