@@ -23,7 +23,9 @@ OuterCells find_outer_cells(const Particles<3> &particles)
     farthest = std::max(farthest, (particles.position(i) - result.centre).norm());
 
   // A patch of 2 sqrt(3) R^2, what a sphere of a closest layer covers, is square here: side 1.86 R.
-  const double side = std::sqrt(2. * std::sqrt(3.)) * result.mean_radius, reach = std::max(farthest, 1e-3 * result.mean_radius);
+  // Cells that have been thrown far apart (more than 500 radii) get larger patches, a million in all: memory has an end.
+  const double reach = std::max(farthest, 1e-3 * result.mean_radius),
+               side = std::max(std::sqrt(2. * std::sqrt(3.)) * result.mean_radius, reach * std::sqrt(4. * pi / 1e6));
   const std::size_t rings = std::size_t(std::clamp(pi * reach / side, 1., 1e4));
   std::vector<std::size_t> first(rings + 1, 0);
   for (std::size_t k = 0; k < rings; ++k)

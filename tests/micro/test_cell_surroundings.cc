@@ -186,6 +186,17 @@ BOOST_AUTO_TEST_CASE(plane_wall_by_hand)
                         [](const auto &e) { return std::string(e.what()).find("passed a rigid wall") != std::string::npos; });
 }
 
+// Four cells that have been thrown a kilometre apart: all are outer cells, and no patches of a cell's size are laid over the kilometres.
+BOOST_AUTO_TEST_CASE(outer_cells_of_a_scattered_cloud)
+{
+  CellPopulation cloud;
+  for (const Vector<3> &x : {Vector<3>(1e3, 1e3, 1e3), Vector<3>(-1e3, -1e3, 1e3), Vector<3>(-1e3, 1e3, -1e3), Vector<3>(1e3, -1e3, -1e3)})
+    cloud.add(x, 6.5e-6, 600.);
+  const OuterCells outer = find_outer_cells(cloud.particles);
+  BOOST_TEST(outer.cells.size() == 4u);
+  BOOST_TEST(outer.edge == std::sqrt(3.) * 1e3, boost::test_tools::tolerance(1e-8));
+}
+
 BOOST_AUTO_TEST_CASE(dextran_forces_balance_and_carry_the_given_virial)
 {
   CellPopulation ball;
