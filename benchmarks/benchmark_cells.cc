@@ -6,7 +6,8 @@
 // pair_mechanics: whole explicit steps without pair friction (is the list still good, lists as often as the moving cells need,
 //   forces of all contacts, velocities, positions). Counters: cpu_ns_cell (CPU time of all threads, a step), neighbours (in the
 //   list), contacts, steps_per_list, bytes_cell (lists, contacts and friction matrix).
-// friction: the matrix at one state, pair friction 10 times the medium's. assembly_ns_cell: with the right-hand side and one
+// friction: the matrix at one state, pair friction 10 times the medium's, half of it sideways; friction_isotropic: all of it,
+//   which needs no directions (and is what explicit steps of the scenes have). assembly_ns_cell: with the right-hand side and one
 //   product; iteration_ns_cell: of conjugate gradients to 1e-6.
 // The time column is wall time.
 #include "micro/engine/counter_random.h"
@@ -95,7 +96,8 @@ BENCHMARK(pair_mechanics)
   ->MeasureProcessCPUTime()
   ->UseRealTime();
 
-void friction(benchmark::State &state)
+/// sideways: tangential over normal friction.
+void solve_friction(benchmark::State &state, const double sideways)
 {
   const std::size_t n = std::size_t(state.range(0));
   const unsigned int threads = unsigned(state.range(1));
@@ -105,7 +107,8 @@ void friction(benchmark::State &state)
   contacts.add_forces(cells, threads);
   const double area = 3.14 * 0.5 * R_0 * 0.1 * R_0, pair = 5e10;
   const std::vector<double> gamma(n, 11. * area * pair / 10.);
-  Friction assembled({.normal = pair, .tangential = pair, .tolerance = 1e9}), solved({.normal = pair, .tangential = pair});
+  Friction assembled({.normal = pair, .tangential = sideways * pair, .tolerance = 1e9}),
+    solved({.normal = pair, .tangential = sideways * pair});
   for (Friction *warm : {&assembled, &solved}) // memory is there
     warm->velocities(cells, contacts, gamma, 0., threads);
   double assembly = 0., all = 0., iterations = 0.;
@@ -128,7 +131,14 @@ void friction(benchmark::State &state)
   state.counters["iterations"] = iterations / runs;
   state.counters["bytes_cell"] = double(solved.memory_bytes()) / double(n);
 }
+void friction(benchmark::State &state) { solve_friction(state, 0.5); }
+void friction_isotropic(benchmark::State &state) { solve_friction(state, 1.); }
 BENCHMARK(friction)
+  ->ArgNames({"cells", "threads"})
+  ->ArgsProduct({{1000, 10000, 100000, 1000000}, {1, 2}})
+  ->MeasureProcessCPUTime()
+  ->UseRealTime();
+BENCHMARK(friction_isotropic)
   ->ArgNames({"cells", "threads"})
   ->ArgsProduct({{1000, 10000, 100000, 1000000}, {1, 2}})
   ->MeasureProcessCPUTime()

@@ -10,14 +10,13 @@
 //
 // A linearly implicit step, (Gamma + dt K) v = F with K = -dF/dx, has the same form: the contact's stiffness k adds
 // dt k to the normal friction of the pair, F/d (where it pulls) dt to the tangential one.
-// How it is solved: the matrix that conjugate gradients multiply with is kept in single precision (96 bytes for four links, its
-// vectors in double): that is what a core can stream. The residual that counts is the exact matrix's in double, computed at
-// the start and the end; where it is above the tolerance, a correction is solved for (iterative refinement). Rows are computed by one
-// thread in the order of the pair list, sums in the order of chunks: same bits on any number of threads.
+// How it is solved: conjugate gradients in single precision (friction_matrix.h), which is what a core can stream; their sums
+// in double. The residual that counts is the exact matrix's in double, computed at the start and the end; where it is above the
+// tolerance, a correction is solved for (iterative refinement). Rows are computed by one thread in the order of the pair
+// list, sums in the order of chunks: same bits on any number of threads.
 #pragma once
 
-#include "micro/engine/pair_list.h"
-#include "micro/terms/sphere_contacts.h"
+#include "micro/terms/friction_matrix.h"
 
 #include <vector>
 
@@ -53,39 +52,20 @@ private:
   {
     Lanes v{};
   };
-  struct alignas(16) Links ///< four pairs of one cell; Gamma v = tangential v + difference e (e.v). Empty places: zeros and the cell itself
-  {
-    float e[3][4];
-    float tangential[4], difference[4]; ///< N s/m
-    std::uint32_t other[4];
-  };
-  struct alignas(16) Block ///< 3 x 3, the fourth numbers are 0
-  {
-    float column[3][4];
-  };
-  struct Coefficients ///< N s/m, of a pair
-  {
-    double normal, tangential;
-  };
 
-  bool none(double implicit_step) const;
-  Coefficients coefficients(const PairContact &contact, double implicit_step) const;
-  void assemble(const SphereContacts &contacts, unsigned int threads);
-  /// Row i of the single-precision matrix times x.
-  Lanes product(std::size_t i, const std::vector<Row> &x) const;
+  bool none() const;
   /// r = F - A v, exact matrix; its square.
   double exact_residual(const Particles<3> &particles, const SphereContacts &contacts, unsigned int threads);
-  void correct(double target, double residual, unsigned int threads, double allowed);
+  void correct(double target, double start, unsigned int threads, double allowed);
   void solve(Particles<3> &particles, const SphereContacts &contacts, unsigned int threads);
-  Lanes preconditioned(std::size_t i) const;
 
   FrictionParameters parameters;
-  double step = 0.;                      ///< s, the implicit one of the last velocities()
-  std::vector<Links> links;
-  std::vector<std::uint32_t> first, end; ///< of cell i in links
-  std::vector<double> own;               ///< gamma
-  std::vector<Block> inverse;            ///< of the diagonal blocks
-  std::vector<Row> v, r, s, As, correction;
+  PairFriction pair; ///< with the implicit step of the last velocities()
+  FrictionMatrix matrix;
+  std::vector<double> own; ///< gamma
+  std::vector<Row> v;
+  std::vector<FloatRow> p;
+  std::vector<Eight> r, Ap, correction;
   std::vector<double> parts;
   unsigned int last_iterations = 0;
   std::uint64_t all_iterations = 0;

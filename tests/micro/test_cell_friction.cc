@@ -5,6 +5,8 @@
 #include "micro/processes/cell_motility.h"
 #include "micro/terms/cell_friction.h"
 
+#include <boost/test/data/monomorphic.hpp>
+#include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include <set>
@@ -118,14 +120,16 @@ BOOST_AUTO_TEST_CASE(forces_are_minus_the_slope_of_the_energy_and_balance)
     }
 }
 
-BOOST_AUTO_TEST_CASE(friction_agrees_with_a_dense_solution_on_any_number_of_threads)
+BOOST_DATA_TEST_CASE(friction_agrees_with_a_dense_solution_on_any_number_of_threads,
+                     // more along the line, more across it, the same (no directions stored)
+                     boost::unit_test::data::make({5e10, 2e10, 3e10}) ^ boost::unit_test::data::make({2e10, 5e10, 3e10}), normal, tangential)
 {
-  const std::uint32_t n = 150;
+  const std::uint32_t n = 150; // no multiple of eight
   Particles<3> p = crowd(n, 6);
   SphereContacts contacts(HertzContact(), 1e-6);
   contacts.add_forces(p, 1);
   const std::vector<double> gamma(n, 1e-2); // pair friction is about 0.5 N s/m
-  FrictionParameters parameters{.normal = 5e10, .tangential = 2e10, .tolerance = 1e-10};
+  FrictionParameters parameters{.normal = normal, .tangential = tangential, .tolerance = 1e-10};
   Friction friction(parameters);
   friction.velocities(p, contacts, gamma, 0., 1);
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(3 * n, 3 * n);
@@ -160,6 +164,23 @@ BOOST_AUTO_TEST_CASE(friction_agrees_with_a_dense_solution_on_any_number_of_thre
   Friction(parameters).velocities(q, same, gamma, 0., 2);
   for (int d = 0; d < 3; ++d)
     BOOST_CHECK(p.v[d] == q.v[d]);
+}
+
+// Several chunks of rows, shared out over threads.
+BOOST_AUTO_TEST_CASE(a_large_matrix_gives_the_same_bits_on_two_threads)
+{
+  std::vector<double> ends[2];
+  for (const unsigned int threads : {1u, 2u})
+    {
+      Particles<3> p = crowd(3001, 7);
+      SphereContacts contacts(HertzContact(), 1e-6);
+      contacts.add_forces(p, threads);
+      Friction friction({.normal = 5e10, .tangential = 2e10});
+      friction.velocities(p, contacts, std::vector<double>(3001, 0.1), 0., threads);
+      BOOST_TEST(friction.iterations() > 0u);
+      ends[threads - 1] = p.v[2];
+    }
+  BOOST_CHECK(ends[0] == ends[1]);
 }
 
 // Two cells drawn along their line: relative velocity 2 F/(gamma + 2 A normal) each way; across it with the tangential one.

@@ -1,0 +1,72 @@
+// Vectors of cells in single precision, eight cells at a time: by components (one register each) and as rows.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace turgor
+{
+using EightFloats = float __attribute__((vector_size(32)));
+
+/// A vector of each of eight cells.
+struct Eight
+{
+  EightFloats x{}, y{}, z{};
+};
+
+/// A vector of one cell, the fourth number is 0.
+using FloatRow = float __attribute__((vector_size(16)));
+
+namespace eight_floats
+{
+using Pick = std::int32_t __attribute__((vector_size(32)));
+
+/// Rows a and b side by side.
+inline EightFloats beside(const FloatRow a, const FloatRow b)
+{
+  return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+
+/// Rows a[0..7] given as row(k), by components.
+template <class GiveRow>
+inline Eight columns(const GiveRow &row)
+{
+  const EightFloats a = beside(row(0), row(4)), b = beside(row(1), row(5)), c = beside(row(2), row(6)), d = beside(row(3), row(7));
+  const Pick low{0, 8, 1, 9, 4, 12, 5, 13}, high{2, 10, 3, 11, 6, 14, 7, 15};
+  const EightFloats ab = __builtin_shuffle(a, b, low), cd = __builtin_shuffle(c, d, low), ab_z = __builtin_shuffle(a, b, high),
+                    cd_z = __builtin_shuffle(c, d, high);
+  const Pick first{0, 1, 8, 9, 4, 5, 12, 13}, second{2, 3, 10, 11, 6, 7, 14, 15};
+  return {__builtin_shuffle(ab, cd, first), __builtin_shuffle(ab, cd, second), __builtin_shuffle(ab_z, cd_z, first)};
+}
+
+/// The other way, to rows[0..7].
+inline void to_rows(const Eight &v, FloatRow *rows)
+{
+  const EightFloats none{};
+  const Pick low{0, 8, 1, 9, 4, 12, 5, 13}, high{2, 10, 3, 11, 6, 14, 7, 15};
+  const EightFloats xy = __builtin_shuffle(v.x, v.y, low), z0 = __builtin_shuffle(v.z, none, low),
+                    xy_2 = __builtin_shuffle(v.x, v.y, high), z0_2 = __builtin_shuffle(v.z, none, high);
+  const Pick first{0, 1, 8, 9, 4, 5, 12, 13}, second{2, 3, 10, 11, 6, 7, 14, 15};
+  const EightFloats two[4] = {__builtin_shuffle(xy, z0, first), __builtin_shuffle(xy, z0, second),
+                              __builtin_shuffle(xy_2, z0_2, first), __builtin_shuffle(xy_2, z0_2, second)};
+  for (int k = 0; k < 4; ++k)
+    {
+      rows[k] = __builtin_shufflevector(two[k], two[k], 0, 1, 2, 3);
+      rows[k + 4] = __builtin_shufflevector(two[k], two[k], 4, 5, 6, 7);
+    }
+}
+
+using FourDoubles = double __attribute__((vector_size(32)));
+
+/// Lanes added in pairs, as doubles.
+inline FourDoubles wide(const EightFloats a)
+{
+  return __builtin_convertvector(__builtin_shufflevector(a, a, 0, 1, 2, 3), FourDoubles)
+         + __builtin_convertvector(__builtin_shufflevector(a, a, 4, 5, 6, 7), FourDoubles);
+}
+
+inline double sum(const FourDoubles a) { return (a[0] + a[1]) + (a[2] + a[3]); }
+
+inline EightFloats dot(const Eight &a, const Eight &b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+} // namespace eight_floats
+} // namespace turgor
