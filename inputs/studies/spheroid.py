@@ -1,4 +1,4 @@
-"""Tables of growing spheroids without capsule: each named study is a list of runs whose results make the rows of one CSV.
+"""Tables of growing spheroids: each named study is a list of runs whose results make the rows of one CSV.
 
   python3 inputs/studies/spheroid.py NAME [--program build/app/turgor] [--directory runs] [--only-table]
 
@@ -6,6 +6,7 @@ tolerance    error and cost of the engine's tolerance and of the interval betwee
              pressure acts back)
 relaxation   relaxation time of a compressed spheroid over friction and over the cells' own T_rel
 free         free growth over seed, friction, adhesion, direction of division
+packing      a capsule of 50 um by C.9 as repaired and by the contacts of a closest packing; spheroid_density.py reads its fields
 The table goes to doc/results/spheroid/NAME.csv.
 """
 from table_of_runs import main
@@ -58,5 +59,14 @@ def free():
         yield f"K_{K}_hill", "spheroid_free", {**case, "Growth/Inhibition": "hill", "Cell/Bulk modulus": K}
 
 
+def packing():
+    case = {"Capsule/Radius": 50e-6, "Capsule/Thickness": 4e-6, "First cells": 180, "Capsule/Time confined": 172800, "Duration": 400000,
+            "Frames": 150, "Checkpoints": 0}
+    for law in ("C9", "closest"):
+        for seed in (1, 2):
+            yield f"{law}_seed{seed}", "spheroid_capsule", {**case, "Contact/Local stiffness": law, "Cell/Seed": seed}
+        yield f"{law}_solid_0.1", "spheroid_capsule", {**case, "Contact/Local stiffness": law, "Death/Solid fraction": 0.1}
+
+
 if __name__ == "__main__":
-    main({f.__name__: f for f in (tolerance, relaxation, free)}, "spheroid", __doc__)
+    main({f.__name__: f for f in (tolerance, relaxation, free, packing)}, "spheroid", __doc__)

@@ -29,7 +29,7 @@ STUDIES = {
     "eps_tr": {"eps_0.2": {"Growth/Threshold": 0.2}, "eps_0.5": {"Growth/Threshold": 0.5}},
     "alpha_qui": {"qui_0.33": {"Growth/Quiescence below": 0.33}, "qui_0.5": {"Growth/Quiescence below": 0.5}},
     "K": {f"K_{K / 1000:g}k": {"Cell/Bulk modulus": K, "Cell/Strain hardening": "false", "Growth/Inhibition": "none"}
-          for K in (2500, 10000, 150000)} | {"K_hardening": {"Growth/Inhibition": "none"}},
+          for K in (2500, 10000, 150000)} | {"K_hardening": {"Growth/Inhibition": "none"}},  # K_2.5k: see CUT_SHORT
     "T_lys": {"lys_5h": {"Death/Lysis time": 18000}, "lys_14d": {"Death/Lysis time": 1209600}},
     "timer": {"timer": {"Growth/Division at": "time"}},
     "friction": {"friction_1%": times(0.01), "friction_200%": times(2)},
@@ -40,6 +40,9 @@ STUDIES = {
                    "linear_0.8": {"Growth/Inhibition": "linear", "Growth/Threshold": 0.8}},
     "calibration": {"uncalibrated": {"Contact/Local stiffness": "none"}},
 }
+
+# Later the centre of a cell passes the wall and the run fails: soft cells under constant growth (at 70 h), contacts without calibration (36 h).
+CUT_SHORT = {"K_2.5k": 180000, "uncalibrated": 90000}
 
 
 def at(t, times, values):
@@ -66,9 +69,9 @@ def measure(place):
     hours = [(t - start) / 3600 for t in table["time"]]
     strain = [r / R_0 - 1 for r in table["capsule_radius"]]
     late = [k for k, t in enumerate(hours) if t >= 48]
-    return {"d24": at(24, hours, strain), "d48": at(48, hours, strain),
-            "rate": 24 * slope([hours[k] for k in late], [strain[k] for k in late]),
-            "density": at(48, hours, table["density"]) / at(0, hours, table["density"])}
+    return {"d24": at(24, hours, strain), "d48": at(48, hours, strain) if late else 0.,
+            "rate": 24 * slope([hours[k] for k in late], [strain[k] for k in late]) if len(late) > 2 else 0.,  # 0: ended before
+            "density": at(48, hours, table["density"]) / at(0, hours, table["density"]) if late else 0.}
 
 
 # (study, statement of the thesis, runs it needs, what has to hold for a yes)
@@ -108,8 +111,8 @@ STATEMENTS = [
      ("reference", "linear_0.35"), lambda r, a: abs(a["d48"] / r["d48"] - 1) < 0.15),
     ("growth_law", "a linear law with a longer reach overestimates it (5.4.2): dilatation at 48 h above 1.15", ("reference", "linear_0.8"),
      lambda r, a: a["d48"] > 1.15 * r["d48"]),
-    ("calibration", "contacts without calibrated stiffness give an unrealistic dilatation (C.3.1): off by more than 25 % at 48 h",
-     ("reference", "uncalibrated"), lambda r, a: abs(a["d48"] / r["d48"] - 1) > 0.25),
+    ("calibration", "contacts without calibrated stiffness give an unrealistic dilatation (C.3.1): off by more than 25 % at 24 h (the run does"
+     " not reach 48 h)", ("reference", "uncalibrated"), lambda r, a: abs(a["d24"] / r["d24"] - 1) > 0.25),
 ]
 
 
@@ -120,6 +123,9 @@ def main():
     variants = {"reference": {}}
     for name in chosen:
         variants.update(STUDIES[name])
+    for label, seconds in CUT_SHORT.items():
+        if label in variants:
+            variants[label] = {**variants[label], "Capsule/Time confined": seconds}
     done = run_all(options, ((label, "spheroid_capsule", {**SMALL, **entries}) for label, entries in variants.items()))
     measured, rows = {}, []
     for label, place, failed in done:

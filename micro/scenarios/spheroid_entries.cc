@@ -33,8 +33,9 @@ void CultureEntries::declare(dealii::ParameterHandler &prm)
                     Selection("hertz|extended_hertz|jkr"));
   prm.add_parameter("Adhesion", numbers.adhesion, "Energy of adhesion W. Units: J/m^2.", Double(0., 1e3));
   prm.add_parameter("Local stiffness", stiffness,
-                    "Rise of the modulus with the packing: none, C9 (repaired in errata, not confirmed), B19 or the name of a CSV file"
-                    " with a monotone table or polynomial (relative to the working directory). Units: none.",
+                    "Rise of the modulus with the packing: none, C9 (repaired in errata, not confirmed), closest (derived: cells of a"
+                    " closest packing fill all space and have the pressure of their volume), B19 or the name of a CSV file with a"
+                    " monotone table or polynomial (relative to the working directory). Units: none.",
                     Anything());
   prm.add_parameter("Normal friction", numbers.friction.normal, "Between cells, along their line, of the contact's area. Units: N s/m^3.",
                     Double(0., 1e20));
@@ -138,6 +139,8 @@ CultureParameters CultureEntries::parameters() const
     result.stiffness = LocalStiffness::repaired_C9();
   else if (stiffness == "B19")
     result.stiffness = LocalStiffness(0., {life.modulus, 0., 0., 0., 4e6}, HUGE_VAL);
+  else if (stiffness == "closest")
+    result.stiffness = LocalStiffness::closest_packing(life.modulus, life.poisson, life.bulk_modulus, life.volume.hardening);
   else if (stiffness != "none")
     result.stiffness = LocalStiffness::from_file(stiffness);
   result.motion.method = method == "euler" ? OverdampedMethod::euler : method == "heun" ? OverdampedMethod::heun : OverdampedMethod::implicit;

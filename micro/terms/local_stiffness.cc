@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <numbers>
 #include <sstream>
 #include <stdexcept>
 
@@ -82,6 +83,29 @@ LocalStiffness::LocalStiffness(std::vector<std::pair<double, double>> values)
 LocalStiffness LocalStiffness::repaired_C9()
 {
   return LocalStiffness(0.08, {445.4, 2.347e5, -7.918e6, 6.615e8, -1.206e9, -3.091e9, 1.1239e10}, 1e6);
+}
+
+LocalStiffness LocalStiffness::closest_packing(const double modulus, const double poisson, const double bulk_modulus,
+                                               const bool hardening)
+{
+  constexpr double packed = 3. * std::numbers::sqrt2 / std::numbers::pi; // V/V_ref = packed (1 - d)^3
+  const double s = std::cbrt(packed);
+  const double per_pressure = (1. - poisson * poisson) * 3. / (4. * std::numbers::sqrt2 * std::sqrt(0.25 * s) * std::pow(s - 1., 1.5));
+  constexpr double farthest = 0.6; // packed there to a twelfth of the volume
+  constexpr int pieces = 200;
+  // where it exceeds E: p = E/per_pressure
+  const double p_0 = modulus / per_pressure / bulk_modulus;
+  const double first = 1. - std::cbrt((hardening ? 1. / (1. + p_0) : std::exp(-p_0)) / packed);
+  if (!(first < farthest))
+    throw std::invalid_argument("contact stiffness: with E = " + number(modulus) + " Pa and K_0 = " + number(bulk_modulus)
+                                + " Pa the contacts are stiffer than the volumes throughout; a closest packing does not need more.");
+  std::vector<std::pair<double, double>> rows = {{first, modulus}};
+  for (int k = 1; k <= pieces; ++k)
+    {
+      const double d = first + (farthest - first) * k / pieces, ratio = packed * std::pow(1. - d, 3);
+      rows.push_back({d, per_pressure * bulk_modulus * (hardening ? 1. / ratio - 1. : -std::log(ratio))});
+    }
+  return LocalStiffness(rows);
 }
 
 LocalStiffness LocalStiffness::from_file(const std::string &path)

@@ -7,6 +7,11 @@
 //   C.9 as repaired in errata.md (powers of d - 0.08, a_0 = 445.4 Pa; plausible, NOT confirmed) is the default; the largest
 //   modulus, 1 MPa, is the end of the range in Table C.2: nothing is extrapolated beyond it.
 //   B.19: d_0 = 0, a_0 = E, a_4 = 4e6 Pa.
+//   closest packing (derived, nothing fitted): what C.9 has to be where the cells, in the closest packing the calibration of C.1.5
+//   starts from, leave no gaps. Volume per cell r^3/sqrt 2, so V/V_ref = 3 sqrt 2/pi (1 - d)^3, 1 at d = 0.095; p(V) by C.1,
+//   C.2. The virial of twelve contacts asks F = p V/(2 r) of each; Hertz (2.5) with the radii of V gives
+//   E = (1 - nu^2) p 3/(4 sqrt 2 sqrt(s/4) (s - 1)^(3/2)) = 22.6 p,  s = 2 R/r = (3 sqrt 2/pi)^(1/3).
+//   C.9 as repaired is 3 to 15 times as stiff between d = 0.1 and 0.2: see doc/results/spheroid/density.md.
 //
 // g has to be monotone: a modulus that falls under compression lets cells collapse. A table (d, E) is interpolated linearly.
 // A factor on the cell's own modulus (not the printed sum), so that cells of different E keep their ratio and the law is continuous.
@@ -32,6 +37,8 @@ public:
   explicit LocalStiffness(std::vector<std::pair<double, double>> table);
 
   static LocalStiffness repaired_C9();
+  /// E (Pa) and nu of the contacts; K_0 (Pa) of the volumes, hardening by C.2 or not.
+  static LocalStiffness closest_packing(double modulus, double poisson, double bulk_modulus, bool hardening);
   /// CSV with the head "compression,modulus" (a table) or "power,coefficient" (a polynomial, with lines "offset,d_0" and
   /// "largest,E" before the powers). Throws std::invalid_argument naming file and line.
   static LocalStiffness from_file(const std::string &path);

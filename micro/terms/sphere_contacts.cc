@@ -154,18 +154,6 @@ double SphereContacts::energy() const
   return total;
 }
 
-double SphereContacts::pressure(const Particles<3> &particles, const std::uint32_t i, const double V) const
-{
-  const std::vector<double> &radius = particles.field("radius");
-  double trace = 0.; // f_ij . r_ij, f on i
-  for (std::uint32_t k = pairs.first()[i]; k < pairs.first()[i + 1]; ++k)
-    {
-      const PairContact &c = contact[pairs.own()[k]];
-      trace -= c.force * 0.5 * (c.distance + radius[i] - radius[pairs.other()[k]]);
-    }
-  return -trace / (3. * V);
-}
-
 void SphereContacts::gather(const std::vector<std::uint32_t> &source)
 {
   if (!std::visit([](const auto &one) { return one.has_history; }, law))

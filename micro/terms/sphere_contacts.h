@@ -11,8 +11,7 @@
 // uniform compression, an upper bound for implicit steps.
 //
 // For speed: what the pairs read of a cell is packed into one cache line first; a pair is computed once, in parallel over pairs.
-// Stress of a cell (thesis Eq. 2.13, 2.14 with the sign of errata): sigma_i = (1/V_i) sum_j f_ij (x) r_ij over its contacts,
-// r_ij from its centre to the contact plane, |r_ij| = (d + R_i - R_j)/2; p_i = -tr(sigma_i)/3.
+// The stress of a cell from its contacts: cell_stress.h.
 #pragma once
 
 #include "micro/engine/pair_list.h"
@@ -52,8 +51,6 @@ public:
   void add_forces(Particles<3> &particles, unsigned int threads, bool trial = false);
 
   double energy() const; ///< J
-  /// Pa, mean pressure of one cell, V: m^3.
-  double pressure(const Particles<3> &particles, std::uint32_t cell, double V) const;
 
   /// The cells have other places, cell k is what source[k] was: what touched goes on touching. contacts() is empty until the
   /// next add_forces.

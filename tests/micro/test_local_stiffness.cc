@@ -1,5 +1,5 @@
-// Contact modulus that rises with compression: the repaired C.9, B.19, tables, files, and what is refused.
-#include "micro/terms/local_stiffness.h"
+// Contact modulus that rises with compression: the repaired C.9, B.19, that of a closest packing, tables, files, and what is refused.
+#include "micro/cells/cell_stress.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <numbers>
 
 using namespace turgor;
 
@@ -45,6 +46,50 @@ BOOST_AUTO_TEST_CASE(repaired_C9_starts_at_445_Pa_rises_and_ends_at_1_MPa)
       if (d > 0.081 && d < 0.212)
         BOOST_TEST((law(d + h).factor - law(d - h).factor) / (2. * h) == law(d).slope, boost::test_tools::tolerance(1e-6));
     }
+}
+
+// A cell among its twelve neighbours of the closest packing, all of the volume that fills space: the virial pressure is that of the volume.
+BOOST_AUTO_TEST_CASE(closest_packing_has_the_pressure_of_its_volume)
+{
+  constexpr double R_ref = 7e-6, E = 450., nu = 0.485, K = 5e3;
+  for (const bool hardening : {true, false})
+    {
+      SphereContacts contacts(HertzContact(), 1e-6, LocalStiffness::closest_packing(E, nu, K, hardening));
+      for (const double ratio : {0.9, 0.6, 0.3})
+        {
+          Particles<3> p;
+          p.resize(13);
+          std::size_t i = 0;
+          for (const char *name : {"radius", "modulus", "reference_volume"})
+            p.declare(name);
+          const double V_ref = 4. / 3. * std::numbers::pi * R_ref * R_ref * R_ref, side = std::cbrt(std::numbers::sqrt2 * V_ref * ratio);
+          const double unit = side / std::numbers::sqrt2;
+          for (int z = -1; z <= 1; ++z)
+            for (int y = -1; y <= 1; ++y)
+              for (int x = -1; x <= 1; ++x)
+                if ((x + y + z) % 2 == 0)
+                  {
+                    p.x[0][i] = unit * x;
+                    p.x[1][i] = unit * y;
+                    p.x[2][i] = unit * z;
+                    p.field("radius")[i] = R_ref * std::cbrt(ratio);
+                    p.field("modulus")[i] = E / (1. - nu * nu);
+                    p.field("reference_volume")[i++] = V_ref;
+                  }
+          BOOST_REQUIRE(i == 13u);
+          contacts.add_forces(p, 1);
+          const double expected = hardening ? K * (1. / ratio - 1.) : -K * std::log(ratio);
+          std::vector<Tensor2<3>> virial;
+          cell_virials(p, contacts, 1, virial);
+          BOOST_TEST(-virial[6].trace() / (3. * V_ref * ratio) == expected, boost::test_tools::tolerance(1e-4)); // the table's pieces
+        }
+    }
+  BOOST_TEST(LocalStiffness::closest_packing(E, nu, K, true)(0.095).factor == 1.);
+}
+
+BOOST_AUTO_TEST_CASE(closest_packing_of_stiff_contacts_is_refused)
+{
+  refused([] { LocalStiffness::closest_packing(1e9, 0.4, 1e3, false); }, "stiffer than the volumes throughout");
 }
 
 BOOST_AUTO_TEST_CASE(B19_is_a_polynomial_from_zero)

@@ -3,58 +3,15 @@
 #include "micro/scenarios/monolayer.h"
 #include "micro/scenarios/spheroid_free.h"
 #include "micro/scenarios/spheroid_relaxation.h"
-#include "tests/memory_context.h"
+#include "tests/micro/run_of_scene.h"
 
 #include <boost/test/unit_test.hpp>
-
-#include <deal.II/base/parameter_handler.h>
 
 using namespace turgor;
 
 namespace
 {
-using Rows = std::vector<std::vector<double>>;
-
-template <class Scene>
-void read(Scene &scene, const std::string &text)
-{
-  dealii::ParameterHandler prm;
-  scene.declare_parameters(prm);
-  prm.parse_input_from_string(text);
-  scene.check();
-}
-
-struct Outcome
-{
-  Rows rows;
-  std::map<std::string, double> results;
-};
-
-template <class Scene>
-Outcome run(const std::string &text, const unsigned int threads = 1, const unsigned long stop_at = 0)
-{
-  test::Disk disk;
-  Outcome outcome;
-  for (bool resume = false;; resume = true)
-    {
-      Scene scene;
-      read(scene, text);
-      test::MemoryContext context(disk, resume);
-      context.use_threads = threads;
-      context.stop_at = resume ? 0 : stop_at;
-      try
-        {
-          scene.run(context);
-          outcome.rows = disk.series.at("growth");
-          outcome.results = context.results;
-          return outcome;
-        }
-      catch (const RunStopped &)
-        {
-          BOOST_REQUIRE(!resume);
-        }
-    }
-}
+using test::Outcome, test::read, test::run;
 
 // Small, crowded, with everything that happens to cells: inhibition, rest, divisions, deaths from a low pressure on, lysis, removal.
 const std::string eventful = R"(

@@ -3,7 +3,7 @@
 #include "micro/engine/space_order.h"
 #include "micro/scenarios/spheroid_capsule.h"
 #include "micro/scenarios/spheroid_dextran.h"
-#include "tests/memory_context.h"
+#include "tests/micro/run_of_scene.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -15,37 +15,7 @@ using namespace turgor;
 
 namespace
 {
-struct Outcome
-{
-  std::vector<std::vector<double>> rows;
-  std::map<std::string, double> results;
-};
-
-template <class Scene>
-Outcome run(const std::string &text, const unsigned int threads = 1, const unsigned long stop_at = 0)
-{
-  test::Disk disk;
-  for (bool resume = false;; resume = true)
-    {
-      Scene scene;
-      dealii::ParameterHandler prm;
-      scene.declare_parameters(prm);
-      prm.parse_input_from_string(text);
-      scene.check();
-      test::MemoryContext context(disk, resume);
-      context.use_threads = threads;
-      context.stop_at = resume ? 0 : stop_at;
-      try
-        {
-          scene.run(context);
-          return {disk.series.at("growth"), context.results};
-        }
-      catch (const RunStopped &)
-        {
-          BOOST_REQUIRE(!resume);
-        }
-    }
-}
+using test::Outcome, test::run;
 
 /// A ball of 60 cells, all that a run of the thesis has; deaths from a low pressure on.
 const std::string cells = R"(

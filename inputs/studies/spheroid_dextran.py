@@ -1,0 +1,56 @@
+"""The five cell lines of experiment II (thesis 5.4.2, Fig. 5.1B, D-G): each free and under dextran, nothing refitted.
+
+  python3 inputs/studies/spheroid_dextran.py NAME [--program build/app/turgor] [--directory runs] [--only-table]
+
+small        400 first cells (about 60 um of radius where the experiment has 100 um), 3 days; BC52 and FHI 2 more after the change of their
+             rim, which comes after 3 days here instead of 9. CT26 also with the contacts of a closest packing (density.md)
+full         2000 first cells, 9 days, BC52 and FHI 14
+The tables go to doc/results/spheroid/dextran_<name>.csv with the ratio of the pressed line's speed to its control, the picture
+beside them.
+"""
+import os
+import sys
+
+from table_of_runs import ROOT, options_of, row_of, run_all, write_table
+
+LINES = {"CT26": 5000, "AB6": 5000, "HT29": 10000, "BC52": 5000, "FHI": 5000}  # Pa
+TWO_REGIMES = ("BC52", "FHI")
+DAY = 86400
+
+
+def runs(name):
+    cells, first, second = {"small": (400, 3 * DAY, 2 * DAY), "full": (2000, 9 * DAY, 5 * DAY)}[name]
+    for line, pressure in LINES.items():
+        entries = {"First cells": cells, "Frames": 0, "Checkpoints": 0, "Samples": 150, "Dextran/Cell line": line,
+                   "Dextran/Regime change": first, "Duration": first + second * (line in TWO_REGIMES)}
+        yield f"{line}_free", "spheroid_dextran", {**entries, "Dextran/Pressure": 0}
+        yield f"{line}_{pressure // 1000}kPa", "spheroid_dextran", {**entries, "Dextran/Pressure": pressure}
+        if line == "CT26":
+            yield "CT26_5kPa_closest", "spheroid_dextran", {**entries, "Dextran/Pressure": pressure, "Contact/Local stiffness": "closest"}
+
+
+def main():
+    options = options_of(["small", "full"], __doc__)
+    name, options.study = options.study, "dextran_" + options.study
+    done = run_all(options, runs(name))
+    rows, speed = [], {}
+    for label, place, failed in done:
+        rows.append(row_of(label, place, failed))
+        line = label.split("_")[0]
+        for key in ("radial_speed", "radial_speed_first", "radial_speed_second"):
+            value = float(rows[-1].get(f"{key} [um/d]", "nan"))
+            rows[-1][f"{key} [um/h]"] = f"{value / 24:.4g}" if value == value else ""
+            if label.endswith("free"):
+                speed[line, key] = value
+            elif value == value:
+                rows[-1][f"{key}_over_control"] = f"{value / speed[line, key]:.4g}"
+    write_table("spheroid", options.study, rows)
+    shown = [(label.replace("_", " "), place) for label, place, _ in done if place is not None]
+    if shown:
+        sys.path.insert(0, os.path.join(ROOT, "app", "plots"))
+        from spheroid_dextran import draw
+        draw(shown, os.path.join(ROOT, "doc", "results", "spheroid", f"{options.study}.png"))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,53 @@
+// Runs a scene of growing cells in memory: its growth.csv and its results, at once or with a stop and a resumed run.
+#pragma once
+
+#include "tests/memory_context.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace turgor::test
+{
+struct Outcome
+{
+  std::vector<std::vector<double>> rows;
+  std::map<std::string, double> results;
+};
+
+template <class Scene>
+void read(Scene &scene, const std::string &text)
+{
+  dealii::ParameterHandler prm;
+  scene.declare_parameters(prm);
+  prm.parse_input_from_string(text);
+  scene.check();
+}
+
+template <class Scene>
+Outcome run(const std::string &text, const unsigned int threads = 1, const unsigned long stop_at = 0)
+{
+  Disk disk;
+  for (bool resume = false;; resume = true)
+    {
+      Scene scene;
+      read(scene, text);
+      MemoryContext context(disk, resume);
+      context.use_threads = threads;
+      context.stop_at = resume ? 0 : stop_at;
+      try
+        {
+          scene.run(context);
+          return {disk.series.at("growth"), context.results};
+        }
+      catch (const RunStopped &)
+        {
+          BOOST_REQUIRE(!resume);
+        }
+    }
+}
+} // namespace turgor::test
