@@ -56,18 +56,17 @@ def draw(runs, path):
     at = np.array([min(2.0, 0.5 * last), last])
     for slope, name, style_of in ((2.0, "experiment, thin: 2 µm/d (slope only)", (0, (5, 2))), (0.7, "experiment, thick: 0.7 µm/d (slope only)", (0, (1, 2)))):
         axes[0].plot(at, slope * (at - at[0]) + (8 if slope > 1 else 3), color=INK, linewidth=1.1, linestyle=style_of, label=name)
-    axes[1].axhline(1.5, color=INK, linewidth=1, linestyle=(0, (5, 2)))
-    axes[1].annotate("transition in the experiment, about 1.5 kPa", (last, 1.5), xytext=(0, -12), textcoords="offset points",
-                     ha="right", fontsize=8, color=INK)
+    axes[1].axhline(1.5, color=INK, linewidth=1, linestyle=(0, (5, 2)), label="experiment: transition at about 1.5 kPa")
     axes[2].plot([0, min(2, last)], [0.85, 2.0], "D", color=INK, markersize=6, label="experiment: 0.85, after 48 h 2")
     for axis, text in zip(axes, ("capsule dilated by [µm]", "pressure on the capsule [kPa]", "cells per 100 µm² of a section")):
         axis.set_xlabel("time after confluence [d]", color=INK)
         axis.set_ylabel(text, color=INK)
         axis.axvline(0, color="#c8d0d6", linewidth=0.8)
         style(axis)
-    axes[0].set_ylim(top=1.5 * axes[0].get_ylim()[1])  # room for the legend
-    axes[0].legend(frameon=False, fontsize=8, loc="upper left")
-    axes[2].legend(frameon=False, fontsize=8)
+    for axis, which in ((axes[0], slice(None)), (axes[1], slice(-1, None)), (axes[2], slice(-1, None))):  # curves are named once
+        axis.set_ylim(top=(1.5 if axis is axes[0] else 1.12) * axis.get_ylim()[1])  # room for the legend
+        handles, labels = axis.get_legend_handles_labels()
+        axis.legend(handles[which], labels[which], frameon=False, fontsize=8, loc="upper left")
     figure.savefig(path, dpi=130)
     plt.close(figure)
     return path
