@@ -15,32 +15,42 @@ from drawing import ACCENT, ALONG, INK, plt, read_table, style  # noqa: E402
 DAY = 86400.0
 
 
-def draw(runs, path):
+def draw(runs, path, regime_change=9.0):
+    """regime_change: d, when the rim of BC52 and FHI changes."""
     lines = list(dict.fromkeys(label.split()[0] for label, _ in runs))
-    figure, axes = plt.subplots(1, len(lines) + 1, figsize=(3.4 * (len(lines) + 1), 3.8), layout="constrained", squeeze=False)
-    axes = axes[0]
+    columns = min(3, len(lines) + 1)
+    rows = -(-(len(lines) + 1) // columns)
+    figure, axes = plt.subplots(rows, columns, figsize=(4.2 * columns, 3.6 * rows), layout="constrained", squeeze=False)
+    axes = axes.ravel()
+    last = axes[len(lines)]
     for label, directory in runs:
         table = read_table(os.path.join(directory, "growth.csv"))
         t = table["time [s]"] / DAY
         free = "free" in label
-        colour = ACCENT if free else ALONG
+        colour = ACCENT if free else "#8a6fb0" if "closest" in label else ALONG
         axis = axes[lines.index(label.split()[0])]
         axis.plot(t, table["radius [m]"] * 1e6, color=colour, linewidth=2, linestyle="-" if free else (0, (5, 2)), label=label)
-        axes[-1].plot(t, table["pressure [Pa]"] / 1e3, color=colour, linewidth=1, label=label)
+        last.plot(t, table["pressure [Pa]"] / 1e3, color=colour, linewidth=1)
     for line, axis in zip(lines, axes):
-        if line == "BC52":
-            t = np.array([0.0, 9.0])
-            start = axis.lines[0].get_ydata()[0]
-            axis.plot(t, start + 0.41 * 24 * t, color=INK, linewidth=1, linestyle=(0, (1, 2)), label="experiment, free: 0.41, then 0.29 µm/h")
-            axis.plot(t + 9, start + 0.41 * 24 * 9 + 0.29 * 24 * t, color=INK, linewidth=1, linestyle=(0, (1, 2)))
+        if line == "BC52":  # the one line whose speeds the thesis states
+            free = axis.lines[0]
+            at = np.interp(regime_change, free.get_xdata(), free.get_ydata())
+            before, after = np.array([1.0, regime_change]), np.array([regime_change, max(free.get_xdata()[-1], regime_change + 1e-3)])
+            axis.plot(before, at + 0.41 * 24 * (before - regime_change), color=INK, linewidth=1.2, linestyle=(0, (1, 2)),
+                      label="experiment, free: 0.41, then 0.29 µm/h")
+            axis.plot(after, at + 0.29 * 24 * (after - regime_change), color=INK, linewidth=1.2, linestyle=(0, (1, 2)))
+        if line in ("BC52", "FHI"):
+            axis.axvline(regime_change, color="#c8d0d6", linewidth=0.8)
         axis.set_ylabel("radius [µm]", color=INK)
-    axes[-1].set_ylabel("mean pressure of living cells [kPa]", color=INK)
-    for axis in axes:
+        axis.set_ylim(top=axis.get_ylim()[1] + 0.25 * np.ptp(axis.get_ylim()))  # room for the legend
+        axis.legend(frameon=False, fontsize=8, loc="upper left")
+    last.set_ylabel("mean pressure of living cells [kPa]", color=INK)
+    for axis in axes[:len(lines) + 1]:
         axis.set_xlabel("time [d]", color=INK)
         style(axis)
-    for axis in axes[:-1]:
-        axis.legend(frameon=False, fontsize=8)
-    figure.savefig(path, dpi=120)
+    for axis in axes[len(lines) + 1:]:
+        axis.set_visible(False)
+    figure.savefig(path, dpi=110)
     plt.close(figure)
     return path
 

@@ -49,7 +49,7 @@ def main():
     if shown:
         sys.path.insert(0, os.path.join(ROOT, "app", "plots"))
         from spheroid_dextran import draw
-        draw(shown, os.path.join(ROOT, "doc", "results", "spheroid", f"{options.study}.png"))
+        draw(shown, os.path.join(ROOT, "doc", "results", "spheroid", f"{options.study}.png"), 3. if name == "small" else 9.)
 
 
 if __name__ == "__main__":
