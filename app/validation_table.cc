@@ -127,7 +127,7 @@ std::string in_digits(const Measured &measured)
   if (measured.error == 0.)
     return digits(measured.value);
   char error[40];
-  std::snprintf(error, sizeof error, " +- %.2g", measured.error);
+  std::snprintf(error, sizeof error, " +- %.3g", measured.error);
   return digits(measured.value) + error;
 }
 
