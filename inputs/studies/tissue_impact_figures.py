@@ -70,7 +70,7 @@ def spread(values, scale=1.0, digits=3):
     text = "%.*g" % (digits, np.mean(values))
     if len(values) == 1:
         return text
-    return text + " +- %.1g (%.*g ... %.*g)" % (np.std(values, ddof=1) / len(values) ** 0.5, digits, min(values), digits, max(values))
+    return text + " +- %.2g (%.*g ... %.*g)" % (np.std(values, ddof=1) / len(values) ** 0.5, digits, min(values), digits, max(values))
 
 
 def failure(directory):
