@@ -172,8 +172,9 @@ def compression(directory):
         if run.startswith("9 cells") and any(not other.startswith("9 cells") and "yielding" in other and "gap 16" in other for other in results):
             continue # shown where the larger tissues are missing
         smooth = np.convolve(curve["stress_bottom [Pa]"], np.ones(5) / 5, "same")[2:-2]
-        left.plot(100 * curve["strain"][2:-2], smooth / 1e3, "--" if "elastic" in run else "-", linewidth=1.4,
-                  color=plt.get_cmap("viridis")(min(0.9, 10 * r["void_fraction"])), label="%.1f %% void%s" % (100 * r["void_fraction"], ", elastic" if "elastic" in run else ""))
+        left.plot(100 * curve["strain"][2:-2], smooth / 1e3, "--" if "elastic" in run else ":" if run.startswith("9 cells") else "-", linewidth=1.4,
+                  color=plt.get_cmap("viridis")(min(0.9, 10 * r["void_fraction"])),
+                  label="%.1f %% void%s%s" % (100 * r["void_fraction"], ", elastic" if "elastic" in run else "", ", 9 cells" if run.startswith("9 cells") else ""))
     left.set_xlabel("strain [%]", fontsize=9, color=INK)
     left.set_ylabel("stress [kPa]", fontsize=9, color=INK)
     left.legend(frameon=False, fontsize=8)
