@@ -44,11 +44,11 @@ def draw_cells(axis, place, values, colours, norm):
     return patches
 
 
-def draw_cut(directory, flat=False):
-    """cells_cut.png of the last frame; None without fields."""
+def draw_cut(directory, flat=False, time=None):
+    """cells_cut.png of the last frame, or of the one nearest to a time (s); None without fields."""
     if not os.path.exists(os.path.join(directory, "cells.xdmf")):
         return None
-    frame = frames(directory, "cells")[-1]
+    frame = frames(directory, "cells")[-1] if time is None else min(frames(directory, "cells"), key=lambda one: abs(one.time - time))
     place = cut_of(frame, flat)
     figure, panels = plt.subplots(1, 3, figsize=(14, 4.9), layout="constrained")
     pressure, volume, state = frame.field("pressure"), frame.field("volume") * 1e18, frame.field("state")

@@ -6,13 +6,15 @@ NAME: n, eps_tr, alpha_qui, K, T_lys, timer, friction, W, D, seeds, growth_law, 
 
 A smaller capsule of the same H/R, R = 30 um and H = 2.4 um (the same pressure at the same strain), from confluence to 75 h after it: a
 fortieth of the cells. Measured: dilatation (R - R_0)/R_0 at 24 and 48 h, its rate from 48 h to 75 h, density
-at 48 h over that at confluence. The runs' results go to doc/results/spheroid/sensitivity.csv, the statements to statements.csv beside it.
+at 48 h over that at confluence. The runs' results go to doc/results/spheroid/sensitivity.csv, the statements to statements.csv and,
+for all, the curves to sensitivity.png beside it.
 """
 import csv
 import json
 import os
+import sys
 
-from table_of_runs import options_of, row_of, run_all, write_table
+from table_of_runs import ROOT, options_of, row_of, run_all, write_table
 
 R_0 = 30e-6
 SMALL = {"Capsule/Radius": R_0, "Capsule/Thickness": 2.4e-6, "Capsule/Time confined": 270000, "First cells": 30,
@@ -115,6 +117,29 @@ STATEMENTS = [
      " not reach 48 h)", ("reference", "uncalibrated"), lambda r, a: abs(a["d24"] / r["d24"] - 1) > 0.25),
 ]
 
+# Panels of sensitivity.png: (title, what is drawn, runs beside the reference)
+PANELS = [
+    ("Hill exponent n (Fig. 5.5A)", "dilatation", ("n_2", "n_4", "n_1000")),
+    ("threshold eps_tr (Fig. 5.6A)", "dilatation", ("eps_0.2", "eps_0.5")),
+    ("alpha_qui (Fig. 5.5A)", "dilatation", ("qui_0.33", "qui_0.5")),
+    ("laws of growth (Fig. C.4G)", "dilatation", ("linear_0.35", "linear_0.8", "constant")),
+    ("K, constant growth (Fig. C.2A)", "dilatation", ("K_2.5k", "K_10k", "K_150k", "K_hardening")),
+    ("K, constant growth (Fig. C.2B)", "density", ("K_2.5k", "K_10k", "K_150k", "K_hardening")),
+    ("K, constant growth (Fig. C.2C)", "pressure", ("K_2.5k", "K_10k", "K_150k", "K_hardening")),
+    ("T_lys (Fig. C.3A)", "dilatation", ("lys_5h", "lys_14d")),
+    ("T_lys, timer (Fig. C.3B, C)", "density", ("lys_5h", "lys_14d", "timer")),
+    ("friction (Fig. C.4A)", "dilatation", ("friction_1%", "friction_200%")),
+    ("seeds (Fig. C.4B)", "dilatation", ("seed_2", "seed_3", "seed_4")),
+    ("calibration, W, D (Fig. C.4C, E, F)", "dilatation", ("uncalibrated", "W_10%", "W_250%", "D_10%", "D_500%")),
+]
+
+
+def draw_panels(places):
+    sys.path.insert(0, os.path.join(ROOT, "app", "plots"))
+    from spheroid_variations import draw
+    draw([(title, column, [(label, places[label]) for label in ("reference", *labels) if label in places]) for title, column, labels in PANELS],
+         os.path.join(ROOT, "doc", "results", "spheroid", "sensitivity.png"))
+
 
 def main():
     options = options_of(list(STUDIES) + ["all"], __doc__)
@@ -135,6 +160,8 @@ def main():
             rows[-1].update({"dilatation_24h": f"{measured[label]['d24']:.4g}", "dilatation_48h_over_radius": f"{measured[label]['d48']:.4g}",
                              "rate_per_day": f"{measured[label]['rate']:.4g}", "density_48h_over_confluence": f"{measured[label]['density']:.4g}"})
     write_table("spheroid", "sensitivity", rows)
+    if chosen == list(STUDIES):
+        draw_panels({label: place for label, place, _ in done if place is not None})
     verdicts = []
     for study, statement, needed, holds in STATEMENTS:
         if study in chosen and all(label in measured for label in needed):
