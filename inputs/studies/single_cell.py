@@ -21,8 +21,9 @@ def laplace_convergence():
     for nodes, fluid in ((36, 60), (50, 121), (71, 242), (100, 484), (141, 968), (200, 1936)):
         yield f"2D_{nodes}", "laplace", {**FLAT, "Cell/Ring nodes": nodes, "Cell/Fluid particles": fluid,
                                          "Cell/Anneal steps": 60 * nodes}
-    for nu, fluid in ((4, 120), (6, 390), (8, 930)):
-        yield f"3D_{nu}", "laplace", {"Cell/Frequency": nu, "Cell/Fluid particles": fluid, "Cell/Anneal steps": 300 * nu}
+    for nu, fluid in ((4, 120), (6, 390), (8, 930), (10, 1850), (14, 5000)):
+        yield f"3D_{nu}", "laplace", {"Cell/Frequency": nu, "Cell/Fluid particles": fluid, "Cell/Anneal steps": 300 * nu,
+                                      "Cell/Rest residual": 0.02}
 
 
 def laplace_support():

@@ -1,7 +1,7 @@
 // One round cell: a ring of wall nodes (2D slab) or a triangulated sphere (3D), filled with SPH fluid, with one pressure, or empty.
 //
-// It is made stress-free at the radius R/lambda_0 with its fluid at rest density, and brought to turgor by osmosis (Eq. 3.2) and
-// damped motion, as in thesis 3.3.1. lambda_0 is the stretch at which a round wall of radius R holds turgor:
+// It is made stress-free at the radius R/lambda_0 with its fluid at rest density, and brought to turgor as in thesis 3.3.1
+// (bring_to_turgor.h). lambda_0 is the stretch at which a round wall of radius R holds turgor:
 //
 //   2D   F(lambda_0) = turgor R z0                 (RingWall, Eq. 3.4)
 //   3D   G t0 (1 - lambda_0^-6) = turgor R/2       (NetWall, Eq. 3.6; there is none if turgor R/2 >= G t0)
@@ -15,7 +15,6 @@
 #include "micro/terms/ring_wall.h"
 #include "micro/terms/sph_fluid.h"
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -50,13 +49,15 @@ struct RoundCellParameters
   std::string kernel = "wendland"; ///< wendland | fourth_order
   double support_ratio = 2.6, skin_ratio = 0.2, ordering = 0.01;
   unsigned int seed = 1;
-  unsigned int settle_steps = 0, anneal_steps = 8000;
+  unsigned int settle_steps = 0, anneal_steps = 8000, rest_steps = 10000; ///< bring_to_turgor.h
+  double rest_residual = 0.1; ///< largest unbalanced force over turgor times the wall of a node
 
   /// Declares all entries in the current subsection of prm.
   void add_parameters(dealii::ParameterHandler &prm);
   /// Throws std::invalid_argument: entry, value, allowed range.
   void check(int dim) const;
   bool has_particles() const { return fluid == "sph" || fluid == "thesis"; }
+  NeoHookeanWall ring_law() const; ///< 2D
   /// lambda_0.
   double turgid_stretch(int dim) const;
 };
@@ -97,17 +98,6 @@ struct RoundCell
 /// Stress-free, at rest. can_fail: the wall and the fluid share a WallDamage.
 template <int dim>
 std::unique_ptr<RoundCell<dim>> make_round_cell(const RoundCellParameters &parameters, bool can_fail);
-
-/// The fluid alone comes to rest in the wall that is held: Cell/Settle steps of damped motion, at first with an ordering pressure as large as K, so that the
-/// particles stand as evenly as the wall lets them. Steps are the fluid's, several times as long as with the wall free.
-template <int dim>
-void settle_fluid(RoundCell<dim> &cell, const std::function<void(unsigned int, unsigned int, double)> &watch);
-
-/// settle_fluid, then osmosis and damped motion until the cell stands at turgor. watch(step, steps, dt) after every step; it may throw to stop.
-/// Returns the largest unbalanced force over turgor times the wall per node. Throws std::runtime_error where the cell diverges or
-/// has not come to rest.
-template <int dim>
-double bring_to_turgor(RoundCell<dim> &cell, const std::function<void(unsigned int, unsigned int, double)> &watch);
 
 extern template struct RoundCell<2>;
 extern template struct RoundCell<3>;

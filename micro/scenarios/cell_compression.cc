@@ -31,9 +31,10 @@ public:
 protected:
   void report(RunContext &context, const Rows &rows) const override
   {
-    Rows mean = rows; // of both plates
-    for (Row &row : mean)
-      row.force_upper = row.force_lower = 0.5 * (row.force_upper + row.force_lower);
+    const Rows mean = squeezed::smoothed(rows, window);
+    const auto table = context.series("mean_force", {{"deformation", "1"}, {"force", "N"}});
+    for (const Row &row : mean)
+      table->add_row({row.deformation, row.force_upper});
     result_at(context, mean, "force", &Row::force_upper, "N");
     result_at(context, mean, "pressure", &Row::pressure, "Pa");
     if (deformation >= 0.3)
@@ -51,6 +52,8 @@ protected:
   }
 
 private:
+  static constexpr double window = 0.01; ///< of deformation: the mean force at e is that of e - 1 % to e + 1 %
+
   void compare_with_ring(RunContext &context, const Rows &mean) const
   {
     const double chord = 2. * rest_radius * std::sin(std::numbers::pi / cell.ring_nodes);

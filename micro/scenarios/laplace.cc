@@ -1,5 +1,6 @@
 #include "micro/scenarios/laplace.h"
 
+#include "micro/cells/bring_to_turgor.h"
 #include "micro/io/run_context.h"
 #include "micro/scenarios/round_cell_fields.h"
 #include "micro/scenarios/stepping.h"

@@ -1,5 +1,6 @@
 #include "micro/scenarios/shell_oscillation.h"
 
+#include "micro/cells/bring_to_turgor.h"
 #include "micro/engine/kick_drift_kick.h"
 #include "micro/io/run_context.h"
 #include "micro/scenarios/harmonics.h"

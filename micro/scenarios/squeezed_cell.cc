@@ -1,5 +1,6 @@
 #include "micro/scenarios/squeezed_cell.h"
 
+#include "micro/cells/bring_to_turgor.h"
 #include "micro/engine/binary.h"
 #include "micro/engine/watched_steps.h"
 #include "micro/io/run_context.h"
@@ -24,6 +25,7 @@ struct Progress
   std::uint64_t step = 0;
   double dt = 0., height = 0., radius = 0., start_energy = 0., start_pressure = 0., residual = 0.;
   double first_angle = -1., first_tilt = 0., first_deformation = -1., angle_sum = 0., tilt_sum = 0.; ///< degrees; 1
+  double impulse_upper = 0., impulse_lower = 0., summed_steps = 0.;                             ///< of the row to come: N, summed over steps
 };
 
 /// Share of the full angle under which a closed wall, broken faces included, is seen: 1 inside, 0 outside.
@@ -183,6 +185,8 @@ void SqueezedCell::run_in(RunContext &context)
                                               {"deformation", "1"},
                                               {"force_upper", "N"},
                                               {"force_lower", "N"},
+                                              {"mean_force_upper", "N"},
+                                              {"mean_force_lower", "N"},
                                               {"pressure", "Pa"},
                                               {"volume", "m^3"},
                                               {"contact_upper", "m"},
@@ -227,11 +231,15 @@ void SqueezedCell::run_in(RunContext &context)
     return row;
   };
   const auto record = [&] {
-    const Row row = measure();
+    Row row = measure();
+    row.mean_force_upper = at_step.summed_steps > 0. ? at_step.impulse_upper / at_step.summed_steps : row.force_upper;
+    row.mean_force_lower = at_step.summed_steps > 0. ? at_step.impulse_lower / at_step.summed_steps : row.force_lower;
+    at_step.impulse_upper = at_step.impulse_lower = at_step.summed_steps = 0.;
     rows.push_back(row);
-    table->add_row({row.time, row.deformation, row.force_upper, row.force_lower, row.pressure, row.volume, row.contact_upper,
-                    row.contact_lower, row.largest_upper, row.largest_lower, row.mean_upper, row.mean_lower, row.height_share,
-                    row.largest, row.largest_angle, row.largest_tilt, row.kinetic, row.energy, row.work, row.broken});
+    table->add_row({row.time, row.deformation, row.force_upper, row.force_lower, row.mean_force_upper, row.mean_force_lower,
+                    row.pressure, row.volume, row.contact_upper, row.contact_lower, row.largest_upper, row.largest_lower,
+                    row.mean_upper, row.mean_lower, row.height_share, row.largest, row.largest_angle, row.largest_tilt, row.kinetic,
+                    row.energy, row.work, row.broken});
   };
   if (!resumed)
     {
@@ -262,6 +270,9 @@ void SqueezedCell::run_in(RunContext &context)
     {
       integrator.step(at_step.dt, damping);
       ++at_step.step;
+      at_step.impulse_lower += plates.force(0);
+      at_step.impulse_upper += plates.force(1);
+      at_step.summed_steps += 1.;
       if (failure)
         for (const auto &[group, bond] : failure->apply(system, round.sph))
           {

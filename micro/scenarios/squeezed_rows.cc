@@ -140,6 +140,36 @@ double at(const Rows &rows, double SqueezedRow::*quantity, const double where)
   return std::numeric_limits<double>::quiet_NaN();
 }
 
+Rows smoothed(const Rows &rows, const double window)
+{
+  Rows mean = rows;
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    {
+      // a + b u + c u^2 through the rows of the window, u: deformation from here, in windows; what is wanted is a
+      double moments[5]{}, sums[3]{};
+      for (std::size_t j = 1; j < rows.size(); ++j) // the first row has no interval before it
+        {
+          // a mean over an interval belongs to its middle
+          const double u = (0.5 * (rows[j].deformation + rows[j - 1].deformation) - rows[k].deformation) / window;
+          if (std::abs(u) > 1.)
+            continue;
+          const double force = 0.5 * (rows[j].mean_force_upper + rows[j].mean_force_lower);
+          for (int m = 0; m < 5; ++m)
+            moments[m] += std::pow(u, m);
+          for (int m = 0; m < 3; ++m)
+            sums[m] += std::pow(u, m) * force;
+        }
+      double a = 0.5 * (rows[k].force_upper + rows[k].force_lower);
+      const double *m = moments;
+      const double c0 = m[2] * m[4] - m[3] * m[3], c1 = m[2] * m[3] - m[1] * m[4], c2 = m[1] * m[3] - m[2] * m[2];
+      const double determinant = m[0] * c0 + m[1] * c1 + m[2] * c2;
+      if (m[0] > 4. && determinant > 1e-9 * m[0] * m[0] * m[0])
+        a = (c0 * sums[0] + c1 * sums[1] + c2 * sums[2]) / determinant;
+      mean[k].force_upper = mean[k].force_lower = a;
+    }
+  return mean;
+}
+
 double slope(const Rows &rows, const double from, const double to)
 {
   return (at(rows, &SqueezedRow::force_lower, to) + at(rows, &SqueezedRow::force_upper, to)

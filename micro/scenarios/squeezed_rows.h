@@ -20,6 +20,7 @@ struct SqueezedRow
 {
   double time = 0., deformation = 0.;               ///< s, 1
   double force_upper = 0., force_lower = 0.;        ///< N
+  double mean_force_upper = 0., mean_force_lower = 0.; ///< N, over all steps since the row before
   double pressure = 0., volume = 0.;                ///< Pa, m^3
   double contact_upper = 0., contact_lower = 0.;    ///< m, radius of the contact
   double largest_upper = 1., largest_lower = 1.;    ///< largest stretch of a bond of the upper and lower half
@@ -46,7 +47,7 @@ double polar_angle(const RoundCell<dim> &cell, const std::vector<double> &cosine
 template <int dim>
 double bond_tilt(const RoundCell<dim> &cell, std::size_t bond);
 
-/// All but time, energy and work. height: between the plates at the start, m; plates 0 below and 1 above.
+/// All but time, energy, work and mean forces. height: between the plates at the start, m; plates 0 below and 1 above.
 template <int dim>
 SqueezedRow measure_squeezed(const RoundCell<dim> &cell, const Plates<dim> &plates, const std::vector<double> &cosine,
                              double height);
@@ -57,6 +58,10 @@ using Rows = std::vector<SqueezedRow>;
 
 /// A quantity at a deformation, linear between rows; NaN beyond the last.
 double at(const Rows &rows, double SqueezedRow::*quantity, double deformation);
+/// The mean of both plates' forces over +- window of deformation around each row (a parabola of least squares at its middle, so that the bend of the curve
+/// does not enter; one-sided at the ends of the run), as both forces of the rows. Nodes that a plate touches one after the other knock on it; what a slow test
+/// measures is the mean.
+Rows smoothed(const Rows &rows, double window);
 /// Mean slope of the force (mean of both plates) between two deformations, N.
 double slope(const Rows &rows, double from, double to);
 /// Of the upper half in the deformation, 1.

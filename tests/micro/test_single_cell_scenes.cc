@@ -1,4 +1,5 @@
 // One round cell: what it is made of, Laplace's law, breathing, between plates; small, through the scenes themselves.
+#include "micro/cells/bring_to_turgor.h"
 #include "micro/scenarios/laplace.h"
 #include "micro/scenarios/shell_oscillation.h"
 #include "micro/scenarios/squeezed_cell.h"
@@ -96,6 +97,46 @@ BOOST_AUTO_TEST_CASE(a_cell_of_one_pressure_obeys_laplace_to_its_facets)
   double deviation = 0.;
   // second order in the edge: nu = 6: 1.2 % between pull across great circles of R and the facets'
   BOOST_TEST(2. * cell->cut_tension(deviation) / cell->mean_radius() == 200e3, boost::test_tools::tolerance(0.02));
+}
+
+BOOST_AUTO_TEST_CASE(a_cell_goes_on_to_rest_until_it_is_there)
+{
+  RoundCellParameters p;
+  p.frequency = 4;
+  p.fluid_particles = 120;
+  p.anneal_steps = 400; // too few by far
+  p.rest_residual = 0.02;
+  p.rest_steps = 0;
+  BOOST_CHECK_THROW(bring_to_turgor<3>(*make_round_cell<3>(p, false), {}), std::runtime_error);
+  p.rest_steps = 10000;
+  auto cell = make_round_cell<3>(p, false);
+  unsigned int last = 0;
+  const double residual = bring_to_turgor<3>(*cell, [&](const unsigned int step, unsigned int, double) { last = step; });
+  BOOST_TEST(residual <= 0.02);
+  BOOST_TEST(last > 400u);
+  BOOST_TEST(last < 10400u);
+  BOOST_TEST(cell->pressure() == 200e3, boost::test_tools::tolerance(0.02));
+  BOOST_TEST(cell->system.kinetic_energy() == 0.);
+}
+
+BOOST_AUTO_TEST_CASE(mean_force_leaves_a_parabola_and_takes_the_chatter)
+{
+  squeezed::Rows rows(1);
+  const auto force = [](const double e) { return 2. + 3. * e + 40. * e * e; };
+  for (int k = 1; k <= 300; ++k)
+    {
+      const double from = 0.001 * (k - 1), to = 0.001 * k;
+      SqueezedRow row;
+      row.deformation = to;
+      const double mean = force(0.5 * (from + to)), knock = k % 2 ? 1. : -1.;
+      row.force_upper = row.force_lower = force(to) + 10. * knock;
+      row.mean_force_upper = mean + knock;
+      row.mean_force_lower = mean - 0.5 * knock;
+      rows.push_back(row);
+    }
+  const squeezed::Rows mean = squeezed::smoothed(rows, 0.01);
+  for (const double e : {0.02, 0.1, 0.2995}) // knocks of 1/4 in the mean of both plates: over 20 rows, one-sided at the end
+    BOOST_TEST(std::abs(squeezed::at(mean, &SqueezedRow::force_upper, e) - force(e)) < (e < 0.28 ? 0.02 : 0.1));
 }
 
 BOOST_AUTO_TEST_CASE(laplace_scene_in_2D)
