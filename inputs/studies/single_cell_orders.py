@@ -1,8 +1,9 @@
-"""The picture and the orders of convergence of the single-cell tables in doc/results/single_cell (made by single_cell.py).
+"""Orders and picture of the tables laplace_convergence, laplace_support, shell_modes and shell_support (made by single_cell.py).
 
   python3 inputs/studies/single_cell_orders.py      -> doc/results/single_cell/convergence.png, orders.csv
 
-Orders are least-squares slopes of log |deviation| against log of the spacing over the radius, (volume of the unit ball/N)^(1/dim).
+Order: least-squares slope of log |deviation| against log of the particle spacing over the radius, (pi/N)^(1/2) or
+(4 pi/3/N)^(1/3), and against log of the support over the spacing. Shell against resolution: mean over the seeds, bars their standard error.
 """
 import csv
 import math
@@ -20,64 +21,85 @@ sys.path.insert(0, os.path.join(ROOT, "app", "plots"))
 from drawing import ACCENT, ALONG, INK, style  # noqa: E402
 
 FOLDER = os.path.join(ROOT, "doc", "results", "single_cell")
+PRESSURES = (("deviation_cut_eos [%]", "mean EOS pressure"), ("deviation_cut_virial [%]", "fluid's virial"))
 
 
-def rows(name):
+def rows(name, column):
     path = os.path.join(FOLDER, name + ".csv")
-    return list(csv.DictReader(open(path, encoding="utf-8"))) if os.path.exists(path) else []
+    if not os.path.exists(path):
+        return []
+    with open(path, encoding="utf-8") as file:
+        return [row for row in csv.DictReader(file) if row.get(column)]
 
 
 def spacing(particles, dim):
     return (math.pi / particles) ** 0.5 if dim == 2 else (4 / 3 * math.pi / particles) ** (1 / 3)
 
 
-def series():
-    """(title of the panel, label, spacings, deviations in per cent)"""
-    laplace = [row for row in rows("laplace_convergence") if row.get("deviation_cut_virial [%]")]
-    for dim in (2, 3):
-        for column, label in (("deviation_cut_eos [%]", "mean EOS pressure"), ("deviation_cut_virial [%]", "fluid's virial")):
-            points = [(spacing(float(r["fluid_particles"]), dim), float(r[column])) for r in laplace
-                      if r["run"].startswith(f"{dim}D") and r.get(column)]
-            if len(points) > 1:
-                yield "Laplace's law", f"{dim}D, {label}", points
-    shells = rows("shell_modes")
-    for c in (50, 250):
-        for mode in (1, 2):
+def curves():
+    """(panel, label, {x: [deviations in per cent]}, colour, dash)"""
+    for dim, colour in ((2, ALONG), (3, ACCENT)):
+        for (column, label), dash in zip(PRESSURES, ("-", "--")):
+            points = {spacing(float(row["fluid_particles"]), dim): [float(row[column])]
+                      for row in rows("laplace_convergence", column) if row["run"].startswith(f"{dim}D")}
+            yield 0, f"{dim}D, {label}", points, colour, dash
+    for (column, label), dash in zip(PRESSURES, ("-", "--")):
+        yield 1, f"2D, {label}", {float(row["run"].split("_")[1]): [float(row[column])]
+                                  for row in rows("laplace_support", column)}, ALONG, dash
+    for c, colour in ((50, ALONG), (250, ACCENT)):
+        for mode, dash in ((1, "-"), (2, "--")):
+            column, points = f"mode_{mode}_deviation [%]", {}
+            for row in rows("shell_modes", column):
+                if row["run"].startswith(f"c{c}_"):
+                    points.setdefault(spacing(float(row["run"].split("_")[1]), 3), []).append(float(row[column]))
+            yield 2, f"c = {c} m/s, mode {mode}", points, colour, dash
+    for kernel, label, colour in (("wendland", "Wendland", ALONG), ("fourth_order", "fourth order", ACCENT)):
+        for mode, dash in ((1, "-"), (2, "--")):
             column = f"mode_{mode}_deviation [%]"
-            points = [(spacing(float(r["run"].split("_")[1]), 3), float(r[column])) for r in shells
-                      if r["run"].startswith(f"c{c}_") and r.get(column)]
-            if len(points) > 1:
-                yield "filled shell", f"c = {c} m/s, mode {mode}", points
+            yield 3, f"{label}, mode {mode}", {float(row["run"].rsplit("_", 1)[1]): [float(row[column])]
+                                               for row in rows("shell_support", column) if row["run"].startswith(kernel)}, colour, dash
+
+
+PANELS = (("Laplace's law", "particle spacing over radius", 1), ("Laplace's law, 484 particles", "support (2 h) over particle spacing", 1),
+          ("filled shell", "particle spacing over radius", 3), ("filled shell, c = 50 m/s, 930 particles", "support (2 h) over particle spacing", 3))
 
 
 def main():
-    figure, axes = plt.subplots(1, 2, figsize=(11.0, 4.8), facecolor="white")
-    panels = {"Laplace's law": axes[0], "filled shell": axes[1]}
-    colours = {"Laplace's law": [ALONG, ALONG, ACCENT, ACCENT], "filled shell": [ALONG, ALONG, ACCENT, ACCENT]}
-    drawn = {title: 0 for title in panels}
-    table = []
-    for title, label, points in series():
-        h, d = np.array(sorted(points)).T
-        order, offset = np.polyfit(np.log(h), np.log(np.abs(d)), 1)
-        table.append([title, label, len(h), f"{order:.2f}", f"{d[0]:.3f}"])
-        k = drawn[title]
-        drawn[title] += 1
-        axis = panels[title]
-        axis.loglog(h, np.abs(d), "os"[k % 2], color=colours[title][k], markersize=5, label=f"{label}: order {order:.1f}")
-        axis.loglog(h, np.exp(offset) * h**order, color=colours[title][k], linewidth=1.0, linestyle=("-", "--")[k % 2])
-    for title, axis in panels.items():
+    figure, axes = plt.subplots(2, 2, figsize=(11.0, 9.0), facecolor="white")
+    axes = axes.ravel()
+    table = [["what", "against", "quantity", "points", "order", "deviation of the last [%]", "standard error [%]"]]
+    for panel, label, points, colour, dash in curves():
+        if len(points) < 2:
+            continue
+        against = "spacing" if panel % 2 == 0 else "support"
+        x = np.array(sorted(points, reverse=against == "spacing"))
+        mean = np.array([np.mean(points[k]) for k in x])
+        error = np.array([np.std(points[k], ddof=1) / len(points[k]) ** 0.5 if len(points[k]) > 1 else 0 for k in x])
+        order, offset = np.polyfit(np.log(x), np.log(np.abs(mean)), 1)
+        axis = axes[panel]
+        axis.errorbar(x, np.abs(mean), yerr=error if error.any() else None, fmt="o" if dash == "-" else "s", color=colour, markersize=5,
+                      capsize=3, linewidth=1.0, label=f"{label}: order {order:.1f}")
+        axis.plot(x, np.exp(offset) * x**order, color=colour, linewidth=1.0, linestyle=dash)
+        table.append([PANELS[panel][0], against, label, len(x), f"{order:.2f}", f"{mean[-1]:.3f}", f"{error[-1]:.3f}" if error.any() else ""])
+    for axis, (title, name, target) in zip(axes, PANELS):
+        axis.set_xscale("log")
+        axis.set_yscale("log")
+        if name.startswith("support"):
+            axis.set_xticks([2, 2.4, 2.8, 3.2], ["2.0", "2.4", "2.8", "3.2"])
+        else:
+            axis.set_xticks([0.05, 0.1, 0.2], ["0.05", "0.1", "0.2"])
+        axis.xaxis.set_minor_formatter(matplotlib.ticker.NullFormatter())
+        axis.axhline(target, color="#c8d0d6", linewidth=1.2, label="target")
         axis.set_title(title, color=INK, fontsize=10)
-        axis.set_xlabel("particle spacing over radius", color=INK, fontsize=9)
+        axis.set_xlabel(name, color=INK, fontsize=9)
         axis.set_ylabel("deviation from the closed form [%]", color=INK, fontsize=9)
-        axis.axhline(1 if title == "Laplace's law" else 3, color="#c8d0d6", linewidth=1.2, label="target")
-        axis.legend(frameon=False, fontsize=8, loc="upper left")
+        axis.legend(frameon=False, fontsize=8, loc="best")
         style(axis)
     figure.tight_layout()
-    figure.savefig(os.path.join(FOLDER, "convergence.png"), dpi=110)
+    figure.savefig(os.path.join(FOLDER, "convergence.png"), dpi=100)
+    plt.close(figure)
     with open(os.path.join(FOLDER, "orders.csv"), "w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file)
-        writer.writerow(["what", "quantity", "resolutions", "order", "deviation at the finest [%]"])
-        writer.writerows(table)
+        csv.writer(file).writerows(table)
 
 
 if __name__ == "__main__":
