@@ -47,8 +47,13 @@ def picture(directory, name, title):
 
     left = figure.add_axes([0.075, 0.085, 0.52, 0.345])
     unit = 1e3
-    left.plot(100 * deformation, unit * table["force_upper [N]"], color=ACCENT, linewidth=1.8, label="upper plate")
-    left.plot(100 * deformation, unit * table["force_lower [N]"], color=ALONG, linewidth=1.8, label="lower plate")
+    slow = os.path.join(directory, "mean_force.csv")
+    thick = 0.6 if os.path.exists(slow) else 1.8
+    left.plot(100 * deformation, unit * table["force_upper [N]"], color=ACCENT, linewidth=thick, label="upper plate")
+    left.plot(100 * deformation, unit * table["force_lower [N]"], color=ALONG, linewidth=thick, label="lower plate")
+    if os.path.exists(slow):
+        mean = read_table(slow)
+        left.plot(100 * mean["deformation [1]"], unit * mean["force [N]"], color=ACCENT, linewidth=2.2, label="mean over 2 % of deformation")
     balloon = os.path.join(directory, "balloon.csv")
     if os.path.exists(balloon):
         model = read_table(balloon)

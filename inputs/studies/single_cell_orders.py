@@ -82,6 +82,7 @@ def main():
         axis.plot(x, np.exp(offset) * x**order, color=colour, linewidth=1.0, linestyle=dash)
         table.append([PANELS[panel][0], against, label, len(x), f"{order:.2f}", f"{mean[-1]:.3f}", f"{error[-1]:.3f}" if error.any() else ""])
     for axis, (title, name, target) in zip(axes, PANELS):
+        axis.set_visible(bool(axis.lines))  # a table that was not made
         axis.set_xscale("log")
         axis.set_yscale("log")
         if name.startswith("support"):
