@@ -74,13 +74,16 @@ def main():
         against = "spacing" if panel % 2 == 0 else "support"
         x = np.array(sorted(points, reverse=against == "spacing"))
         mean = np.array([np.mean(points[k]) for k in x])
-        error = np.array([np.std(points[k], ddof=1) / len(points[k]) ** 0.5 if len(points[k]) > 1 else 0 for k in x])
+        error = np.array([np.std(points[k], ddof=1) / len(points[k]) ** 0.5 if len(points[k]) > 1 else 0.0 for k in x])
         order, offset = np.polyfit(np.log(x), np.log(np.abs(mean)), 1)
         axis = axes[panel]
+        one_sign = bool(np.all(mean > 0) or np.all(mean < 0))
+        told = f"order {order:.1f}" if one_sign else "sign changes"
         axis.errorbar(x, np.abs(mean), yerr=error if error.any() else None, fmt="o" if dash == "-" else "s", color=colour, markersize=5,
-                      capsize=3, linewidth=1.0, label=f"{label}: order {order:.1f}")
-        axis.plot(x, np.exp(offset) * x**order, color=colour, linewidth=1.0, linestyle=dash)
-        table.append([PANELS[panel][0], against, label, len(x), f"{order:.2f}", f"{mean[-1]:.3f}", f"{error[-1]:.3f}" if error.any() else ""])
+                      capsize=3, linewidth=1.0, label=f"{label}: {told}")
+        if one_sign:
+            axis.plot(x, np.exp(offset) * x**order, color=colour, linewidth=1.0, linestyle=dash)
+        table.append([PANELS[panel][0], against, label, len(x), f"{order:.2f}" if one_sign else "sign changes", f"{mean[-1]:.3f}", f"{error[-1]:.3f}" if error[-1] else ""])
     for axis, (title, name, target) in zip(axes, PANELS):
         axis.set_visible(bool(axis.lines))  # a table that was not made
         axis.set_xscale("log")
