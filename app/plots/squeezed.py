@@ -18,6 +18,9 @@ def picture(directory, name, title):
     table = read_table(os.path.join(directory, "force.csv"))
     deformation = table["deformation [1]"]
     moments = cell_frames(directory)
+    # a plate with mass may have left the cell again
+    touched = [m for m in moments if np.interp(m[0].time, table["time [s]"], deformation) > -0.02]
+    moments = touched if len(touched) > 1 else moments
     # the start, the end, and two between; with a wall that breaks the first frame after that
     chosen = sorted({0, len(moments) // 3, 2 * len(moments) // 3, len(moments) - 1})
     flat = moments[0][0].cells.shape[1] == 2
@@ -63,7 +66,7 @@ def picture(directory, name, title):
                       linewidth=1.2, label=label)
     left.set_xlabel("deformation [%]", fontsize=9, color=INK)
     left.set_ylabel("force on a plate [mN]", fontsize=9, color=INK)
-    left.set_xlim(0, 100 * deformation[-1])
+    left.set_xlim(0, 100 * deformation.max())
     left.set_ylim(0, None)
     left.legend(frameon=False, fontsize=9)
     style(left)
@@ -73,7 +76,7 @@ def picture(directory, name, title):
     right.plot(100 * deformation, table["mean_stretch_lower [1]"], color=ALONG, linewidth=1.6, label="lower half")
     right.set_xlabel("deformation [%]", fontsize=9, color=INK)
     right.set_ylabel("mean stretch of the wall", fontsize=9, color=INK)
-    right.set_xlim(0, 100 * deformation[-1])
+    right.set_xlim(0, 100 * deformation.max())
     right.legend(frameon=False, fontsize=9, loc="upper left")
     style(right)
     if table["broken"][-1] > 0:

@@ -78,12 +78,13 @@ def main():
         order, offset = np.polyfit(np.log(x), np.log(np.abs(mean)), 1)
         axis = axes[panel]
         one_sign = bool(np.all(mean > 0) or np.all(mean < 0))
-        told = f"order {order:.1f}" if one_sign else "sign changes"
+        clear = bool(np.all(np.abs(mean) > 2 * error))
+        told = "sign changes" if not one_sign else f"order {order:.1f}" if clear else "within the scatter"
         axis.errorbar(x, np.abs(mean), yerr=error if error.any() else None, fmt="o" if dash == "-" else "s", color=colour, markersize=5,
                       capsize=3, linewidth=1.0, label=f"{label}: {told}")
-        if one_sign:
+        if one_sign and clear:
             axis.plot(x, np.exp(offset) * x**order, color=colour, linewidth=1.0, linestyle=dash)
-        table.append([PANELS[panel][0], against, label, len(x), f"{order:.2f}" if one_sign else "sign changes", f"{mean[-1]:.3f}", f"{error[-1]:.3f}" if error[-1] else ""])
+        table.append([PANELS[panel][0], against, label, len(x), f"{order:.2f}" if one_sign and clear else told, f"{mean[-1]:.3f}", f"{error[-1]:.3f}" if error[-1] else ""])
     for axis, (title, name, target) in zip(axes, PANELS):
         axis.set_visible(bool(axis.lines))  # a table that was not made
         axis.set_xscale("log")
