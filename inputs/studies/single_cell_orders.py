@@ -78,8 +78,8 @@ def main():
         order, offset = np.polyfit(np.log(x), np.log(np.abs(mean)), 1)
         axis = axes[panel]
         one_sign = bool(np.all(mean > 0) or np.all(mean < 0))
-        clear = bool(np.all(np.abs(mean) > 2 * error))
-        told = "sign changes" if not one_sign else f"order {order:.1f}" if clear else "within the scatter"
+        clear = bool(np.all(np.abs(mean) > 2 * error)) and len(x) > 2
+        told = "sign changes" if not one_sign else f"order {order:.1f}" if clear else "within the scatter" if len(x) > 2 else "two points"
         axis.errorbar(x, np.abs(mean), yerr=error if error.any() else None, fmt="o" if dash == "-" else "s", color=colour, markersize=5,
                       capsize=3, linewidth=1.0, label=f"{label}: {told}")
         if one_sign and clear:
