@@ -18,7 +18,8 @@ void ParticleSystem<dim>::for_groups(const std::function<void(std::size_t)> &bod
       body(group);
   else
     {
-      const std::size_t grain = std::max<std::size_t>(1, n / (std::size_t(threads) * 8));
+      // small pieces: at the end of the loop all threads wait for the last one
+      const std::size_t grain = std::max<std::size_t>(1, n / (std::size_t(threads) * 64));
       tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain), [&](const tbb::blocked_range<std::size_t> &r) {
         for (std::size_t group = r.begin(); group < r.end(); ++group)
           body(group);
