@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 namespace turgor
 {
@@ -18,6 +19,9 @@ OuterCells find_outer_cells(const Particles<3> &particles)
       result.centre += particles.position(i) / double(n);
       result.mean_radius += particles.field("radius")[i] / double(n);
     }
+  if (!result.centre.allFinite() || !std::isfinite(result.mean_radius))
+    throw std::runtime_error("the cells' positions or sizes are no numbers any more: the run diverged. Use a smaller Tolerance, stiffer cells "
+                             "(Bulk modulus) or more friction; the last checkpoint, where there is one, holds the last good state.");
   double farthest = 0.;
   for (std::size_t i = 0; i < n; ++i)
     farthest = std::max(farthest, (particles.position(i) - result.centre).norm());

@@ -21,5 +21,6 @@ struct OuterCells
   double mean_radius = 0.; ///< m
 };
 
+/// Throws std::runtime_error where positions or radii are not finite.
 OuterCells find_outer_cells(const Particles<3> &particles);
 } // namespace turgor

@@ -195,6 +195,10 @@ BOOST_AUTO_TEST_CASE(outer_cells_of_a_scattered_cloud)
   const OuterCells outer = find_outer_cells(cloud.particles);
   BOOST_TEST(outer.cells.size() == 4u);
   BOOST_TEST(outer.edge == std::sqrt(3.) * 1e3, boost::test_tools::tolerance(1e-8));
+
+  cloud.particles.field("radius")[2] = INFINITY; // a cell without stiffness blew up
+  BOOST_CHECK_EXCEPTION(find_outer_cells(cloud.particles), std::runtime_error,
+                        [](const auto &e) { return std::string(e.what()).find("no numbers any more") != std::string::npos; });
 }
 
 BOOST_AUTO_TEST_CASE(dextran_forces_balance_and_carry_the_given_virial)
