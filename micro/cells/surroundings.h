@@ -45,6 +45,10 @@ public:
   /// Cell k is what source[k] was.
   virtual void gather(const std::vector<std::uint32_t> & /*source*/) {}
 
+  /// J, of one more cell at x (m) with radius and uncompressed radius (m) and modulus (Pa), all else being what it was at the last
+  /// add_forces; infinite where it cannot be. What a division chooses its place by.
+  virtual double energy_of(const Vector<3> & /*x*/, double /*radius*/, double /*reference*/, double /*modulus*/) const { return 0.; }
+
   /// Columns it adds to the scene's series, and their values now: {name, unit} and value.
   struct Value
   {

@@ -5,16 +5,19 @@
 //               least_stress      principal direction of the cell's virial stress with the least compression (C.3.2)
 //               given             an axis
 //   distance    inside            as far as both fit into the mother: 2 (R_m - R_d), R_d = R_m/2^(1/3)
-//               least_energy      where the energy of the two and of their contacts with all neighbours is least, between
-//                                 that and 2 R_d, touching (the smoothing of C.3.2)
+//               least_energy      where the energy of the two and of their contacts with all neighbours and with what is around
+//                                 them (walls) is least, between that and 2 R_d, touching (the smoothing of C.3.2). Moduli are
+//                                 those of now: of the mother in her packing, of the neighbours in theirs
 //
 // Random directions are functions of (seed, id of the mother).
 // In: m, Pa. Out: unit vector; half the distance of the daughters' centres (m).
 #pragma once
 
-#include "micro/cells/cell_population.h"
+#include "micro/cells/surroundings.h"
 #include "micro/engine/tensor.h"
 #include "micro/terms/sphere_contacts.h"
+
+#include <memory>
 
 namespace turgor
 {
@@ -36,8 +39,9 @@ struct CellDivision
   /// stress: any positive multiple of the cell's.
   Vector<3> choose(std::uint64_t mother_id, const Tensor2<3> &stress) const;
 
-  /// m; neighbours: those of the contacts' list. radius and modulus: of each daughter.
-  double half_distance(const CellPopulation &cells, const SphereContacts &contacts, std::uint32_t mother,
-                       const Vector<3> &direction, double radius, double modulus) const;
+  /// m; neighbours: those of the contacts' list, after their add_forces. radius: of each daughter, m.
+  double half_distance(const CellPopulation &cells, const SphereContacts &contacts,
+                       const std::vector<std::unique_ptr<Surroundings>> &surroundings, std::uint32_t mother,
+                       const Vector<3> &direction, double radius) const;
 };
 } // namespace turgor

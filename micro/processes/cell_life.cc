@@ -133,7 +133,7 @@ void CellLife::advance(CellPopulation &cells, const SphereContacts &contacts,
     {
       const std::uint32_t i = division.mother;
       const Vector<3> along = parameters.division.choose(cells.id[i], virial[i]);
-      division.offset = parameters.division.half_distance(cells, contacts, i, along, half * R[i], p.field("modulus")[i]) * along;
+      division.offset = parameters.division.half_distance(cells, contacts, surroundings, i, along, half * R[i]) * along;
     }
   std::vector<std::uint32_t> source, place(cells.size());
   for (std::uint32_t i = 0; i < cells.size(); ++i)

@@ -36,7 +36,7 @@ CellCulture::CellCulture(const CultureParameters &parameters_, std::vector<std::
   , surroundings(std::move(surroundings_))
   , parameters(parameters_)
   , threads(threads_)
-  , contacts(contact_law(parameters_), skin_of(parameters_), parameters_.stiffness)
+  , contacts(contact_law(parameters_), skin_of(parameters_), parameters_.stiffness, parameters_.compression)
   , friction(parameters_.friction)
   , motion(
       parameters_.motion, contacts, friction,

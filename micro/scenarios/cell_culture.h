@@ -28,6 +28,7 @@ struct CultureParameters
   FrictionParameters friction{.normal = 5e10, .tangential = 5e10, .tolerance = 1e-5};
   double medium_friction = 5e8; ///< N s/m^3, of the cell's surface 4 pi R^2
   std::optional<LocalStiffness> stiffness; ///< none: moduli do not depend on the packing
+  CompressionOf compression = CompressionOf::cell;
   double motility = 0.;         ///< D, m^2/s
   OverdampedParameters motion;
   double growth_tolerance = 2e-3;

@@ -37,6 +37,10 @@ void CultureEntries::declare(dealii::ParameterHandler &prm)
                     " closest packing fill all space and have the pressure of their volume), B19 or the name of a CSV file with a"
                     " monotone table or polynomial (relative to the working directory). Units: none.",
                     Anything());
+  prm.add_parameter("Compression", compression,
+                    "What the local stiffness goes by: the mean compression of each cell, or that of each contact, whose force is then"
+                    " the slope of an energy. Units: none.",
+                    Selection("cell|contact"));
   prm.add_parameter("Normal friction", numbers.friction.normal, "Between cells, along their line, of the contact's area. Units: N s/m^3.",
                     Double(0., 1e20));
   prm.add_parameter("Tangential friction", numbers.friction.tangential,
@@ -143,6 +147,7 @@ CultureParameters CultureEntries::parameters() const
     result.stiffness = LocalStiffness::closest_packing(life.modulus, life.poisson, life.bulk_modulus, life.volume.hardening);
   else if (stiffness != "none")
     result.stiffness = LocalStiffness::from_file(stiffness);
+  result.compression = compression == "contact" ? CompressionOf::contact : CompressionOf::cell;
   result.motion.method = method == "euler" ? OverdampedMethod::euler : method == "heun" ? OverdampedMethod::heun : OverdampedMethod::implicit;
   return result;
 }

@@ -17,7 +17,7 @@ struct CultureEntries
   CultureParameters numbers;
   std::string rate = "constant", inhibition = "hill", division_at = "size", direction = "least_stress", axis = "0, 0, 1",
               distance = "least_energy", rim = "none", lysis = "delayed", method = "heun",
-              stiffness = "none";
+              stiffness = "none", compression = "cell";
   double seed = 1.;
 
   void declare(dealii::ParameterHandler &prm);

@@ -17,15 +17,17 @@ DextranPressure::DextranPressure(const DextranParameters &parameters_)
 void DextranPressure::unit_forces(const Particles<3> &particles)
 {
   forces.resize(cells.size());
-  Vector<3> mean = Vector<3>::Zero();
+  Vector<3> sum = Vector<3>::Zero();
+  double shares = 0.;
   for (std::size_t k = 0; k < cells.size(); ++k)
     {
       const Vector<3> from = particles.position(cells[k]) - centre;
       forces[k] = -share[k] / std::max(from.norm(), softened) * from;
-      mean += forces[k] / double(cells.size());
+      sum += forces[k];
+      shares += share[k];
     }
-  for (Vector<3> &f : forces)
-    f -= mean;
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    forces[k] -= share[k] / shares * sum;
 }
 
 void DextranPressure::update(const CellPopulation &population, const double t)
@@ -43,9 +45,14 @@ void DextranPressure::update(const CellPopulation &population, const double t)
   centre = outer.centre;
   softened = outer.mean_radius;
   cells = outer.cells;
+  exposed = 0.;
   share.clear();
-  for (const std::uint32_t i : cells)
-    share.push_back(reference ? sphere_volume(radius[i]) / (*reference)[i] : 1.);
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    {
+      const std::uint32_t i = cells[k];
+      exposed += outer.exposure[k];
+      share.push_back(outer.exposure[k] * (reference ? sphere_volume(radius[i]) / (*reference)[i] : 1.));
+    }
   unit_forces(particles);
   double moment = 0.;
   for (std::size_t k = 0; k < cells.size(); ++k)
@@ -75,7 +82,7 @@ void DextranPressure::gather(const std::vector<std::uint32_t> &)
 
 std::vector<Surroundings::Value> DextranPressure::values(const CellPopulation &) const
 {
-  return {{"unit_force", "N", F_0}, {"outer_cells", "1", double(cells.size())}};
+  return {{"unit_force", "N", F_0}, {"outer_cells", "1", exposed}};
 }
 
 // Checkpoints are taken between intervals, and every interval begins with update(): F_0 is all that lasts.

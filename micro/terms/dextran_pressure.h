@@ -1,13 +1,15 @@
-// Osmotic pressure of a dextran solution on a spheroid (thesis Eq. 5.3): a force towards the centre on every outer cell
-// (outer_cells.h),
+// Osmotic pressure of a dextran solution on a spheroid (thesis Eq. 5.3): a force towards the centre on every cell in so far as it is
+// an outer one, w_i its exposure (outer_cells.h),
 //
-//   F_i = F_0 [ V_i/V_ref,i towards the centroid, minus the mean of these ]          (they sum to zero),
+//   F_i = F_0 w_i V_i/V_ref,i towards the centroid, minus what all sum up to in the same shares          (they sum to zero),
 //
+// Why w_i: full forces on the outermost cells alone, one to a cell's area, do not press a loose spheroid together. They are pushed in between
+// others that carry nothing, those become the outermost, and so on without end (10 kPa on 400 cells: 6.4 kPa were held).
 // with F_0 such that the mean pressure of the cells is the given one. In equilibrium the virial theorem gives it without a search:
 // sum_i p_i V_i = -1/3 sum_outer F_i . r_i = p sum_i V_i, r_i from the centroid. Then the mean weighted with V_i is p up to what
 // the medium's friction carries.
 //
-// Who is an outer cell, the centroid and F_0 are found in update(); in between the forces keep their size and point to that centroid
+// Exposures, the centroid and F_0 are found in update(); in between the forces keep their size and point to that centroid
 // (within a mean radius of it they fall to zero): dead loads would push a cell through the spheroid and out.
 // The pressure rises in proportion to time over `rise`.
 // F_0 fixed ("fixed for each experiment"): it keeps the value of the first update.
@@ -49,10 +51,10 @@ private:
   void unit_forces(const Particles<3> &particles);
 
   DextranParameters parameters;
-  double F_0 = 0., softened = 0.; ///< N; m, within it of the centroid forces fall to zero
+  double F_0 = 0., softened = 0., exposed = 0.; ///< N; m, within it of the centroid forces fall to zero; sum of exposures
   Vector<3> centre = Vector<3>::Zero();
   std::vector<std::uint32_t> cells;
-  std::vector<double> share;      ///< V/V_ref of cells
+  std::vector<double> share; ///< w V/V_ref of cells
   std::vector<Vector<3>> forces;
 };
 } // namespace turgor

@@ -193,6 +193,11 @@ double ElasticCapsule::energy(const Particles<3> &particles) const
   return total;
 }
 
+double ElasticCapsule::energy_of(const Vector<3> &x, const double radius, const double reference, const double modulus) const
+{
+  return material.energy_about(radius, reference, modulus, -1. / parameters.radius, R - x.norm());
+}
+
 void ElasticCapsule::add_friction(const Particles<3> &, std::vector<double> &gamma) const
 {
   for (const WallTouch &touch : touches)

@@ -37,6 +37,7 @@ public:
   void add_forces(Particles<3> &particles) override;
   void add_friction(const Particles<3> &, std::vector<double> &gamma) const override;
   void add_stiffness(const Particles<3> &, std::vector<double> &stiffness) const override;
+  double energy_of(const Vector<3> &x, double radius, double reference, double modulus) const override;
   void advance(const Particles<3> &particles, double dt) override;
   void add_virial(const Particles<3> &, std::vector<Tensor2<3>> &virial) const override;
   void gather(const std::vector<std::uint32_t> &) override { touches.clear(); }

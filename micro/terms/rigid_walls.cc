@@ -20,10 +20,10 @@ RigidWalls::RigidWalls(std::vector<RigidWall> walls_, const WallMaterial &materi
     }
 }
 
-bool RigidWalls::meets(const Particles<3> &particles, const RigidWall &wall, const std::size_t i, double &w, double &curvature,
-                       Vector<3> &inward) const
+bool RigidWalls::meets(const Vector<3> &x, const double radius, const RigidWall &wall, double &w, double &curvature,
+                       Vector<3> &inward)
 {
-  const Vector<3> from = particles.position(i) - wall.point;
+  const Vector<3> from = x - wall.point;
   if (wall.shape == RigidWall::plane)
     {
       w = wall.normal.dot(from);
@@ -37,7 +37,7 @@ bool RigidWalls::meets(const Particles<3> &particles, const RigidWall &wall, con
       curvature = side / wall.radius;
       inward = side / r * from;
     }
-  return w < particles.field("radius")[i];
+  return w < radius;
 }
 
 void RigidWalls::add_forces(Particles<3> &particles)
@@ -52,7 +52,7 @@ void RigidWalls::add_forces(Particles<3> &particles)
         {
           WallTouch touch;
           double curvature = 0.;
-          if (!meets(particles, walls[k], i, touch.w, curvature, touch.inward))
+          if (!meets(particles.position(i), radius[i], walls[k], touch.w, curvature, touch.inward))
             continue;
           if (!(touch.w > 0.))
             throw std::runtime_error("the centre of cell " + std::to_string(i)
@@ -75,8 +75,18 @@ double RigidWalls::energy(const Particles<3> &particles) const
   Vector<3> inward;
   for (const RigidWall &wall : walls)
     for (std::size_t i = 0; i < particles.size(); ++i)
-      if (meets(particles, wall, i, w, curvature, inward))
+      if (meets(particles.position(i), radius[i], wall, w, curvature, inward))
         total += material.energy(radius[i], reference(i), modulus[i], curvature, w);
+  return total;
+}
+
+double RigidWalls::energy_of(const Vector<3> &x, const double radius, const double reference, const double modulus) const
+{
+  double total = 0., w = 0., curvature = 0.;
+  Vector<3> inward;
+  for (const RigidWall &wall : walls)
+    if (meets(x, radius, wall, w, curvature, inward))
+      total += material.energy_about(radius, reference, modulus, curvature, w);
   return total;
 }
 

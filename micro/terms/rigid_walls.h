@@ -37,6 +37,7 @@ public:
   void add_forces(Particles<3> &particles) override;
   void add_friction(const Particles<3> &, std::vector<double> &gamma) const override;
   void add_stiffness(const Particles<3> &, std::vector<double> &stiffness) const override;
+  double energy_of(const Vector<3> &x, double radius, double reference, double modulus) const override;
   void advance(const Particles<3> &, double dt) override;
   void add_virial(const Particles<3> &, std::vector<Tensor2<3>> &virial) const override;
   void gather(const std::vector<std::uint32_t> &) override { touches.clear(); }
@@ -51,7 +52,7 @@ public:
 
 private:
   /// Overlap, curvature and direction of the force; false where the cell does not touch.
-  bool meets(const Particles<3> &particles, const RigidWall &wall, std::size_t i, double &w, double &curvature, Vector<3> &inward) const;
+  static bool meets(const Vector<3> &x, double radius, const RigidWall &wall, double &w, double &curvature, Vector<3> &inward);
 
   std::vector<RigidWall> walls;
   WallMaterial material;

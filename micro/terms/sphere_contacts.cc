@@ -2,15 +2,19 @@
 
 #include "micro/engine/binary.h"
 #include "micro/engine/parallel.h"
+#include "micro/terms/overlap_energy.h"
 
+#include <algorithm>
 #include <atomic>
 #include <stdexcept>
 
 namespace turgor
 {
-SphereContacts::SphereContacts(const ContactLaw &law_, const double skin, std::optional<LocalStiffness> stiffness_)
+SphereContacts::SphereContacts(const ContactLaw &law_, const double skin, std::optional<LocalStiffness> stiffness_,
+                               const CompressionOf compression_)
   : law(law_)
   , stiffness(std::move(stiffness_))
+  , compression(compression_)
   , pairs(skin)
 {}
 
@@ -38,6 +42,8 @@ void SphereContacts::pack(const Particles<3> &particles, const unsigned int thre
     for (std::size_t i = begin; i < end; ++i)
       cells[i].reference = volume ? std::cbrt(volume[i] * (0.75 / std::numbers::pi)) : cells[i].radius;
   });
+  if (compression == CompressionOf::contact)
+    return;
   const auto &first = pairs.first(), &other = pairs.other();
   for_chunks(threads, chunks, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
@@ -69,6 +75,7 @@ template <class Law>
 void SphereContacts::compute_pairs(const Law &one, const unsigned int threads, const bool trial)
 {
   const std::vector<Pair> &list = pairs.pairs();
+  const bool each = stiffness && compression == CompressionOf::contact;
   std::atomic<std::size_t> coincide{list.size()};
   for_chunks(threads, Chunks(list.size(), 2048), [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p)
@@ -79,11 +86,17 @@ void SphereContacts::compute_pairs(const Law &one, const unsigned int threads, c
         const double reach = i.radius + j.radius;
         bool now = r2 < reach * reach;
         double d = 0., R = 0., E = 0.;
+        LocalStiffness::Value g;
         if (now || (Law::has_history && touching[p]))
           {
             d = std::sqrt(r2);
             R = i.radius * j.radius / reach;
             E = in_series(i.modulus, j.modulus);
+            if (each)
+              {
+                g = (*stiffness)(1. - d / (i.reference + j.reference));
+                E *= g.factor;
+              }
             now = one.touching(R, E, reach - d, touching[p]);
           }
         if (Law::has_history && !trial)
@@ -102,7 +115,9 @@ void SphereContacts::compute_pairs(const Law &one, const unsigned int threads, c
         const SphereContact s = one(R, E, reach - d);
         const double id = 1. / d;
         c = {{dx * id, dy * id, dz * id}, s.force, s.stiffness, s.area, s.energy, d};
-        if (stiffness && s.force > 0.)
+        if (each && s.force > 0.)
+          c.stiffness += s.force * g.slope / (g.factor * (i.reference + j.reference));
+        else if (stiffness && s.force > 0.)
           { // d(1/E) = sum of d(1/E_i): dE = E^2 (dE_i/E_i^2 + dE_j/E_j^2)
             const double a = E / i.modulus, b = E / j.modulus;
             c.stiffness += s.force / E * (a * a * i.slope + b * b * j.slope) / (i.reference + j.reference);
@@ -162,13 +177,22 @@ void SphereContacts::gather(const std::vector<std::uint32_t> &source)
   contact.clear();
 }
 
-double SphereContacts::pair_energy(const double radius_i, const double radius_j, const double modulus_i,
-                                   const double modulus_j, const double distance) const
+double SphereContacts::pair_energy(const Sphere &i, const Sphere &j, const double distance) const
 {
-  const double R = in_series(radius_i, radius_j), E = in_series(modulus_i, modulus_j);
-  const double delta = radius_i + radius_j - distance;
+  const double R = in_series(i.radius, j.radius), E = in_series(i.modulus, j.modulus);
+  const double reach = i.radius + j.radius, reference = i.reference + j.reference, delta = reach - distance;
+  if (!(delta > 0.))
+    return 0.;
   return std::visit(
-    [&](const auto &one) { return one.touching(R, E, delta, false) ? one(R, E, delta).energy : 0.; }, law);
+    [&](const auto &one) {
+      if (!stiffness || compression == CompressionOf::cell)
+        return one(R, E, delta).energy;
+      const auto g = [&](const double overlap) { return (*stiffness)(1. - (reach - overlap) / reference).factor; };
+      const double soft = std::clamp(reach - (1. - stiffness->offset()) * reference, 0., delta); // g is constant up to there
+      return one(R, E * g(soft), soft).energy
+             + overlap_energy(soft, delta, 4, [&](const double overlap) { return one(R, E * g(overlap), overlap).force; });
+    },
+    law);
 }
 
 std::size_t SphereContacts::memory_bytes() const

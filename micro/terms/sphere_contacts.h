@@ -5,10 +5,14 @@
 // Fields read: radius (m), modulus (Pa, E/(1 - nu^2) of each cell), with a local stiffness reference_volume (m^3) where there is one.
 // Written: f (N).
 //
-// Local stiffness (local_stiffness.h): before the pairs each cell's modulus is multiplied by g of its mean compression d_i over
-// the cells it overlaps. The forces then depend on all neighbours, and are no longer the slope of an energy; energy() is that of the
-// pairs at the present moduli. The stiffness of a pair counts what its own compression alone would do to both moduli: that of
-// uniform compression, an upper bound for implicit steps.
+// Local stiffness (local_stiffness.h), by the compression
+//   of each cell      before the pairs each cell's modulus is multiplied by g of its mean compression d_i over the cells it overlaps.
+//                     The forces then depend on all neighbours, and are no longer the slope of an energy; the stiffness of a pair
+//                     counts what its own compression alone would do to both moduli: that of uniform compression, an upper
+//                     bound for implicit steps
+//   of each contact   both moduli of a pair are multiplied by g(d_ij): F is a function of the distance and conservative. The same
+//                     as the first where a cell is equally compressed by all neighbours, which is where C.9 is calibrated
+// energy() is that of the pairs at the present moduli.
 //
 // For speed: what the pairs read of a cell is packed into one cache line first; a pair is computed once, in parallel over pairs.
 // The stress of a cell from its contacts: cell_stress.h.
@@ -38,11 +42,19 @@ struct alignas(64) PairContact
   double distance = 0.; ///< m, between the centres
 };
 
+/// Whose compression the local stiffness goes by.
+enum class CompressionOf
+{
+  cell,
+  contact
+};
+
 class SphereContacts
 {
 public:
   /// skin: m, of the pair list. stiffness: none, moduli stay what they are.
-  SphereContacts(const ContactLaw &law, double skin, std::optional<LocalStiffness> stiffness = {});
+  SphereContacts(const ContactLaw &law, double skin, std::optional<LocalStiffness> stiffness = {},
+                 CompressionOf compression = CompressionOf::cell);
 
   static std::string name(const ContactLaw &law);
 
@@ -56,8 +68,16 @@ public:
   /// next add_forces.
   void gather(const std::vector<std::uint32_t> &source);
 
+  /// A cell as its contacts see it.
+  struct Sphere
+  {
+    double radius, reference; ///< m, now and uncompressed
+    double modulus;           ///< Pa
+  };
+  /// Pa, of a cell at the last add_forces: with the stiffness by its mean compression, if that is how it goes.
+  double modulus(const std::size_t i) const { return cells[i].modulus; }
   /// J, of two cells at a distance (m) that touch where they overlap: what a division chooses its place by.
-  double pair_energy(double radius_i, double radius_j, double modulus_i, double modulus_j, double distance) const;
+  double pair_energy(const Sphere &i, const Sphere &j, double distance) const;
 
   const PairList<3> &list() const { return pairs; }
   const std::vector<PairContact> &contacts() const { return contact; }
@@ -80,6 +100,7 @@ private:
 
   ContactLaw law;
   std::optional<LocalStiffness> stiffness;
+  CompressionOf compression;
   std::vector<Cell> cells;
   PairList<3> pairs;
   std::vector<PairContact> contact;

@@ -11,12 +11,11 @@
 
 #include "micro/engine/particles.h"
 #include "micro/terms/local_stiffness.h"
+#include "micro/terms/overlap_energy.h"
 #include "micro/terms/sphere_contact.h"
 
-#include <array>
 #include <numbers>
 #include <optional>
-#include <vector>
 
 namespace turgor
 {
@@ -44,28 +43,24 @@ struct WallMaterial
   {
     if (!stiffness)
       return (*this)(R, R_ref, E, curvature, w).energy;
-    // In t = sqrt(overlap) the integrand 2 t F is smooth between the kinks of g.
-    constexpr std::array<double, 3> node{-0.7745966692414834, 0., 0.7745966692414834}, weight{5. / 9., 8. / 9., 5. / 9.};
+    const auto force = [&](const double overlap) { return (*this)(R, R_ref, E, curvature, R - overlap).force; };
     constexpr int pieces = 24;
-    std::vector<double> ends;
-    const double most = std::sqrt(R - w);
-    for (const double d : stiffness->kinks())
-      if (const double overlap = d * R_ref - (R_ref - R); overlap > 0. && overlap < R - w)
-        ends.push_back(std::sqrt(overlap));
-    ends.push_back(most);
     double sum = 0., from = 0.;
-    for (const double to : ends)
-      {
-        const double step = (to - from) / pieces;
-        for (int p = 0; p < pieces; ++p)
-          for (std::size_t k = 0; k < 3; ++k)
-            {
-              const double t = from + step * (p + 0.5 + 0.5 * node[k]);
-              sum += weight[k] * 0.5 * step * 2. * t * (*this)(R, R_ref, E, curvature, R - t * t).force;
-            }
-        from = to;
-      }
-    return sum;
+    for (const double d : stiffness->kinks())
+      if (const double to = d * R_ref - (R_ref - R); to > 0. && to < R - w)
+        {
+          sum += overlap_energy(from, to, pieces, force);
+          from = to;
+        }
+    return sum + overlap_energy(from, R - w, pieces, force);
+  }
+
+  /// The same to a few per cent and soon, for any w: 0 where it does not touch, infinite where its centre would be behind the wall.
+  double energy_about(const double R, const double R_ref, const double E, const double curvature, const double w) const
+  {
+    if (!(w > 0.))
+      return HUGE_VAL;
+    return w < R ? overlap_energy(0., R - w, 6, [&](double overlap) { return (*this)(R, R_ref, E, curvature, R - overlap).force; }) : 0.;
   }
 };
 

@@ -299,22 +299,22 @@ BOOST_AUTO_TEST_CASE(newborn_pairs_lie_where_their_energy_is_least)
   CellDivision division;
   SphereContacts hertz(HertzContact(), 0.1);
   hertz.add_forces(cells.particles, 1);
-  BOOST_TEST(division.half_distance(cells, hertz, 0, Vector<3>::UnitX(), R, 100.) == R, digits(2e-3));
+  BOOST_TEST(division.half_distance(cells, hertz, {}, 0, Vector<3>::UnitX(), R) == R, digits(2e-3));
   SphereContacts sticky(ExtendedHertzContact{W}, 0.1);
   sticky.add_forces(cells.particles, 1);
   // 4/3 E sqrt(R/2) delta^(3/2) = pi W R/2, E = 50
   const double delta = std::pow(std::numbers::pi * W * 0.5 * R / (4. / 3. * 50. * std::sqrt(0.5 * R)), 2. / 3.);
-  BOOST_TEST(division.half_distance(cells, sticky, 0, Vector<3>::UnitX(), R, 100.) == R - 0.5 * delta, digits(2e-3));
+  BOOST_TEST(division.half_distance(cells, sticky, {}, 0, Vector<3>::UnitX(), R) == R - 0.5 * delta, digits(2e-3));
   division.least_energy = false;
-  BOOST_TEST(division.half_distance(cells, sticky, 0, Vector<3>::UnitX(), R, 100.) == 1. - R, digits(1e-14));
+  BOOST_TEST(division.half_distance(cells, sticky, {}, 0, Vector<3>::UnitX(), R) == 1. - R, digits(1e-14));
   // held between two neighbours along its line it comes to lie closer
   division.least_energy = true;
   cells.add(Vector<3>(1.9, 0., 0.), 1., 100.);
   cells.add(Vector<3>(-1.9, 0., 0.), 1., 100.);
   hertz.add_forces(cells.particles, 1);
-  const double held = division.half_distance(cells, hertz, 0, Vector<3>::UnitX(), R, 100.);
+  const double held = division.half_distance(cells, hertz, {}, 0, Vector<3>::UnitX(), R);
   BOOST_TEST(held < 0.8 * R);
-  const double across = division.half_distance(cells, hertz, 0, Vector<3>::UnitY(), R, 100.);
+  const double across = division.half_distance(cells, hertz, {}, 0, Vector<3>::UnitY(), R);
   BOOST_TEST(across > held);
 }
 
