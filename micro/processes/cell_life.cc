@@ -93,12 +93,15 @@ void CellLife::advance(CellPopulation &cells, const SphereContacts &contacts,
         {
           const double T_lys = parameters.variability(death.lysis_time, cells.id[i], Varied::lysis_time);
           eps[i] = relaxed_strain(eps[i], rest, dt, death.linear ? parameters.relaxation : T_lys);
+          const double before = V_ref[i];
           V_ref[i] = death.drained(V_ref[i], (*V_at_death)[i], T_lys, dt);
+          drained += before - V_ref[i];
           if (cells.state[i] == CellState::necrotic && death.ended(V_ref[i], (*V_at_death)[i], eps[i], rest))
             {
               cells.state[i] = CellState::lysed;
               gone[i] = death.remove;
               any_gone = any_gone || death.remove;
+              drained += death.remove ? V_ref[i] : 0.;
             }
           continue;
         }
@@ -119,7 +122,9 @@ void CellLife::advance(CellPopulation &cells, const SphereContacts &contacts,
       cells.state[i] = rests ? CellState::quiescent : CellState::proliferating;
       if (rests)
         continue;
+      const double before = V_ref[i];
       const double left = cycle.advance(parameters.growth, V_0, T[i], f, dt, phase[i], V_ref[i]);
+      grown += V_ref[i] - before;
       if (left >= 0.)
         divisions_now.push_back({i, left, Vector<3>::Zero()});
     }
@@ -159,7 +164,9 @@ void CellLife::advance(CellPopulation &cells, const SphereContacts &contacts,
           draw(cells, i);
           V_ref[i] *= 0.5;
           phase[i] = 0.;
+          const double before = V_ref[i];
           cycle.advance(parameters.growth, V_0, T[i], 1., division.left, phase[i], V_ref[i]);
+          grown += V_ref[i] - before;
           R[i] = sphere_radius(compressed_volume(V_ref[i], eps[i]));
           for (int d = 0; d < 3; ++d)
             p.x[d][i] += sign * division.offset[d];

@@ -67,6 +67,7 @@ public:
   double volume(const CellPopulation &cells, std::size_t i) const;
 
   std::uint64_t divisions = 0, deaths = 0, removed = 0;
+  double grown = 0., drained = 0.; ///< m^3 of uncompressed volume, so far: made by growth; lost by lysis, remains taken away included
 
 private:
   void draw(CellPopulation &cells, std::size_t i) const; ///< what depends on the id

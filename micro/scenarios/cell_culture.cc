@@ -146,6 +146,8 @@ void CellCulture::save(std::ostream &out) const
   write_binary(out, sorted_size);
   for (const std::uint64_t number : {life.divisions, life.deaths, life.removed})
     write_binary(out, number);
+  write_binary(out, life.grown);
+  write_binary(out, life.drained);
   cells.save(out);
   contacts.save(out);
   motion.save(out);
@@ -160,6 +162,8 @@ void CellCulture::load(std::istream &in)
   read_binary(in, sorted_size);
   for (std::uint64_t *number : {&life.divisions, &life.deaths, &life.removed})
     read_binary(in, *number);
+  read_binary(in, life.grown);
+  read_binary(in, life.drained);
   cells.load(in);
   contacts.load(in, cells.particles);
   motion.load(in);

@@ -127,7 +127,9 @@ std::vector<double> SpheroidScene::row_of(CellCulture &culture) const
                              volume,
                              living > 0. ? weighted / living : 0.,
                              living > 0. ? strain / living : 0.,
-                             in_section / area * 100e-12};
+                             in_section / area * 100e-12,
+                             culture.life.grown,
+                             culture.life.drained};
   for (const auto &around : culture.surroundings)
     for (const auto &value : around->values(cells))
       row.push_back(value.value);
@@ -190,7 +192,8 @@ void SpheroidScene::run(RunContext &context)
 
   std::vector<Column> columns = {{"time", "s"},   {"cells", ""},  {"proliferating", ""}, {"quiescent", ""},
                                  {"necrotic", ""}, {"lysed", ""},  {"radius", "m"},       {"gyration_radius", "m"}, {"volume", "m^3"},
-                                 {"pressure", "Pa"}, {"strain", "1"}, {"density", "1/(100 um^2)"}};
+                                 {"pressure", "Pa"}, {"strain", "1"}, {"density", "1/(100 um^2)"},
+                                 {"grown_volume", "m^3"}, {"drained_volume", "m^3"}};
   for (const auto &around : culture.surroundings)
     for (const auto &value : around->values(culture.cells))
       columns.push_back({value.name, value.unit});

@@ -78,7 +78,7 @@ void Friction::correct(const double target, const double start, const unsigned i
     return sum(total);
   });
   std::vector<double> squares(chunks.count());
-  while (residual * start > target)
+  while (!(residual * start <= target))
     {
       if (last_iterations >= parameters.max_iterations || !std::isfinite(residual * start))
         throw std::runtime_error("the friction matrix was not solved within " + std::to_string(parameters.max_iterations)
@@ -137,6 +137,8 @@ void Friction::solve(Particles<3> &particles, const SphereContacts &contacts, co
   last_iterations = 0;
   v.resize(n);
   r.resize(matrix.eights());
+  if (!r.empty())
+    r.back() = {}; // of cells that fill up the last eight: what was there belongs to others if the population has shrunk
   const double forces = sum_chunks(threads, chunks, parts, [&](std::size_t begin, std::size_t last) {
     double total = 0.;
     for (std::size_t i = begin; i < last; ++i)
@@ -155,7 +157,7 @@ void Friction::solve(Particles<3> &particles, const SphereContacts &contacts, co
     }
   const double allowed = parameters.tolerance * parameters.tolerance * forces;
   // A correction is worth six digits at most: single precision has no more.
-  for (double residual = exact_residual(particles, contacts, threads); residual > allowed;
+  for (double residual = exact_residual(particles, contacts, threads); !(residual <= allowed);
        residual = exact_residual(particles, contacts, threads))
     correct(std::max(0.25 * allowed, 2.5e-13 * residual), residual, threads, allowed);
   all_iterations += last_iterations;

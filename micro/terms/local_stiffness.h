@@ -50,8 +50,9 @@ public:
     return d >= end ? Value{top, 0.} : inside(d);
   }
 
-  /// Compression up to which g = 1.
-  double offset() const { return start; }
+  /// Compressions between which g rises.
+  double first() const { return start; }
+  double last() const { return end; }
 
   /// Compressions at which the slope of g jumps, rising.
   std::vector<double> kinks() const;

@@ -187,10 +187,12 @@ double SphereContacts::pair_energy(const Sphere &i, const Sphere &j, const doubl
     [&](const auto &one) {
       if (!stiffness || compression == CompressionOf::cell)
         return one(R, E, delta).energy;
-      const auto g = [&](const double overlap) { return (*stiffness)(1. - (reach - overlap) / reference).factor; };
-      const double soft = std::clamp(reach - (1. - stiffness->offset()) * reference, 0., delta); // g is constant up to there
-      return one(R, E * g(soft), soft).energy
-             + overlap_energy(soft, delta, 4, [&](const double overlap) { return one(R, E * g(overlap), overlap).force; });
+      const auto modulus = [&](const double overlap) { return E * (*stiffness)(1. - (reach - overlap) / reference).factor; };
+      const auto force = [&](const double overlap) { return one(R, modulus(overlap), overlap).force; };
+      // g is constant up to `soft` and from `hard` on
+      const double soft = std::clamp(reach - (1. - stiffness->first()) * reference, 0., delta),
+                   hard = std::clamp(reach - (1. - stiffness->last()) * reference, soft, delta);
+      return one(R, modulus(soft), soft).energy + overlap_energy(soft, hard, 4, force) + overlap_energy(hard, delta, 2, force);
     },
     law);
 }

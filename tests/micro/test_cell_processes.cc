@@ -2,6 +2,8 @@
 // division, variability.
 #include "micro/cells/cell_stress.h"
 #include "micro/processes/cell_life.h"
+#include "micro/terms/elastic_capsule.h"
+#include "micro/terms/rigid_walls.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -316,6 +318,32 @@ BOOST_AUTO_TEST_CASE(newborn_pairs_lie_where_their_energy_is_least)
   BOOST_TEST(held < 0.8 * R);
   const double across = division.half_distance(cells, hertz, {}, 0, Vector<3>::UnitY(), R);
   BOOST_TEST(across > held);
+}
+
+// A mother that touches a wall: across it the pair lies as without a wall, towards it closer together, never behind it.
+BOOST_AUTO_TEST_CASE(newborn_pairs_see_the_wall)
+{
+  CellPopulation cells;
+  cells.add(Vector<3>::Zero(), 1., 100.);
+  SphereContacts hertz(HertzContact(), 0.1);
+  hertz.add_forces(cells.particles, 1);
+  std::vector<std::unique_ptr<Surroundings>> walls;
+  walls.push_back(std::make_unique<RigidWalls>(std::vector<RigidWall>{{.point = Vector<3>(0., 0., -0.9)}}, WallMaterial{}));
+  const double R = std::cbrt(0.5);
+  CellDivision division;
+  const double free = division.half_distance(cells, hertz, {}, 0, Vector<3>::UnitZ(), R);
+  BOOST_TEST(division.half_distance(cells, hertz, walls, 0, Vector<3>::UnitX(), R) == free, digits(1e-12));
+  // least of 8/15 E R^(1/2) delta^(5/2): pair E = 50, R/2, delta = 2 R - 2 s; wall E = 100, R, delta = R - 0.9 + s: equal forces
+  const double s = division.half_distance(cells, hertz, walls, 0, Vector<3>::UnitZ(), R);
+  const double pair = 2. * HertzContact()(0.5 * R, 50., 2. * (R - s)).force, wall = HertzContact()(R, 100., R - 0.9 + s).force;
+  BOOST_TEST(s < 0.9 * free);
+  BOOST_TEST(pair == wall, digits(0.02));
+
+  CapsuleParameters thin;
+  thin.radius = 10.;
+  walls[0] = std::make_unique<ElasticCapsule>(thin, WallMaterial{});
+  cells.particles.x[0][0] = 9.4; // a daughter touching her sister would have her centre outside
+  BOOST_TEST(9.4 + division.half_distance(cells, hertz, walls, 0, Vector<3>::UnitX(), R) < 10.);
 }
 
 // One cell without neighbours: it divides at T, its volume is kept, both daughters are new and as old as what was left.

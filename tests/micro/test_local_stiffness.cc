@@ -1,4 +1,5 @@
 // Contact modulus that rises with compression: the repaired C.9, B.19, that of a closest packing, tables, files, and what is refused.
+#include "micro/cells/cell_population.h"
 #include "micro/cells/cell_stress.h"
 
 #include <boost/test/unit_test.hpp>
@@ -24,6 +25,20 @@ std::string written(const std::string &text)
   const std::string path = (std::filesystem::temp_directory_path() / "turgor_stiffness.csv").string();
   std::ofstream(path) << text;
   return path;
+}
+
+constexpr double radius_0 = 7e-6;
+
+/// n cells of radius_0; places and moduli to be filled in.
+Particles<3> cells(const std::uint32_t n)
+{
+  Particles<3> p;
+  p.resize(n);
+  p.groups = {{0, 0, n}};
+  p.declare("radius");
+  p.declare("modulus");
+  p.field("radius").assign(n, radius_0);
+  return p;
 }
 } // namespace
 
@@ -130,6 +145,89 @@ BOOST_AUTO_TEST_CASE(from_a_file)
   refused([] { LocalStiffness::from_file(written("compression,modulus\n0.1,many\n")); }, "line 2");
   refused([] { LocalStiffness::from_file(written("d,E\n")); }, "has to begin with");
   refused([] { LocalStiffness::from_file("no/such/file.csv"); }, "cannot read 'no/such/file.csv'");
+}
+
+BOOST_AUTO_TEST_CASE(local_stiffness_multiplies_the_moduli)
+{
+  const LocalStiffness stiffness = LocalStiffness::repaired_C9();
+  for (const ContactLaw &law : {ContactLaw(HertzContact()), ContactLaw(JkrContact{1e-4})})
+    {
+      Particles<3> p = cells(2);
+      p.field("modulus") = {400., 500.};
+      for (int d = 0; d < 3; ++d)
+        p.x[d] = {0., 0.};
+      p.x[0][1] = 1.7 * radius_0;
+      SphereContacts contacts(law, 1e-6, stiffness);
+      contacts.add_forces(p, 1);
+      const double g = stiffness(0.15).factor;
+      const SphereContact expected =
+        std::visit([&](const auto &one) { return one(0.5 * radius_0, g * in_series(400., 500.), 0.3 * radius_0); }, law);
+      BOOST_TEST(p.f[0][1] == expected.force, boost::test_tools::tolerance(1e-12));
+      // the stiffness is the slope of the force where all moduli follow
+      const auto force = [&](const double distance) {
+        p.x[0][1] = distance;
+        p.f[0] = {0., 0.};
+        contacts.add_forces(p, 1);
+        return p.f[0][1];
+      };
+      const double h = 1e-4 * radius_0, slope = (force(1.7 * radius_0 - h) - force(1.7 * radius_0 + h)) / (2. * h);
+      force(1.7 * radius_0);
+      if (std::holds_alternative<HertzContact>(law))
+        BOOST_TEST(contacts.contacts()[0].stiffness == slope, boost::test_tools::tolerance(1e-5));
+      else
+        BOOST_TEST(contacts.contacts()[0].stiffness >= 0.9 * slope); // W's part of the force does not grow with the modulus
+    }
+}
+
+// The mean over neighbours: a cell between a near and a far one has the modulus of their mean compression.
+BOOST_AUTO_TEST_CASE(local_stiffness_is_that_of_the_mean_compression)
+{
+  const LocalStiffness stiffness = LocalStiffness::repaired_C9();
+  Particles<3> p = cells(3);
+  p.field("modulus") = {400., 400., 400.};
+  p.x[1] = p.x[2] = {0., 0., 0.};
+  p.x[0] = {-1.6 * radius_0, 0., 1.8 * radius_0};
+  SphereContacts contacts(HertzContact(), 1e-6, stiffness);
+  contacts.add_forces(p, 1);
+  const double middle = 400. * stiffness(0.15).factor, left = 400. * stiffness(0.2).factor, right = 400. * stiffness(0.1).factor;
+  const double F_left = HertzContact()(0.5 * radius_0, in_series(left, middle), 0.4 * radius_0).force,
+               F_right = HertzContact()(0.5 * radius_0, in_series(right, middle), 0.2 * radius_0).force;
+  BOOST_TEST(p.f[0][0] == -F_left, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(p.f[0][2] == F_right, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(p.f[0][1] == F_left - F_right, boost::test_tools::tolerance(1e-12));
+}
+
+// The same matrix for other forces: Gamma v = F once more, against its own residual by momentum: sum gamma_i v_i = sum F_i.
+// By the compression of each contact: the modulus is that of the pair's own compression, whatever the others do, and F = -dE/dr.
+BOOST_AUTO_TEST_CASE(by_contact_the_force_is_the_slope_of_an_energy)
+{
+  const LocalStiffness stiffness = LocalStiffness::repaired_C9();
+  for (const ContactLaw &law : {ContactLaw(HertzContact()), ContactLaw(JkrContact{1e-4})})
+    {
+      Particles<3> p = cells(3);
+      p.declare("reference_volume");
+      p.field("reference_volume").assign(3, sphere_volume(1.1 * radius_0));
+      p.field("modulus") = {400., 500., 450.};
+      p.x[1] = p.x[2] = {0., 0., 0.};
+      p.x[0] = {-1.6 * radius_0, 0., 1.8 * radius_0};
+      SphereContacts contacts(law, 1e-6, stiffness, CompressionOf::contact);
+      contacts.add_forces(p, 1);
+      const double g = stiffness(1. - 1.8 / 2.2).factor;
+      const SphereContact expected =
+        std::visit([&](const auto &one) { return one(0.5 * radius_0, g * in_series(450., 500.), 0.2 * radius_0); }, law);
+      BOOST_TEST(p.f[0][2] == expected.force, boost::test_tools::tolerance(1e-12));
+      const SphereContacts::Sphere a{radius_0, 1.1 * radius_0, 500.}, b{radius_0, 1.1 * radius_0, 450.};
+      for (const double r : {1.99, 1.9, 1.8, 1.7, 1.5})
+        {
+          const double h = 1e-4 * radius_0;
+          const double slope = (contacts.pair_energy(a, b, r * radius_0 - h) - contacts.pair_energy(a, b, r * radius_0 + h)) / (2. * h);
+          const double factor = stiffness(1. - r / 2.2).factor;
+          const double F = std::visit(
+            [&](const auto &one) { return one(0.5 * radius_0, factor * in_series(450., 500.), (2. - r) * radius_0).force; }, law);
+          BOOST_TEST(slope == F, boost::test_tools::tolerance(r > 1.98 ? 0.03 : 2e-3));
+        }
+      BOOST_TEST(contacts.pair_energy(a, b, 2.01 * radius_0) == 0.);
+    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
