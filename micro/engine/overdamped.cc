@@ -108,6 +108,9 @@ double Overdamped::step(Particles<3> &particles, const std::vector<double> &gamm
                 particles.v[d] = v_before[d];
             }
           ++accepted;
+          if (jumped)
+            after_jump = h;
+          jumped = false;
           return h;
         }
       ++rejections;
@@ -126,6 +129,8 @@ double Overdamped::step(Particles<3> &particles, const std::vector<double> &gamm
 
 void Overdamped::gather(const std::vector<std::uint32_t> &source)
 {
+  jumped = true;
+  dt = std::min(dt, 2. * after_jump);
   for (auto &v : v_before)
     if (!v.empty())
       v = gathered(v, source);
@@ -134,6 +139,8 @@ void Overdamped::gather(const std::vector<std::uint32_t> &source)
 void Overdamped::save(std::ostream &out) const
 {
   write_binary(out, dt);
+  write_binary(out, after_jump);
+  write_binary(out, jumped);
   write_binary(out, rejections);
   write_binary(out, accepted);
   for (const auto &v : v_before)
@@ -143,6 +150,8 @@ void Overdamped::save(std::ostream &out) const
 void Overdamped::load(std::istream &in)
 {
   read_binary(in, dt);
+  read_binary(in, after_jump);
+  read_binary(in, jumped);
   read_binary(in, rejections);
   read_binary(in, accepted);
   for (auto &v : v_before)

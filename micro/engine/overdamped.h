@@ -13,11 +13,13 @@
 // mean square instead, the largest at most a quarter of the radius: in a large population some cells always divide or
 // touch for the first time, and the largest error would keep all steps as short as theirs; v_before is the
 // velocity of the last step (heun: that of its own first stage). A step that errs more is
-// taken back and repeated with a shorter one. The next step: dt 0.9 sqrt(allowed/error), within [1/5, 2] of the last.
+// taken back and repeated with a shorter one. The next step: dt 0.9 sqrt(allowed/error), within [1/5, 2] of the last. Where cells have divided
+// or gone, forces jump: the first step then is at most twice the one that was accepted after the last such jump.
 #pragma once
 
 #include "micro/terms/cell_friction.h"
 
+#include <cmath>
 #include <functional>
 #include <iosfwd>
 #include <string>
@@ -75,6 +77,8 @@ private:
   std::function<void(Particles<3> &)> outer;
   unsigned int threads;
   double dt;
+  double after_jump = HUGE_VAL; ///< s, the first step accepted after cells have divided or gone
+  bool jumped = false;
   std::uint64_t rejections = 0, accepted = 0;
   std::vector<double> drag; ///< N s/m, gamma and what implicit steps add
   std::vector<double> x_before[3], v_before[3]; ///< v_before: empty before the first step
