@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <stdexcept>
 #include <string>
 
@@ -27,21 +26,16 @@ double Friction::exact_residual(const Particles<3> &particles, const SphereConta
   const PairList<3> &list = contacts.list();
   const std::vector<PairContact> &contact = contacts.contacts();
   return sum_chunks(threads, Chunks(own.size()), parts, [&](std::size_t begin, std::size_t last) {
-    Lanes total{};
+    DoubleRow total{};
     for (std::size_t i = begin; i < last; ++i)
       {
-        const Lanes vi = v[i].v;
-        Lanes rest = Lanes{particles.f[0][i], particles.f[1][i], particles.f[2][i], 0.} - own[i] * vi;
+        ExactRow row(particles, own, v, i);
         for (std::uint32_t k = list.first()[i]; k < list.first()[i + 1]; ++k)
           {
             const PairContact &c = contact[list.own()[k]]; // all zero where nothing touches
-            const auto [normal, tangential] = pair(c);
-            const Lanes u = vi - v[list.other()[k]].v;
-            Lanes e; // what follows in the contact is multiplied by u[3] = 0
-            std::memcpy(&e, c.e, sizeof e);
-            rest -= tangential * u + (normal - tangential) * sum(e * u) * e;
+            row.add(pair(c), ExactRow::direction(c), v[list.other()[k]].v);
           }
-        rest[3] = 0.;
+        const DoubleRow rest = row.result();
         Eight &eight = r[i / FrictionMatrix::width];
         const std::size_t lane = i % FrictionMatrix::width;
         eight.x[lane] = float(rest[0]);
@@ -66,7 +60,7 @@ void Friction::correct(const double target, const double start, const unsigned i
   const float scale = float(1. / size);
   double residual = 1.;
   double rz = sum_chunks(threads, chunks, parts, [&](std::size_t begin, std::size_t last) {
-    Lanes total{};
+    DoubleRow total{};
     for (std::size_t g = begin; g < last; ++g)
       {
         const Eight rest{scale * r[g].x, scale * r[g].y, scale * r[g].z}, z = matrix.preconditioned(g, rest);
@@ -90,7 +84,7 @@ void Friction::correct(const double target, const double start, const unsigned i
       });
       const float alpha = float(rz / pAp);
       const double rz_next = sum_chunks(threads, chunks, parts, [&](std::size_t begin, std::size_t last) {
-        Lanes total{}, square{};
+        DoubleRow total{}, square{};
         for (std::size_t g = begin; g < last; ++g)
           {
             const Eight rest{r[g].x - alpha * Ap[g].x, r[g].y - alpha * Ap[g].y, r[g].z - alpha * Ap[g].z},
@@ -125,30 +119,30 @@ void Friction::correct(const double target, const double start, const unsigned i
       {
         const Eight &d = correction[i / FrictionMatrix::width];
         const std::size_t lane = i % FrictionMatrix::width;
-        v[i].v += size * Lanes{d.x[lane], d.y[lane], d.z[lane], 0.};
+        v[i].v += size * DoubleRow{d.x[lane], d.y[lane], d.z[lane], 0.};
       }
   });
 }
 
-void Friction::solve(Particles<3> &particles, const SphereContacts &contacts, const unsigned int threads)
+double Friction::start(const Particles<3> &particles, const unsigned int threads)
 {
-  const std::size_t n = own.size();
-  const Chunks chunks(n);
-  last_iterations = 0;
-  v.resize(n);
-  r.resize(matrix.eights());
-  if (!r.empty())
-    r.back() = {}; // of cells that fill up the last eight: what was there belongs to others if the population has shrunk
-  const double forces = sum_chunks(threads, chunks, parts, [&](std::size_t begin, std::size_t last) {
+  v.resize(own.size());
+  return sum_chunks(threads, Chunks(own.size()), parts, [&](std::size_t begin, std::size_t last) {
     double total = 0.;
     for (std::size_t i = begin; i < last; ++i)
       {
-        v[i].v = Lanes{particles.v[0][i], particles.v[1][i], particles.v[2][i], 0.};
+        v[i].v = DoubleRow{particles.v[0][i], particles.v[1][i], particles.v[2][i], 0.};
         for (int d = 0; d < 3; ++d)
           total += particles.f[d][i] * particles.f[d][i];
       }
     return total;
   });
+}
+
+void Friction::solve(Particles<3> &particles, const SphereContacts &contacts, const double forces, double residual,
+                     const unsigned int threads)
+{
+  last_iterations = 0;
   if (forces == 0.) // nothing moves; no residual is small against no force
     {
       for (auto &values : particles.v)
@@ -157,11 +151,10 @@ void Friction::solve(Particles<3> &particles, const SphereContacts &contacts, co
     }
   const double allowed = parameters.tolerance * parameters.tolerance * forces;
   // A correction is worth six digits at most: single precision has no more.
-  for (double residual = exact_residual(particles, contacts, threads); !(residual <= allowed);
-       residual = exact_residual(particles, contacts, threads))
+  for (; !(residual <= allowed); residual = exact_residual(particles, contacts, threads))
     correct(std::max(0.25 * allowed, 2.5e-13 * residual), residual, threads, allowed);
   all_iterations += last_iterations;
-  for_chunks(threads, chunks, [&](std::size_t begin, std::size_t last) {
+  for_chunks(threads, Chunks(own.size()), [&](std::size_t begin, std::size_t last) {
     for (std::size_t i = begin; i < last; ++i)
       for (int d = 0; d < 3; ++d)
         particles.v[d][i] = v[i].v[d];
@@ -173,15 +166,23 @@ void Friction::velocities(Particles<3> &particles, const SphereContacts &contact
 {
   pair.step = implicit_step;
   own = gamma;
-  if (!none())
-    matrix.assemble(contacts, own, pair, threads);
-  velocities_again(particles, contacts, threads);
+  if (none())
+    return without_pairs(particles, threads);
+  const double forces = start(particles, threads);
+  const double residual = matrix.assemble(contacts, own, pair, particles, v, r, threads);
+  solve(particles, contacts, forces, residual, threads);
 }
 
 void Friction::velocities_again(Particles<3> &particles, const SphereContacts &contacts, const unsigned int threads)
 {
-  if (!none())
-    return solve(particles, contacts, threads);
+  if (none())
+    return without_pairs(particles, threads);
+  const double forces = start(particles, threads);
+  solve(particles, contacts, forces, exact_residual(particles, contacts, threads), threads);
+}
+
+void Friction::without_pairs(Particles<3> &particles, const unsigned int threads)
+{
   last_iterations = 0;
   for_chunks(threads, Chunks(own.size()), [&](std::size_t begin, std::size_t last) {
     for (int d = 0; d < 3; ++d)
@@ -192,7 +193,7 @@ void Friction::velocities_again(Particles<3> &particles, const SphereContacts &c
 
 std::size_t Friction::memory_bytes() const
 {
-  return matrix.memory_bytes() + sizeof(double) * own.capacity() + sizeof(Row) * v.capacity() + sizeof(FloatRow) * p.capacity()
+  return matrix.memory_bytes() + sizeof(double) * own.capacity() + sizeof(CellVector) * v.capacity() + sizeof(FloatRow) * p.capacity()
          + sizeof(Eight) * (r.capacity() + Ap.capacity() + correction.capacity());
 }
 } // namespace turgor

@@ -47,23 +47,21 @@ public:
   std::size_t memory_bytes() const;
 
 private:
-  using Lanes = double __attribute__((vector_size(32)));
-  struct Row ///< a vector of a cell, the fourth number is 0
-  {
-    Lanes v{};
-  };
-
   bool none() const;
+  /// v from particles; the square of the forces.
+  double start(const Particles<3> &particles, unsigned int threads);
   /// r = F - A v, exact matrix; its square.
   double exact_residual(const Particles<3> &particles, const SphereContacts &contacts, unsigned int threads);
   void correct(double target, double start, unsigned int threads, double allowed);
-  void solve(Particles<3> &particles, const SphereContacts &contacts, unsigned int threads);
+  /// residual: the square of r at the start.
+  void solve(Particles<3> &particles, const SphereContacts &contacts, double forces, double residual, unsigned int threads);
+  void without_pairs(Particles<3> &particles, unsigned int threads);
 
   FrictionParameters parameters;
   PairFriction pair; ///< with the implicit step of the last velocities()
   FrictionMatrix matrix;
   std::vector<double> own; ///< gamma
-  std::vector<Row> v;
+  std::vector<CellVector> v;
   std::vector<FloatRow> p;
   std::vector<Eight> r, Ap, correction;
   std::vector<double> parts;

@@ -3,6 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+
+#include <immintrin.h>
 
 namespace turgor
 {
@@ -27,16 +30,23 @@ inline EightFloats beside(const FloatRow a, const FloatRow b)
   return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
 }
 
-/// Rows a[0..7] given as row(k), by components.
+/// Rows a[0..7] given as row(k), by components; the fourth apart.
 template <class GiveRow>
-inline Eight columns(const GiveRow &row)
+inline Eight columns(const GiveRow &row, EightFloats &fourth)
 {
   const EightFloats a = beside(row(0), row(4)), b = beside(row(1), row(5)), c = beside(row(2), row(6)), d = beside(row(3), row(7));
   const Pick low{0, 8, 1, 9, 4, 12, 5, 13}, high{2, 10, 3, 11, 6, 14, 7, 15};
   const EightFloats ab = __builtin_shuffle(a, b, low), cd = __builtin_shuffle(c, d, low), ab_z = __builtin_shuffle(a, b, high),
                     cd_z = __builtin_shuffle(c, d, high);
   const Pick first{0, 1, 8, 9, 4, 5, 12, 13}, second{2, 3, 10, 11, 6, 7, 14, 15};
+  fourth = __builtin_shuffle(ab_z, cd_z, second);
   return {__builtin_shuffle(ab, cd, first), __builtin_shuffle(ab, cd, second), __builtin_shuffle(ab_z, cd_z, first)};
+}
+template <class GiveRow>
+inline Eight columns(const GiveRow &row)
+{
+  EightFloats none;
+  return columns(row, none);
 }
 
 /// The other way, to rows[0..7].
@@ -58,12 +68,23 @@ inline void to_rows(const Eight &v, FloatRow *rows)
 
 using FourDoubles = double __attribute__((vector_size(32)));
 
-/// Lanes added in pairs, as doubles.
-inline FourDoubles wide(const EightFloats a)
+// The compiler's own conversions of vectors go half by half through memory; these are one instruction.
+inline FourDoubles doubles(const FloatRow a) { return FourDoubles(_mm256_cvtps_pd(__m128(a))); }
+inline FloatRow floats(const FourDoubles a) { return FloatRow(_mm256_cvtpd_ps(__m256d(a))); }
+
+/// Lanes 0 to 3 or 4 to 7 as doubles, and back.
+template <bool high>
+inline FourDoubles half(const EightFloats a)
 {
-  return __builtin_convertvector(__builtin_shufflevector(a, a, 0, 1, 2, 3), FourDoubles)
-         + __builtin_convertvector(__builtin_shufflevector(a, a, 4, 5, 6, 7), FourDoubles);
+  if constexpr (high)
+    return doubles(__builtin_shufflevector(a, a, 4, 5, 6, 7));
+  else
+    return doubles(__builtin_shufflevector(a, a, 0, 1, 2, 3));
 }
+inline EightFloats halves(const FourDoubles low, const FourDoubles high) { return beside(floats(low), floats(high)); }
+
+/// Lanes added in pairs, as doubles.
+inline FourDoubles wide(const EightFloats a) { return half<false>(a) + half<true>(a); }
 
 inline double sum(const FourDoubles a) { return (a[0] + a[1]) + (a[2] + a[3]); }
 

@@ -2,7 +2,9 @@
 
 #include "micro/engine/parallel.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace turgor
 {
@@ -17,90 +19,155 @@ inline EightFloats both(const EightFloats a, const EightFloats b) { return Eight
 inline EightFloats differ(const EightFloats a, const EightFloats b) { return EightFloats(Bits(a) ^ Bits(b)); }
 } // namespace
 
-void FrictionMatrix::assemble(const SphereContacts &contacts, const std::vector<double> &gamma, const PairFriction &friction,
-                              const unsigned int threads)
+double FrictionMatrix::assemble(const SphereContacts &contacts, const std::vector<double> &gamma, const PairFriction &friction,
+                                const Particles<3> &particles, const std::vector<CellVector> &v, std::vector<Eight> &r,
+                                const unsigned int threads)
 {
-  const PairList<3> &list = contacts.list();
-  const std::vector<PairContact> &contact = contacts.contacts();
   const std::size_t n = gamma.size(), groups = (n + width - 1) / width;
-  const auto &of = list.first();
+  const auto &of = contacts.list().first();
   // room for all listed pairs; only those that touch are filled in
   first.resize(groups + 1);
   first[0] = 0;
+  for_chunks(threads, Chunks(groups, 512), [&](std::size_t begin, std::size_t last) {
+    for (std::size_t g = begin; g < last; ++g)
+      {
+        first[g + 1] = 0;
+        for (std::size_t i = g * width; i < std::min(n, (g + 1) * width); ++i)
+          first[g + 1] = std::max(first[g + 1], of[i + 1] - of[i]);
+      }
+  });
   for (std::size_t g = 0; g < groups; ++g)
-    {
-      std::uint32_t most = 0;
-      for (std::size_t i = g * width; i < std::min(n, (g + 1) * width); ++i)
-        most = std::max(most, of[i + 1] - of[i]);
-      first[g + 1] = first[g] + most;
-    }
+    first[g + 1] += first[g];
   directed = friction.directed();
   links.resize(first[groups]);
   lines.resize(directed ? first[groups] : 0);
   end.resize(groups);
   own.resize(groups);
-  inverse.resize(groups);
-  for_chunks(threads, Chunks(groups, 64), [&](std::size_t begin, std::size_t last) {
+  inverse.resize(directed ? groups : 0);
+  inverse_same.resize(directed ? 0 : groups);
+  r.resize(groups);
+  return sum_chunks(threads, Chunks(groups, 64), parts, [&](std::size_t begin, std::size_t last) {
+    Work work;
+    DoubleRow total{};
     for (std::size_t g = begin; g < last; ++g)
-      {
-        std::uint32_t count[width] = {}, most = 0;
-        Symmetric &blocks = inverse[g];
-        blocks = Symmetric{};
-        own[g] = EightFloats{};
-        for (std::size_t lane = 0; lane < std::min(width, n - g * width); ++lane)
-          {
-            const std::size_t i = g * width + lane;
-            std::uint32_t to = first[g];
-            double isotropic = gamma[i], m[6] = {0., 0., 0., 0., 0., 0.};
-            for (std::uint32_t k = of[i]; k < of[i + 1]; ++k)
-              {
-                const PairContact &c = contact[list.own()[k]]; // all zero where nothing touches
-                const auto [normal, tangential] = friction(c);
-                const double w = normal - tangential;
-                links[to].tangential[lane] = float(std::copysign(tangential, w));
-                links[to].other[lane] = list.other()[k];
-                if (directed)
-                  {
-                    const double root = std::sqrt(std::abs(w));
-                    lines[to].x[lane] = float(root * c.e[0]);
-                    lines[to].y[lane] = float(root * c.e[1]);
-                    lines[to].z[lane] = float(root * c.e[2]);
-                  }
-                to += c.area > 0.; // the next one takes the place of one that does not touch
-                isotropic += tangential;
-                m[0] += w * c.e[0] * c.e[0];
-                m[1] += w * c.e[0] * c.e[1];
-                m[2] += w * c.e[0] * c.e[2];
-                m[3] += w * c.e[1] * c.e[1];
-                m[4] += w * c.e[1] * c.e[2];
-                m[5] += w * c.e[2] * c.e[2];
-              }
-            count[lane] = to - first[g];
-            most = std::max(most, count[lane]);
-            m[0] += isotropic;
-            m[3] += isotropic;
-            m[5] += isotropic;
-            const double a = m[3] * m[5] - m[4] * m[4], b = m[2] * m[4] - m[1] * m[5], c = m[1] * m[4] - m[2] * m[3];
-            const double id = 1. / (m[0] * a + m[1] * b + m[2] * c);
-            own[g][lane] = float(gamma[i]);
-            blocks.xx[lane] = float(a * id);
-            blocks.xy[lane] = float(b * id);
-            blocks.xz[lane] = float(c * id);
-            blocks.yy[lane] = float((m[0] * m[5] - m[2] * m[2]) * id);
-            blocks.yz[lane] = float((m[1] * m[2] - m[0] * m[4]) * id);
-            blocks.zz[lane] = float((m[0] * m[3] - m[1] * m[1]) * id);
-          }
-        end[g] = first[g] + most;
-        for (std::size_t lane = 0; lane < width; ++lane)
-          for (std::uint32_t k = first[g] + count[lane]; k < end[g]; ++k)
-            {
-              links[k].tangential[lane] = 0.f;
-              links[k].other[lane] = std::uint32_t(g * width + lane);
-              if (directed)
-                lines[k].x[lane] = lines[k].y[lane] = lines[k].z[lane] = 0.f;
-            }
-      }
+      total += directed ? rows_of<true>(g, contacts, gamma, friction, particles, v, r, work) :
+                          rows_of<false>(g, contacts, gamma, friction, particles, v, r, work);
+    return sum(total);
   });
+}
+
+template <bool with_lines>
+DoubleRow FrictionMatrix::rows_of(const std::size_t g, const SphereContacts &contacts, const std::vector<double> &gamma,
+                                  const PairFriction &friction, const Particles<3> &particles, const std::vector<CellVector> &v,
+                                  std::vector<Eight> &r, Work &work)
+{
+  constexpr std::size_t ahead = 16; // contacts on their way
+  const PairContact *contact = contacts.contacts().data();
+  const auto &of = contacts.list().first(), &pair = contacts.list().own(), &other = contacts.list().other();
+  std::uint32_t count[width] = {}, most = 0;
+  double isotropic[width];
+  FloatRow rest[width] = {};
+  DoubleRow total{};
+  if (with_lines && work.lines.size() < width * (first[g + 1] - first[g]))
+    work.lines.resize(2 * width * (first[g + 1] - first[g]));
+  for (std::size_t lane = 0; lane < width; ++lane)
+    {
+      const std::size_t i = g * width + lane;
+      own[g][lane] = 0.f;
+      isotropic[lane] = 1.;
+      if (i >= gamma.size()) // nobody: no residual
+        continue;
+      Links *to = links.data() + first[g];
+      FloatRow *line = work.lines.data() + lane;
+      ExactRow row(particles, gamma, v, i);
+      double all = gamma[i];
+      for (std::uint32_t k = of[i]; k < of[i + 1]; ++k)
+        {
+          __builtin_prefetch(contact + pair[std::min<std::size_t>(k + ahead, pair.size() - 1)]);
+          const PairContact &c = contact[pair[k]]; // all zero where nothing touches
+          const PairFriction::Coefficients along_and_across = friction(c);
+          DoubleRow e = ExactRow::direction(c);
+          row.add(along_and_across, e, v[other[k]].v);
+          all += along_and_across.tangential;
+          to->tangential[lane] = float(along_and_across.tangential);
+          to->other[lane] = other[k];
+          if constexpr (with_lines)
+            {
+              e[3] = along_and_across.normal - along_and_across.tangential;
+              *line = floats(e);
+            }
+          const bool touches = c.area > 0.; // the next one takes the place of one that does not touch
+          to += touches;
+          line += touches * width;
+        }
+      count[lane] = std::uint32_t(to - links.data()) - first[g];
+      most = std::max(most, count[lane]);
+      own[g][lane] = float(gamma[i]);
+      isotropic[lane] = all;
+      rest[lane] = floats(row.result());
+      total += row.result() * row.result();
+    }
+  r[g] = columns([&](const int lane) { return rest[lane]; });
+  end[g] = first[g] + most;
+  for (std::size_t lane = 0; lane < width; ++lane)
+    for (std::uint32_t k = count[lane]; k < most; ++k)
+      {
+        links[first[g] + k].tangential[lane] = 0.f;
+        links[first[g] + k].other[lane] = std::uint32_t(g * width + lane);
+        if constexpr (with_lines)
+          work.lines[k * width + lane] = FloatRow{};
+      }
+  if constexpr (with_lines)
+    finish_lines(g, work.lines.data(), isotropic);
+  else
+    for (std::size_t lane = 0; lane < width; ++lane)
+      inverse_same[g][lane] = float(1. / isotropic[lane]);
+  return total;
+}
+
+/// Directions of eight g from e and w, and the inverse diagonal blocks.
+void FrictionMatrix::finish_lines(const std::size_t g, const FloatRow *work, const double (&isotropic)[width])
+{
+  for (std::uint32_t k = first[g]; k < end[g]; ++k, work += width)
+    {
+      EightFloats w;
+      const Eight e = columns([&](const int lane) { return work[lane]; }, w);
+      const EightFloats sign = both(w, -EightFloats{}), size = differ(w, sign);
+      EightFloats root;
+      for (std::size_t lane = 0; lane < width; ++lane)
+        root[lane] = std::sqrt(size[lane]);
+      lines[k] = {root * e.x, root * e.y, root * e.z};
+      links[k].tangential = differ(links[k].tangential, sign);
+    }
+  const Blocks low = blocks_of<false>(g, isotropic), high = blocks_of<true>(g, isotropic);
+  inverse[g] = {halves(low.xx, high.xx), halves(low.xy, high.xy), halves(low.xz, high.xz),
+                halves(low.yy, high.yy), halves(low.yz, high.yz), halves(low.zz, high.zz)};
+}
+
+/// Sums in double, of the products that the matrix itself has.
+template <bool high>
+FrictionMatrix::Blocks FrictionMatrix::blocks_of(const std::size_t g, const double (&isotropic)[width]) const
+{
+  FourDoubles xx{}, xy{}, xz{}, yy{}, yz{}, zz{}, t;
+  std::memcpy(&t, isotropic + 4 * high, sizeof t);
+  for (std::uint32_t k = first[g]; k < end[g]; ++k)
+    {
+      const EightFloats sign = both(links[k].tangential, -EightFloats{});
+      const Eight &l = lines[k];
+      const FourDoubles x = half<high>(l.x), y = half<high>(l.y), z = half<high>(l.z), sx = half<high>(differ(l.x, sign)),
+                        sy = half<high>(differ(l.y, sign));
+      xx += sx * x;
+      xy += sx * y;
+      xz += sx * z;
+      yy += sy * y;
+      yz += sy * z;
+      zz += half<high>(differ(l.z, sign)) * z;
+    }
+  xx += t;
+  yy += t;
+  zz += t;
+  const FourDoubles a = yy * zz - yz * yz, b = xz * yz - xy * zz, c = xy * yz - xz * yy, id = 1. / (xx * a + xy * b + xz * c);
+  return {a * id, b * id, c * id, (xx * zz - xz * xz) * id, (xy * xz - xx * yz) * id, (xx * yy - xy * xy) * id};
 }
 
 template <bool with_lines>
@@ -149,7 +216,7 @@ double FrictionMatrix::product(const std::size_t begin, const std::size_t last, 
 
 std::size_t FrictionMatrix::memory_bytes() const
 {
-  return sizeof(Links) * links.capacity() + sizeof(Eight) * lines.capacity() + 4 * (first.capacity() + end.capacity()) + sizeof(EightFloats) * own.capacity()
-         + sizeof(Symmetric) * inverse.capacity();
+  return sizeof(Links) * links.capacity() + sizeof(Eight) * lines.capacity() + 4 * (first.capacity() + end.capacity())
+         + sizeof(EightFloats) * (own.capacity() + inverse_same.capacity()) + sizeof(Symmetric) * inverse.capacity();
 }
 } // namespace turgor

@@ -7,51 +7,29 @@
 // together, 20 bytes a link: e carries the root of |w|, the sign of t that of w; 8 bytes without e where friction is the same in all
 // directions. A cell with fewer links than its companions has empty ones: zeros and the cell itself. Empty cells
 // fill up the last eight. The vector p is a row of four floats per cell, so that a neighbour is one load; all other vectors are kept
-// by components of eight cells. The preconditioner is the inverse of the 3 x 3 diagonal blocks.
+// by components of eight cells. The preconditioner is the inverse of the 3 x 3 diagonal blocks (a number without e).
+//
+// Most of the assembly's time is the way to the contacts (64 bytes each, in another order than the list's), and the residual that a solve
+// starts from wants the same ones: both are made in one pass.
 #pragma once
 
 #include "micro/terms/eight_floats.h"
-#include "micro/terms/sphere_contacts.h"
+#include "micro/terms/pair_friction.h"
 
-#include <algorithm>
 #include <vector>
 
 namespace turgor
 {
-/// Friction of a pair along its line and across it, N s/m.
-struct PairFriction
-{
-  double normal = 0., tangential = 0., ///< N s/m^3
-    step = 0.;                         ///< s, 0: explicit
-  struct Coefficients
-  {
-    double normal, tangential;
-  };
-  /// Not the same in all directions.
-  bool directed() const { return normal != tangential || step > 0.; }
-  /// Zero where there is no area.
-  Coefficients operator()(const PairContact &c) const
-  {
-    Coefficients result{normal * c.area, tangential * c.area};
-    if (step > 0.)
-      { // only what keeps the matrix positive definite; repulsion turned sideways is left explicit. max(0, not a number) is 0
-        const double h = c.area > 0. ? step : 0.;
-        result.normal += h * std::max(0., c.stiffness);
-        result.tangential += h * std::max(0., -c.force / c.distance);
-      }
-    return result;
-  }
-};
-
 class FrictionMatrix
 {
 public:
-  /// Pairs with an area only. gamma: N s/m, per cell.
-  void assemble(const SphereContacts &contacts, const std::vector<double> &gamma, const PairFriction &friction, unsigned int threads);
+  /// Pairs with an area only. gamma: N s/m, per cell. r: the exact residual F - A v (N); its square is returned.
+  double assemble(const SphereContacts &contacts, const std::vector<double> &gamma, const PairFriction &friction,
+                  const Particles<3> &particles, const std::vector<CellVector> &v, std::vector<Eight> &r, unsigned int threads);
 
   static constexpr std::size_t width = 8;
   /// Eights of cells, the last one filled up.
-  std::size_t eights() const { return inverse.size(); }
+  std::size_t eights() const { return end.size(); }
 
   /// Ap = A p for the eights [begin, last); p.Ap of them. p: 8 eights() rows.
   double product(std::size_t begin, std::size_t last, const std::vector<FloatRow> &p, std::vector<Eight> &Ap) const;
@@ -59,6 +37,8 @@ public:
   /// Inverse diagonal blocks times r, of eight g.
   Eight preconditioned(const std::size_t g, const Eight &r) const
   {
+    if (!directed)
+      return {inverse_same[g] * r.x, inverse_same[g] * r.y, inverse_same[g] * r.z};
     const Symmetric &m = inverse[g];
     return {m.xx * r.x + m.xy * r.y + m.xz * r.z, m.xy * r.x + m.yy * r.y + m.yz * r.z, m.xz * r.x + m.yz * r.y + m.zz * r.z};
   }
@@ -71,7 +51,21 @@ private:
     EightFloats tangential; ///< N s/m, negative where w is
     std::uint32_t other[width];
   };
-  template <bool directed>
+  struct Work ///< of one thread
+  {
+    std::vector<FloatRow> lines; ///< of eight cells, link by link: e and w
+  };
+  template <bool with_lines>
+  DoubleRow rows_of(std::size_t g, const SphereContacts &contacts, const std::vector<double> &gamma, const PairFriction &friction,
+                    const Particles<3> &particles, const std::vector<CellVector> &v, std::vector<Eight> &r, Work &work);
+  void finish_lines(std::size_t g, const FloatRow *work, const double (&isotropic)[width]);
+  struct Blocks ///< inverse ones of four cells
+  {
+    DoubleRow xx, xy, xz, yy, yz, zz;
+  };
+  template <bool high>
+  Blocks blocks_of(std::size_t g, const double (&isotropic)[width]) const;
+  template <bool with_lines>
   double product_of(std::size_t begin, std::size_t last, const std::vector<FloatRow> &p, std::vector<Eight> &Ap) const;
 
   struct Symmetric
@@ -83,6 +77,8 @@ private:
   std::vector<Eight> lines; ///< of links: e sqrt|w|; empty without direction
   std::vector<std::uint32_t> first, end; ///< of eight g in links
   std::vector<EightFloats> own;          ///< gamma
-  std::vector<Symmetric> inverse;
+  std::vector<Symmetric> inverse;          ///< with directions
+  std::vector<EightFloats> inverse_same;   ///< without
+  std::vector<double> parts;
 };
 } // namespace turgor

@@ -167,6 +167,76 @@ BOOST_DATA_TEST_CASE(friction_agrees_with_a_dense_solution_on_any_number_of_thre
     BOOST_CHECK(p.v[d] == q.v[d]);
 }
 
+// What one pass makes of the contacts: the exact residual, the product in single precision, the inverse of the diagonal blocks.
+BOOST_DATA_TEST_CASE(one_pass_gives_the_matrix_and_the_residual,
+                     boost::unit_test::data::make({5e10, 2e10, 3e10, 3e10}) ^ boost::unit_test::data::make({2e10, 5e10, 3e10, 0.})
+                       ^ boost::unit_test::data::make({0., 0., 0., 100.}),
+                     normal, tangential, step)
+{
+  const std::uint32_t n = 150; // no multiple of eight
+  Particles<3> p = crowd(n, 9);
+  SphereContacts contacts(JkrContact{1e-4}, 1e-6); // some pairs pull
+  contacts.add_forces(p, 1);
+  const PairFriction friction{normal, tangential, step};
+  std::vector<double> gamma(n);
+  std::vector<CellVector> v(n);
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(3 * n, 3 * n);
+  Eigen::VectorXd F(3 * n), x(3 * n);
+  for (std::uint32_t i = 0; i < n; ++i)
+    {
+      gamma[i] = 0.01 * (1. + random_uniform(10, i));
+      for (int d = 0; d < 3; ++d)
+        {
+          v[i].v[d] = x[3 * i + d] = 1e-8 * (random_uniform(11, 3 * i + d) - 0.5);
+          F[3 * i + d] = p.f[d][i];
+          A(3 * i + d, 3 * i + d) = gamma[i];
+        }
+    }
+  for (std::size_t k = 0; k < contacts.contacts().size(); ++k)
+    {
+      const PairContact &c = contacts.contacts()[k];
+      const auto [i, j] = contacts.list().pairs()[k];
+      const auto [along, across] = friction(c);
+      const Eigen::Vector3d e(c.e[0], c.e[1], c.e[2]);
+      const Eigen::Matrix3d block = along * e * e.transpose() + across * (Eigen::Matrix3d::Identity() - e * e.transpose());
+      A.block<3, 3>(3 * i, 3 * i) += block;
+      A.block<3, 3>(3 * j, 3 * j) += block;
+      A.block<3, 3>(3 * i, 3 * j) -= block;
+      A.block<3, 3>(3 * j, 3 * i) -= block;
+    }
+  FrictionMatrix matrix;
+  std::vector<Eight> r, Ax;
+  const double square = matrix.assemble(contacts, gamma, friction, p, v, r, 1);
+  const Eigen::VectorXd rest = F - A * x, product = A * x;
+  BOOST_TEST(square == rest.squaredNorm(), boost::test_tools::tolerance(1e-12));
+  std::vector<FloatRow> rows(8 * matrix.eights());
+  Ax.resize(matrix.eights());
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (int d = 0; d < 3; ++d)
+      rows[i][d] = float(x[3 * i + d] * 1e8);
+  const double xAx = matrix.product(0, matrix.eights(), rows, Ax);
+  BOOST_TEST(xAx * 1e-16 == x.dot(product), boost::test_tools::tolerance(1e-5));
+  Eigen::VectorXd r_error(3 * n), product_error(3 * n);
+  for (std::uint32_t i = 0; i < n; ++i)
+    {
+      const Eight unit[3] = {{EightFloats{} + 1.f, {}, {}}, {{}, EightFloats{} + 1.f, {}}, {{}, {}, EightFloats{} + 1.f}};
+      Eigen::Matrix3d inverse;
+      for (int d = 0; d < 3; ++d)
+        {
+          const Eight column = matrix.preconditioned(i / 8, unit[d]);
+          inverse.col(d) << column.x[i % 8], column.y[i % 8], column.z[i % 8];
+        }
+      const Eigen::Matrix3d block = A.block<3, 3>(3 * i, 3 * i);
+      BOOST_CHECK_SMALL((inverse * block - Eigen::Matrix3d::Identity()).norm(), 1e-6 * block.norm() * inverse.norm());
+      r_error.segment<3>(3 * i) << r[i / 8].x[i % 8], r[i / 8].y[i % 8], r[i / 8].z[i % 8];
+      product_error.segment<3>(3 * i) << Ax[i / 8].x[i % 8], Ax[i / 8].y[i % 8], Ax[i / 8].z[i % 8];
+    }
+  r_error -= rest;
+  product_error -= 1e8 * product;
+  BOOST_CHECK_SMALL(r_error.norm(), 1e-7 * rest.norm());
+  BOOST_CHECK_SMALL(product_error.norm(), 1e-6 * 1e8 * product.norm());
+}
+
 // Several chunks of rows, shared out over threads.
 BOOST_AUTO_TEST_CASE(a_large_matrix_gives_the_same_bits_on_two_threads)
 {
