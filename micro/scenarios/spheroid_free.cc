@@ -8,6 +8,19 @@
 
 namespace turgor
 {
+namespace
+{
+/// Over the samples from `from` on (trapezoids).
+double time_integral(const std::vector<double> &time, const std::vector<double> &value, const double from)
+{
+  double sum = 0.;
+  for (std::size_t k = 1; k < time.size(); ++k)
+    if (time[k - 1] >= from)
+      sum += 0.5 * (value[k] + value[k - 1]) * (time[k] - time[k - 1]);
+  return sum;
+}
+} // namespace
+
 double doubling_time(const double T, const double spread)
 {
   const double s2 = spread * spread;
@@ -49,11 +62,25 @@ void SpheroidFree::report(RunContext &context, const GrowthTable &table, CellCul
     }
   if (entries.rim != "none" && end > T)
     {
-      const double l = entries.numbers.life.death.rim_thickness, R = 0.5 * (radius.back() + radius[radius.size() / 2]);
-      const double speed = fitted_slope(time, radius, 0.5 * end, end, false);
-      context.result("radial_speed", speed, "m/s");
+      const double l = entries.numbers.life.death.rim_thickness, rate = std::numbers::ln2 / expected;
+      const double R = 0.5 * (radius.back() + radius[radius.size() / 2]);
+      const auto closed_form = [&](const double r) { return l * rate * (1. - l / r + l * l / (3. * r * r)); };
+      context.result("radial_speed", fitted_slope(time, radius, 0.5 * end, end, false), "m/s");
       if (R > l)
-        context.result("radial_speed_closed_form", l * std::numbers::ln2 / expected * (1. - l / R + l * l / (3. * R * R)), "m/s");
+        context.result("radial_speed_closed_form", closed_form(R), "m/s");
+      const auto first = std::size_t(std::lower_bound(time.begin(), time.end(), 0.5 * end) - time.begin());
+      if (first + 1 >= time.size())
+        return;
+      if (*std::min_element(radius.begin() + std::ptrdiff_t(first), radius.end()) > l)
+        {
+          std::vector<double> speed(radius.size(), 0.);
+          std::transform(radius.begin() + std::ptrdiff_t(first), radius.end(), speed.begin() + std::ptrdiff_t(first), closed_form);
+          context.result("radial_speed_closed_form_mean", time_integral(time, speed, time[first]) / (time.back() - time[first]), "m/s");
+        }
+      const std::vector<double> volume = table.column("volume");
+      const double growing = time_integral(time, table.column("proliferating_volume"), time[first]);
+      if (entries.rim == "quiescent" && growing > 0.)
+        context.result("rim_production_error", (volume.back() - volume[first]) / (rate * growing) - 1., "1");
     }
 }
 

@@ -4,7 +4,10 @@
 //                    Gaussian, T (1 + s xi), grow as N ~ exp(Lambda t) with 2 <exp(-Lambda T_i)> = 1, so
 //                    Lambda T = (1 - sqrt(1 - 2 s^2 ln 2))/s^2
 //   exponential      largest deviation of N from that line in that time, over N: synchronous first cells make steps
-//   rim              with a rim of thickness l, growth at its own rate ln 2/T: dR/dt = l ln 2/T (1 - l/R + l^2/(3 R^2))
+//   rim              with a rim of thickness l, growth at its own rate ln 2/T: dR/dt = l ln 2/T (1 - l/R + l^2/(3 R^2)).
+//                    It is of a smooth ball whose fill does not change; the slope of R over the second half is compared with it at
+//                    the middle R of that time, and with its mean over that time. Production: the volume made in that time over
+//                    ln 2/T times the integral of the volume of the proliferating cells, which shape and fill do not touch
 #pragma once
 
 #include "micro/scenarios/spheroid_scene.h"

@@ -101,11 +101,13 @@ std::vector<double> SpheroidScene::row_of(CellCulture &culture) const
   const CellPopulation &cells = culture.cells;
   const std::vector<double> &pressure = culture.pressures();
   const OuterCells outer = find_outer_cells(cells.particles);
-  double volume = 0., living = 0., weighted = 0., strain = 0., in_section = 0., gyration = 0.;
+  double volume = 0., growing = 0., living = 0., weighted = 0., strain = 0., in_section = 0., gyration = 0.;
   for (std::size_t i = 0; i < cells.size(); ++i)
     {
       const double V = culture.life.volume(cells, i);
       volume += V;
+      if (cells.state[i] == CellState::proliferating)
+        growing += V;
       if (cells.alive(i))
         {
           living += V;
@@ -129,7 +131,8 @@ std::vector<double> SpheroidScene::row_of(CellCulture &culture) const
                              living > 0. ? strain / living : 0.,
                              in_section / area * 100e-12,
                              culture.life.grown,
-                             culture.life.drained};
+                             culture.life.drained,
+                             growing};
   for (const auto &around : culture.surroundings)
     for (const auto &value : around->values(cells))
       row.push_back(value.value);
@@ -193,7 +196,7 @@ void SpheroidScene::run(RunContext &context)
   std::vector<Column> columns = {{"time", "s"},   {"cells", ""},  {"proliferating", ""}, {"quiescent", ""},
                                  {"necrotic", ""}, {"lysed", ""},  {"radius", "m"},       {"gyration_radius", "m"}, {"volume", "m^3"},
                                  {"pressure", "Pa"}, {"strain", "1"}, {"density", "1/(100 um^2)"},
-                                 {"grown_volume", "m^3"}, {"drained_volume", "m^3"}};
+                                 {"grown_volume", "m^3"}, {"drained_volume", "m^3"}, {"proliferating_volume", "m^3"}};
   for (const auto &around : culture.surroundings)
     for (const auto &value : around->values(culture.cells))
       columns.push_back({value.name, value.unit});
