@@ -4,8 +4,9 @@
 //   build-bench/benchmarks/benchmark_cells
 //
 // pair_mechanics: whole explicit steps without pair friction (is the list still good, lists as often as the moving cells need,
-//   forces of all contacts, velocities, positions). Counters: cpu_ns_cell (CPU time of all threads, a step), neighbours (in the
-//   list), contacts, steps_per_list, bytes_cell (lists, contacts and friction matrix).
+//   forces of all contacts, velocities, positions). Counters: cpu_ns_cell (CPU time of all threads, a step: step_ns_cell with the
+//   list of the step before, list_ns_cell more with a new one, which is made every steps_per_list), neighbours (in the list),
+//   contacts, bytes_cell (lists, contacts and friction matrix).
 // friction: the matrix at one state, pair friction 10 times the medium's, half of it sideways; friction_isotropic: all of it,
 //   which needs no directions (and is what explicit steps of the scenes have). assembly_ns_cell: with the right-hand side and one
 //   product; iteration_ns_cell: of conjugate gradients to 1e-6.
@@ -69,32 +70,50 @@ void pair_mechanics(benchmark::State &state)
   Overdamped motion({.method = OverdampedMethod::euler, .tolerance = 1e9, .first_step = 5., .longest_step = 5.}, contacts, friction,
                     {}, threads);
   const std::vector<double> gamma(n, 0.3);
-  for (int k = 0; k < 3; ++k)
+  std::size_t step = 0;
+  const auto advance = [&] {
     motion.step(cells, gamma, 5.);
-  const std::size_t lists = contacts.list().builds();
-  double steps = 0.;
-  const double start = cpu();
+    for (std::size_t i = step % 7; i < n; i += 7) // growth and shrinking keep cells moving
+      cells.field("radius")[i] = R_0 * (1. + 0.1 * (random_uniform(2, i + n * step) - 0.5));
+    ++step;
+  };
+  while (step < 14) // all cells have another radius
+    advance();
+  double time[2] = {0., 0.}, count[2] = {0., 0.}; // of steps with the list of the last one, and with a new one
   for (auto _ : state)
     {
-      motion.step(cells, gamma, 5.);
-      for (std::size_t i = std::size_t(steps) % 7; i < n; i += 7) // growth and shrinking keep cells moving
-        cells.field("radius")[i] = R_0 * (1. + 0.1 * (random_uniform(2, i + n * std::size_t(steps)) - 0.5));
-      steps += 1.;
+      const std::size_t lists = contacts.list().builds();
+      const double start = cpu();
+      advance();
+      const bool new_list = contacts.list().builds() > lists;
+      time[new_list] += cpu() - start;
+      count[new_list] += 1.;
     }
-  state.counters["cpu_ns_cell"] = (cpu() - start) / (steps * double(n));
+  const double old_list = time[0] / std::max(1., count[0]), steps = count[0] + count[1];
+  state.counters["cpu_ns_cell"] = (time[0] + time[1]) / (steps * double(n));
+  state.counters["step_ns_cell"] = old_list / double(n);
+  state.counters["list_ns_cell"] = (time[1] / std::max(1., count[1]) - old_list) / double(n);
   state.counters["neighbours"] = 2. * double(contacts.list().pairs().size()) / double(n);
   double touching = 0.;
   for (const PairContact &c : contacts.contacts())
     touching += 2. * (c.area > 0.);
   state.counters["contacts"] = touching / double(n);
-  state.counters["steps_per_list"] = steps / double(contacts.list().builds() - lists);
+  state.counters["steps_per_list"] = steps / count[1];
   state.counters["bytes_cell"] = double(contacts.memory_bytes() + friction.memory_bytes()) / double(n);
 }
-BENCHMARK(pair_mechanics)
-  ->ArgNames({"cells", "threads"})
-  ->ArgsProduct({{1000, 10000, 100000, 1000000}, {1, 2}})
-  ->MeasureProcessCPUTime()
-  ->UseRealTime();
+/// The same steps on one thread and on two: lists are made when the cells' unrest wants them, which changes from step to step.
+void same_steps(benchmark::internal::Benchmark *all, const std::int64_t cells, const std::int64_t steps)
+{
+  all->ArgNames({"cells", "threads"})->Args({cells, 1})->Args({cells, 2})->Iterations(steps)->MeasureProcessCPUTime()->UseRealTime();
+}
+void few(benchmark::internal::Benchmark *all) { same_steps(all, 1000, 280); }
+void some(benchmark::internal::Benchmark *all) { same_steps(all, 10000, 280); }
+void many(benchmark::internal::Benchmark *all) { same_steps(all, 100000, 42); }
+void most(benchmark::internal::Benchmark *all) { same_steps(all, 1000000, 14); }
+BENCHMARK(pair_mechanics)->Apply(few);
+BENCHMARK(pair_mechanics)->Apply(some);
+BENCHMARK(pair_mechanics)->Apply(many);
+BENCHMARK(pair_mechanics)->Apply(most);
 
 /// sideways: tangential over normal friction.
 void solve_friction(benchmark::State &state, const double sideways)

@@ -2,6 +2,7 @@
 
 #include "micro/engine/binary.h"
 #include "micro/engine/gathered.h"
+#include "micro/engine/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,12 @@
 
 namespace turgor
 {
+namespace
+{
+/// So little is done to a cell here that a few thousand are worth no second thread.
+Chunks cells_of(const std::size_t n) { return Chunks(n, 4096); }
+} // namespace
+
 Overdamped::Overdamped(const OverdampedParameters &parameters_, SphereContacts &contacts_, Friction &friction_,
                        std::function<void(Particles<3> &)> outer_, const unsigned int threads_)
   : parameters(parameters_)
@@ -23,8 +30,7 @@ Overdamped::Overdamped(const OverdampedParameters &parameters_, SphereContacts &
 void Overdamped::evaluate(Particles<3> &particles, const std::vector<double> &gamma, const double implicit_step,
                           const bool trial)
 {
-  for (auto &f : particles.f)
-    std::fill(f.begin(), f.end(), 0.);
+  fill_zero(particles.f);
   contacts.add_forces(particles, threads, trial);
   if (outer)
     outer(particles);
@@ -32,31 +38,84 @@ void Overdamped::evaluate(Particles<3> &particles, const std::vector<double> &ga
     {
       drag.assign(gamma.size(), 0.);
       outer_stiffness(particles, drag);
-      for (std::size_t i = 0; i < gamma.size(); ++i)
-        drag[i] = gamma[i] + implicit_step * drag[i];
+      for_chunks(threads, cells_of(gamma.size()), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          drag[i] = gamma[i] + implicit_step * drag[i];
+      });
       friction.velocities(particles, contacts, drag, implicit_step, threads);
     }
   else
     friction.velocities(particles, contacts, gamma, implicit_step, threads);
 }
 
+void Overdamped::fill_zero(Components &values) const
+{
+  for_chunks(threads, cells_of(values[0].size()), [&](std::size_t begin, std::size_t end) {
+    for (auto &value : values)
+      std::fill(value.begin() + std::ptrdiff_t(begin), value.begin() + std::ptrdiff_t(end), 0.);
+  });
+}
+
+void Overdamped::copy(const Components &from, Components &to) const
+{
+  for (int d = 0; d < 3; ++d)
+    to[d].resize(from[d].size());
+  for_chunks(threads, cells_of(from[0].size()), [&](std::size_t begin, std::size_t end) {
+    for (int d = 0; d < 3; ++d)
+      std::copy(from[d].begin() + std::ptrdiff_t(begin), from[d].begin() + std::ptrdiff_t(end), to[d].begin() + std::ptrdiff_t(begin));
+  });
+}
+
+void Overdamped::move(Components &x, const Components &from, const double h, const Components &v) const
+{
+  for_chunks(threads, cells_of(x[0].size()), [&](std::size_t begin, std::size_t end) {
+    for (int d = 0; d < 3; ++d)
+      for (std::size_t i = begin; i < end; ++i)
+        x[d][i] = from[d][i] + h * v[d][i];
+  });
+}
+
+Overdamped::Change Overdamped::change_of(const Components &v)
+{
+  const Chunks chunks = cells_of(v[0].size());
+  worst_of.resize(chunks.count());
+  Change result;
+  result.total = sum_chunks(threads, chunks, parts, [&](std::size_t begin, std::size_t end) {
+    double worst = 0., total = 0.;
+    for (std::size_t i = begin; i < end; ++i)
+      {
+        double change = 0.;
+        for (int d = 0; d < 3; ++d)
+          change += (v[d][i] - v_before[d][i]) * (v[d][i] - v_before[d][i]);
+        worst = std::max(worst, change);
+        total += change;
+      }
+    worst_of[begin / chunks.size] = worst;
+    return total;
+  });
+  for (const double worst : worst_of)
+    result.worst = std::max(result.worst, worst);
+  return result;
+}
+
 double Overdamped::step(Particles<3> &particles, const std::vector<double> &gamma, const double limit)
 {
   const std::size_t n = particles.size();
   const std::vector<double> &radius = particles.field("radius");
-  double mean_radius = 0.;
-  for (const double R : radius)
-    mean_radius += R / double(n);
+  const double mean_radius = sum_chunks(threads, cells_of(n), parts, [&](std::size_t begin, std::size_t end) {
+                               double sum = 0.;
+                               for (std::size_t i = begin; i < end; ++i)
+                                 sum += radius[i];
+                               return sum;
+                             })
+                             / double(std::max<std::size_t>(n, 1));
   const double allowed = parameters.tolerance * mean_radius;
   const bool heun = parameters.method == OverdampedMethod::heun, implicit = parameters.method == OverdampedMethod::implicit;
   if (!implicit)
     evaluate(particles, gamma, 0., false);
-  for (int d = 0; d < 3; ++d)
-    {
-      x_before[d] = particles.x[d];
-      if (heun || v_before[d].empty())
-        v_before[d] = particles.v[d];
-    }
+  copy(particles.x, x_before);
+  if (heun || v_before[0].empty())
+    copy(particles.v, v_before);
   for (;;)
     {
       const double h = std::min({dt, limit, parameters.longest_step});
@@ -64,48 +123,35 @@ double Overdamped::step(Particles<3> &particles, const std::vector<double> &gamm
         evaluate(particles, gamma, h, false);
       if (heun)
         {
-          for (int d = 0; d < 3; ++d)
-            for (std::size_t i = 0; i < n; ++i)
-              particles.x[d][i] = x_before[d][i] + h * v_before[d][i];
+          move(particles.x, x_before, h, v_before);
           evaluate(particles, gamma, 0., true);
         }
-      double worst = 0., total = 0.;
-      bool finite = true;
-      for (std::size_t i = 0; i < n; ++i)
-        {
-          double change = 0.;
-          for (int d = 0; d < 3; ++d)
-            change += (particles.v[d][i] - v_before[d][i]) * (particles.v[d][i] - v_before[d][i]);
-          finite = finite && std::isfinite(change);
-          worst = std::max(worst, change);
-          total += change;
-        }
+      const auto [worst, total] = change_of(particles.v);
+      const bool finite = std::isfinite(total);
       const double largest = 0.5 * h * std::sqrt(worst);
       const double error = !parameters.mean_error ? largest :
                                                     std::max(0.5 * h * std::sqrt(total / double(n)), parameters.tolerance * 4. * largest);
       const double factor = error > 0. ? std::clamp(0.9 * std::sqrt(allowed / error), 0.2, 2.) : 2.;
       if (finite && error <= allowed)
         {
-          for (int d = 0; d < 3; ++d)
-            for (std::size_t i = 0; i < n; ++i)
-              {
-                const double v = heun ? 0.5 * (particles.v[d][i] + v_before[d][i]) : particles.v[d][i];
-                particles.x[d][i] = x_before[d][i] + h * v;
-                v_before[d][i] = particles.v[d][i] = v;
-              }
+          for_chunks(threads, cells_of(n), [&](std::size_t begin, std::size_t end) {
+            for (int d = 0; d < 3; ++d)
+              for (std::size_t i = begin; i < end; ++i)
+                {
+                  const double v = heun ? 0.5 * (particles.v[d][i] + v_before[d][i]) : particles.v[d][i];
+                  particles.x[d][i] = x_before[d][i] + h * v;
+                  v_before[d][i] = particles.v[d][i] = v;
+                }
+          });
           if (h >= dt || factor < 1.) // a step cut short by the limit says nothing against the long one
             dt = h * factor;
           if (random_forces)
             {
               random_forces(particles, h, accepted);
-              for (auto &v : particles.v)
-                std::fill(v.begin(), v.end(), 0.);
+              fill_zero(particles.v);
               friction.velocities_again(particles, contacts, threads);
-              for (int d = 0; d < 3; ++d)
-                for (std::size_t i = 0; i < n; ++i)
-                  particles.x[d][i] += h * particles.v[d][i];
-              for (int d = 0; d < 3; ++d)
-                particles.v[d] = v_before[d];
+              move(particles.x, particles.x, h, particles.v);
+              copy(v_before, particles.v);
             }
           ++accepted;
           if (jumped)
@@ -115,8 +161,7 @@ double Overdamped::step(Particles<3> &particles, const std::vector<double> &gamm
         }
       ++rejections;
       dt = h * (finite ? std::min(factor, 0.9) : 0.2);
-      for (int d = 0; d < 3; ++d)
-        particles.x[d] = x_before[d];
+      copy(x_before, particles.x);
       if (dt < parameters.least_step)
         {
           std::ostringstream text;

@@ -69,7 +69,17 @@ public:
   void load(std::istream &in);
 
 private:
+  using Components = Particles<3>::Components;
   void evaluate(Particles<3> &particles, const std::vector<double> &gamma, double implicit_step, bool trial);
+  void fill_zero(Components &values) const;
+  void copy(const Components &from, Components &to) const;
+  /// x = from + h v
+  void move(Components &x, const Components &from, double h, const Components &v) const;
+  struct Change ///< |v - v_before|^2 of a cell: the largest, and the sum, which is not finite where one is not
+  {
+    double worst = 0., total = 0.;
+  };
+  Change change_of(const Components &v);
 
   OverdampedParameters parameters;
   SphereContacts &contacts;
@@ -81,6 +91,7 @@ private:
   bool jumped = false;
   std::uint64_t rejections = 0, accepted = 0;
   std::vector<double> drag; ///< N s/m, gamma and what implicit steps add
-  std::vector<double> x_before[3], v_before[3]; ///< v_before: empty before the first step
+  std::vector<double> parts, worst_of; ///< of chunks of cells
+  Components x_before, v_before; ///< v_before: empty before the first step
 };
 } // namespace turgor

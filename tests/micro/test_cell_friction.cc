@@ -397,6 +397,40 @@ BOOST_AUTO_TEST_CASE(motility_in_the_engine)
     }
 }
 
+// Several chunks of cells, steps taken back among them.
+BOOST_AUTO_TEST_CASE(steps_of_a_large_population_have_the_same_bits_on_two_threads)
+{
+  const std::uint32_t n = 9001;
+  for (const auto method : {OverdampedMethod::euler, OverdampedMethod::heun, OverdampedMethod::implicit})
+    for (const bool mean : {false, true})
+      {
+        Particles<3> ends[2];
+        double next[2];
+        for (const unsigned int threads : {1u, 2u})
+          {
+            Particles<3> p = crowd(n, 12);
+            std::vector<std::uint64_t> id(n);
+            for (std::uint32_t i = 0; i < n; ++i)
+              id[i] = i;
+            const std::vector<double> gamma(n, 0.3);
+            SphereContacts contacts(HertzContact(), 1e-6);
+            Friction friction({.normal = 5e9, .tangential = 2e9});
+            Overdamped motion({.method = method, .first_step = 100., .mean_error = mean}, contacts, friction, {}, threads);
+            motion.random_forces = [&](Particles<3> &q, const double h, const std::uint64_t step) {
+              set_motility_forces(q, id, gamma, 1e-16, h, 4, step);
+            };
+            for (int k = 0; k < 3; ++k)
+              motion.step(p, gamma, 1e3);
+            BOOST_TEST(motion.rejected() > 0u);
+            next[threads - 1] = motion.next_step();
+            ends[threads - 1] = p;
+          }
+        BOOST_CHECK(ends[0].x == ends[1].x);
+        BOOST_CHECK(ends[0].v == ends[1].v);
+        BOOST_TEST(next[0] == next[1]);
+      }
+}
+
 // One pair deep in each other among many at rest: measured by the mean, steps follow the many, and the pair ends at the same place.
 BOOST_AUTO_TEST_CASE(steps_by_the_mean_error_are_longer_and_end_alike)
 {
