@@ -11,6 +11,8 @@
 // advanced exactly: P(t + h) = P_0 + (P - P_0) e + s sqrt(1 - e^2) xi, e = exp(-h/tau). Its correlation is s^2 exp(-t/tau) at any
 // step. A cell alone, P_0 = 0: mean squared displacement 6 D [t - tau (1 - exp(-t/tau))], D = (F_0 s/gamma)^2 tau.
 //
+// Both in the plane z = 0 for cells on a substrate (directions = 2): 4 D for 6 D.
+//
 // xi: random_normal.h, of (seed, id of the cell, number of the step).
 #pragma once
 
@@ -25,14 +27,15 @@ namespace turgor
 {
 /// f = the random forces (N) of step `step` (of length h, s); gamma: N s/m; diffusion: m^2/s.
 inline void set_motility_forces(Particles<3> &particles, const std::vector<std::uint64_t> &id, const std::vector<double> &gamma,
-                                const double diffusion, const double h, const std::uint64_t seed, const std::uint64_t step)
+                                const double diffusion, const double h, const std::uint64_t seed, const std::uint64_t step,
+                                const int directions = 3)
 {
   const double size = std::sqrt(2. * diffusion / h);
   for (std::size_t i = 0; i < id.size(); ++i)
     {
       const auto xi = random_normals(seed ^ 0x6d6f74696c697479ull, id[i], step);
       for (int d = 0; d < 3; ++d)
-        particles.f[d][i] = size * gamma[i] * xi[std::size_t(d)];
+        particles.f[d][i] = d < directions ? size * gamma[i] * xi[std::size_t(d)] : 0.;
     }
 }
 
@@ -50,16 +53,23 @@ inline double polarity_after(const double P, const double preferred, const doubl
   return preferred + (P - preferred) * decay + spread * std::sqrt(1. - decay * decay) * xi;
 }
 
+/// The fields that polarity is kept in.
+inline void declare_polarity(Particles<3> &particles)
+{
+  for (const char *name : {"polarity_x", "polarity_y", "polarity_z"})
+    particles.declare(name);
+}
+
 /// Polarity of all cells (fields polarity_x, _y, _z, none) over step number `step` of length h (s).
 inline void advance_polarity(Particles<3> &particles, const std::vector<std::uint64_t> &id, const MigrationParameters &parameters,
-                             const double h, const std::uint64_t seed, const std::uint64_t step)
+                             const double h, const std::uint64_t seed, const std::uint64_t step, const int directions = 3)
 {
   const double decay = std::exp(-h / parameters.persistence);
   std::vector<double> *P[3] = {&particles.field("polarity_x"), &particles.field("polarity_y"), &particles.field("polarity_z")};
   for (std::size_t i = 0; i < id.size(); ++i)
     {
       const auto xi = random_normals(seed ^ 0x706f6c6172697479ull, id[i], step);
-      for (int d = 0; d < 3; ++d)
+      for (int d = 0; d < directions; ++d)
         (*P[d])[i] = polarity_after((*P[d])[i], parameters.preferred[d], decay, parameters.spread, xi[std::size_t(d)]);
     }
 }

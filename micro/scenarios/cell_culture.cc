@@ -2,7 +2,6 @@
 
 #include "micro/engine/binary.h"
 #include "micro/engine/space_order.h"
-#include "micro/processes/cell_motility.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,6 +42,8 @@ CellCulture::CellCulture(const CultureParameters &parameters_, std::vector<std::
       [this](Particles<3> &particles) {
         for (const auto &around : surroundings)
           around->add_forces(particles);
+        if (migrates())
+          add_migration_forces(particles, parameters.migration);
       },
       threads_)
   , h(parameters_.interval > 0. ? parameters_.interval :
@@ -55,8 +56,10 @@ CellCulture::CellCulture(const CultureParameters &parameters_, std::vector<std::
   };
   if (parameters.motility > 0.)
     motion.random_forces = [this](Particles<3> &particles, const double step, const std::uint64_t number) {
-      set_motility_forces(particles, cells.id, gamma, parameters.motility, step, parameters.life.variability.seed, number);
+      set_motility_forces(particles, cells.id, gamma, parameters.motility, step, parameters.life.variability.seed, number, directions());
     };
+  if (migrates())
+    declare_polarity(cells.particles);
 }
 
 std::vector<std::string> CellCulture::term_names() const
@@ -68,6 +71,8 @@ std::vector<std::string> CellCulture::term_names() const
     names.push_back("local_stiffness");
   if (parameters.motility > 0.)
     names.push_back("motility");
+  if (migrates())
+    names.push_back("migration");
   for (const auto &around : surroundings)
     names.push_back(around->name());
   return names;
@@ -129,9 +134,15 @@ void CellCulture::advance(const double end)
   for (const auto &around : surroundings)
     around->update(cells, t);
   set_friction();
+  const std::uint64_t seed = parameters.life.variability.seed;
+  if (migrates() && steps == 0)
+    advance_polarity(cells.particles, cells.id, parameters.migration, HUGE_VAL, seed, ~std::uint64_t(0), directions());
+  const double longest = migrates() ? 0.25 * parameters.migration.persistence : HUGE_VAL;
   while (t < until)
     {
-      const double dt = motion.step(cells.particles, gamma, until - t);
+      const double dt = motion.step(cells.particles, gamma, std::min(until - t, longest));
+      if (migrates())
+        advance_polarity(cells.particles, cells.id, parameters.migration, dt, seed, steps, directions());
       for (const auto &around : surroundings)
         around->advance(cells.particles, dt);
       t = until - t > dt ? t + dt : until;

@@ -7,11 +7,15 @@
 //
 // Cells are sorted in space (space_order.h) whenever their number has grown by a tenth; whoever writes them restores the order of ids.
 //
+// Cells that migrate have a polarity from the start on, that of rest; daughters have their mother's. It is held during a step, which is at
+// most a quarter of the persistence time.
+//
 // Checkpoints are taken between intervals; a resumed run has the bits of one that was never stopped.
 #pragma once
 
 #include "micro/engine/overdamped.h"
 #include "micro/processes/cell_life.h"
+#include "micro/processes/cell_motility.h"
 
 #include <memory>
 #include <optional>
@@ -30,6 +34,8 @@ struct CultureParameters
   std::optional<LocalStiffness> stiffness; ///< none: moduli do not depend on the packing
   CompressionOf compression = CompressionOf::cell;
   double motility = 0.;         ///< D, m^2/s
+  MigrationParameters migration; ///< force 0: none
+  bool in_plane = false;        ///< cells move by themselves in x and y alone
   OverdampedParameters motion;
   double growth_tolerance = 2e-3;
   double interval = 0.; ///< h, s; 0: from the tolerance
@@ -72,6 +78,8 @@ private:
   /// Cells near in space near in memory; now and then, as the population grows.
   void sort();
   void gather_others(const std::vector<std::uint32_t> &source);
+  bool migrates() const { return parameters.migration.force > 0.; }
+  int directions() const { return parameters.in_plane ? 2 : 3; }
 
   CultureParameters parameters;
   unsigned int threads;

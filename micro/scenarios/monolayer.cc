@@ -8,6 +8,7 @@ Monolayer::Monolayer()
 {
   flat = true;
   entries.direction = "random_in_plane";
+  entries.in_plane = true;
 }
 
 std::string Monolayer::description() const

@@ -1,5 +1,5 @@
 // Scene `monolayer`: cells on a flat substrate that grow and divide in the plane z = 0 (thesis 2.2.2). All centres stay there, as every
-// force between them lies in it; friction with the medium is that of the substrate.
+// force between them lies in it and they crawl and diffuse in it alone; friction with the medium is that of the substrate.
 //
 // The pressure in the middle of a growing monolayer rises with its size, as the friction of the substrate has to be overcome: growth
 // turns from exponential to one of the rim (radius linear in time) where the inhibition binds.

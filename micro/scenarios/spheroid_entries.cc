@@ -88,6 +88,11 @@ void CultureEntries::declare(dealii::ParameterHandler &prm)
   prm.add_parameter("Method", method, "euler, heun or implicit. Units: none.", Selection("euler|heun|implicit"));
   prm.add_parameter("Tolerance", numbers.motion.tolerance, "Error of a step over the mean radius. Units: none.", Double(1e-9, 1.));
   prm.add_parameter("Motility", numbers.motility, "D of the cells' random motion in the medium. Units: m^2/s.", Double(0., 1.));
+  prm.add_parameter("Migration force", numbers.migration.force,
+                    "F_0 of cells that crawl along a polarity (2.10); 0: none. Units: N.", Double(0., 1.));
+  prm.add_parameter("Persistence time", numbers.migration.persistence, "tau of the polarity. Units: s.", Double(1e-3, 1e12));
+  prm.add_parameter("Preferred direction", preferred, "P_0, the mean of the polarity, whose components scatter by 1/sqrt(3): x, y, z. Units: none.",
+                    List(Double(-1e6, 1e6), 3, 3, ","));
   prm.add_parameter("Mean error", numbers.motion.mean_error,
                     "Tolerance for the root mean square of all cells instead of the largest error. Units: none.", Bool());
   prm.add_parameter("Growth tolerance", numbers.growth_tolerance,
@@ -119,6 +124,8 @@ void CultureEntries::check() const
                      + " s, but has to be at most half of Cell/Cycle time (" + std::to_string(life.cycle_time) + " s).");
   if (seed != std::floor(seed))
     throw InputError("Cell/Seed is " + std::to_string(seed) + ", but has to be a whole number.");
+  if (in_plane && parameters().migration.preferred[2] != 0.)
+    throw InputError("Motion/Preferred direction is " + preferred + ", but cells of a monolayer crawl in its plane: x, y, 0.");
   if (direction == "given" && !(parameters().life.division.axis.norm() > 0.))
     throw InputError("Division/Axis is " + axis + ", but Direction = given needs one that is not zero.");
 }
@@ -135,6 +142,9 @@ CultureParameters CultureEntries::parameters() const
                             direction == "given"           ? DivisionDirection::given :
                                                              DivisionDirection::least_stress;
   std::sscanf(axis.c_str(), "%lf , %lf , %lf", &life.division.axis[0], &life.division.axis[1], &life.division.axis[2]);
+  Vector<3> &P_0 = result.migration.preferred;
+  std::sscanf(preferred.c_str(), "%lf , %lf , %lf", &P_0[0], &P_0[1], &P_0[2]);
+  result.in_plane = in_plane;
   life.division.least_energy = distance == "least_energy";
   life.division.seed = life.variability.seed = std::uint64_t(seed);
   life.death.rim = rim == "none" ? Rim::none : rim == "quiescent" ? Rim::quiescent : Rim::necrotic;

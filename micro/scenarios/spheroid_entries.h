@@ -18,7 +18,9 @@ struct CultureEntries
   std::string rate = "constant", inhibition = "hill", division_at = "size", direction = "least_stress", axis = "0, 0, 1",
               distance = "least_energy", rim = "none", lysis = "delayed", method = "heun",
               stiffness = "none", compression = "cell";
+  std::string preferred = "0, 0, 0";
   double seed = 1.;
+  bool in_plane = false; ///< of a monolayer; not an entry
 
   void declare(dealii::ParameterHandler &prm);
   /// Throws InputError.

@@ -1,8 +1,10 @@
 // Random and persistent motion of cells alone: mean squared displacements, correlation, order of convergence in the step.
 #include "micro/processes/cell_motility.h"
+#include "micro/scenarios/cell_culture.h"
 
 #include <boost/test/unit_test.hpp>
 
+#include <numbers>
 #include <numeric>
 
 using namespace turgor;
@@ -20,8 +22,7 @@ struct Walkers
     , gamma(n, 0.3)
   {
     particles.resize(n);
-    for (const char *name : {"polarity_x", "polarity_y", "polarity_z"})
-      particles.declare(name);
+    declare_polarity(particles);
     std::iota(id.begin(), id.end(), 7u);
   }
 
@@ -191,6 +192,51 @@ BOOST_AUTO_TEST_CASE(persistent_walk_converges_strongly)
   };
   const double coarse = rms(16), fine = rms(64);
   BOOST_TEST(std::log(coarse / fine) / std::log(4.) == 1., boost::test_tools::tolerance(0.1));
+}
+
+// Cells of a culture that crawl alone, far from each other: the persistent walk's mean squared displacement, in space and in a plane.
+BOOST_AUTO_TEST_CASE(cells_of_a_culture_crawl)
+{
+  const double t = 3600., tau = 900., F_0 = 1e-9, apart = 1e-3;
+  std::vector<double> first;
+  for (const auto &[in_plane, threads] : {std::pair(false, 1u), std::pair(false, 2u), std::pair(true, 1u)})
+    {
+      CultureParameters parameters;
+      parameters.life.variability.spread = 0.;
+      parameters.life.growth.inhibition = Inhibition::none;
+      parameters.life.cycle.mitosis = 1e4; // in which nothing grows: radius and friction stay
+      parameters.life.cycle_time = 1e5;
+      parameters.migration = {.force = F_0, .persistence = tau};
+      parameters.in_plane = in_plane;
+      parameters.motion.longest_step = 30.;
+      parameters.motion.tolerance = 0.1;
+      CellCulture culture(parameters, {}, threads);
+      const int columns = 40, rows = 50;
+      for (int a = 0; a < columns; ++a)
+        for (int b = 0; b < rows; ++b)
+          culture.life.add(culture.cells, Vector<3>(apart * a, apart * b, 0.), 0.);
+      while (culture.time() < t)
+        culture.advance(t);
+      double squared = 0., across = 0.;
+      std::vector<double> x(culture.cells.size());
+      for (std::size_t i = 0; i < culture.cells.size(); ++i)
+        { // the order in memory is that of places; each is still nearest to where it started
+          const Vector<3> at = culture.cells.particles.position(i);
+          const Vector<3> home(apart * std::round(at[0] / apart), apart * std::round(at[1] / apart), 0.);
+          squared += (at - home).squaredNorm() / (columns * rows);
+          across = std::max(across, std::abs(at[2]));
+          x[i] = at[0];
+        }
+      const double R = parameters.life.birth_radius, speed = F_0 / (4. * std::numbers::pi * R * R * parameters.medium_friction);
+      const double directions = in_plane ? 2. : 3.;
+      const double exact = 2. * directions * speed * speed / 3. * tau * (t - tau * (1. - std::exp(-t / tau)));
+      BOOST_CHECK_SMALL(squared / exact - 1., 4. * std::sqrt(2. / (directions * columns * rows)));
+      BOOST_TEST((across == 0.) == in_plane);
+      if (first.empty())
+        first = x;
+      else if (threads == 2)
+        BOOST_CHECK(x == first);
+    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
