@@ -7,9 +7,10 @@ a file of its own in inputs/studies/sensitivity: its runs, the statements (what 
 yes) and its panels of the picture.
 
 A smaller capsule of the same H/R, R = 30 um and H = 2.4 um (the same pressure at the same strain), from confluence to 75 h after it: a
-fortieth of the cells. Measured: dilatation (R - R_0)/R_0 at 24 and 48 h, its rate from 48 h to 75 h, density
-at 48 h over that at confluence. The runs' results go to doc/results/spheroid/sensitivity.csv, the statements to statements.csv and,
-for all, the curves to sensitivity.png beside it.
+fortieth of the cells, each run with four seeds. Measured: dilatation (R - R_0)/R_0 at 24 and 48 h, its rate from 48 h to 75 h, number of
+cells over the capsule's volume at 48 h over that at confluence (a section of so small a spheroid has a dozen cells). Statements are
+judged by the means over the seeds, given with their standard errors. The runs' results go to doc/results/spheroid/sensitivity.csv,
+the statements to statements.csv and, for all, the curves of the first seed to sensitivity.png beside it.
 """
 import csv
 import importlib
@@ -22,10 +23,9 @@ from table_of_runs import ROOT, options_of, row_of, run_all, write_table
 R_0 = 30e-6
 SMALL = {"Capsule/Radius": R_0, "Capsule/Thickness": 2.4e-6, "Capsule/Time confined": 270000, "First cells": 30,
          "Frames": 0, "Checkpoints": 2}
+SEEDS = (1, 2, 3, 4)
 STUDIES = {name: importlib.import_module(f"sensitivity.{name}") for name in (
     "n", "eps_tr", "alpha_qui", "growth_law", "K", "T_lys", "timer", "friction", "W", "D", "seeds", "calibration")}
-
-CUT_SHORT = {}
 
 
 def at(t, times, values):
@@ -51,10 +51,23 @@ def measure(place):
     start = json.load(open(os.path.join(place, "summary.json"), encoding="utf-8"))["results"]["confluence_time"]["value"]
     hours = [(t - start) / 3600 for t in table["time"]]
     strain = [r / R_0 - 1 for r in table["capsule_radius"]]
+    dense = [n / r**3 for n, r in zip(table["cells"], table["capsule_radius"])]
     late = [k for k, t in enumerate(hours) if t >= 48]
     return {"d24": at(24, hours, strain), "d48": at(48, hours, strain) if late else 0.,
             "rate": 24 * slope([hours[k] for k in late], [strain[k] for k in late]) if len(late) > 2 else 0.,  # 0: ended before
-            "density": at(48, hours, table["density"]) / at(0, hours, table["density"]) if late else 0.}
+            "density": at(48, hours, dense) / at(0, hours, dense) if late else 0.}
+
+
+def mean_of(runs):
+    """{name: mean}, with the single runs as "each" and {name: standard error} as "error"."""
+    n = len(runs)
+    mean = {name: sum(run[name] for run in runs) / n for name in runs[0]}
+    error = {name: (sum((run[name] - mean[name])**2 for run in runs) / (n * max(1, n - 1)))**0.5 for name in mean}
+    return {**mean, "each": runs, "error": error}
+
+
+def labels_of(label):
+    return [label] + [f"{label}_seed_{seed}" for seed in SEEDS[1:]]
 
 
 def draw_panels(places):
@@ -71,18 +84,17 @@ def main():
     variants = {"reference": {}}
     for name in chosen:
         variants.update(STUDIES[name].RUNS)
-    for label, seconds in CUT_SHORT.items():
-        if label in variants:
-            variants[label] = {**variants[label], "Capsule/Time confined": seconds}
-    done = run_all(options, ((label, "spheroid_capsule", {**SMALL, **entries}) for label, entries in variants.items()))
-    measured, rows = {}, []
+    runs = {name: {**SMALL, **entries, "Cell/Seed": seed} for label, entries in variants.items() for name, seed in zip(labels_of(label), SEEDS)}
+    done = run_all(options, ((label, "spheroid_capsule", entries) for label, entries in runs.items()))
+    single, rows = {}, []
     for label, place, failed in done:
         rows.append(row_of(label, place, failed))
         if place is not None:
-            measured[label] = measure(place)
-            rows[-1].update({"dilatation_24h": f"{measured[label]['d24']:.4g}", "dilatation_48h_over_radius": f"{measured[label]['d48']:.4g}",
-                             "rate_per_day": f"{measured[label]['rate']:.4g}", "density_48h_over_confluence": f"{measured[label]['density']:.4g}"})
+            single[label] = measure(place)
+            rows[-1].update({"dilatation_24h": f"{single[label]['d24']:.4g}", "dilatation_48h_over_radius": f"{single[label]['d48']:.4g}",
+                             "rate_per_day": f"{single[label]['rate']:.4g}", "density_48h_over_confluence": f"{single[label]['density']:.4g}"})
     write_table("spheroid", "sensitivity", rows)
+    measured = {label: mean_of([single[name] for name in labels_of(label) if name in single]) for label in variants if label in single}
     if chosen == list(STUDIES):
         draw_panels({label: place for label, place, _ in done if place is not None})
     verdicts = []
@@ -92,7 +104,7 @@ def main():
                 continue
             values = [measured[label] for label in needed]
             verdicts.append({"study": study, "statement": statement, "measured": "yes" if holds(*values) else "no",
-                             "numbers": "; ".join(f"{label}: " + ", ".join(f"{k} {v:.3g}" for k, v in one.items())
+                             "numbers": "; ".join(f"{label}: " + ", ".join(f"{k} {one[k]:.3g} +- {v:.1g}" for k, v in one["error"].items())
                                                   for label, one in zip(needed, values))})
             print(verdicts[-1]["measured"], statement)
     if verdicts:

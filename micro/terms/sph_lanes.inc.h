@@ -122,12 +122,6 @@ inline V lesser(V a, V b) { return _mm256_min_pd(a, b); }
 inline V greater(V a, V b) { return _mm256_max_pd(a, b); }
 inline V root(V a) { return _mm256_sqrt_pd(a); }
 inline bool any_less(V a, V b) { return _mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_LT_OQ)) != 0; }
-/// 1/sqrt(a), 1e-37 < a < 1e38: single-precision estimate (12 bit) and one step of fifth order. The divider takes 14 cycles for
-/// four lanes and does nothing else meanwhile; this takes 12 operations that find free units.
-inline V rsqrt(V a)
-{
-  return splat(1.) / root(a);
-}
 #else
 inline V positive(V a) { return a > splat(0.) ? a : splat(0.); }
 inline V lesser(V a, V b) { return a < b ? a : b; }
@@ -140,8 +134,8 @@ inline V root(V a)
   return y;
 }
 inline bool any_less(V a, V b) { return a[0] < b[0] || a[1] < b[1] || a[2] < b[2] || a[3] < b[3]; }
-inline V rsqrt(V a) { return splat(1.) / root(a); }
 #endif
+inline V rsqrt(V a) { return splat(1.) / root(a); }
 inline V reciprocal(V a) { return splat(1.) / a; }
 inline void transpose(const V r[4], V c[4])
 {
