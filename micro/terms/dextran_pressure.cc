@@ -32,10 +32,24 @@ void DextranPressure::unit_forces(const Particles<3> &particles)
 
 void DextranPressure::update(const CellPopulation &population, const double t)
 {
+  now = t;
+  press(population.particles);
+}
+
+void DextranPressure::advance(const Particles<3> &particles, const double dt)
+{
+  now += dt;
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    if ((particles.position(cells[k]) - found_at[k]).squaredNorm() > 0.0625 * softened * softened)
+      return press(particles);
+}
+
+void DextranPressure::press(const Particles<3> &particles)
+{
   cells.clear();
-  if (t < parameters.start)
+  found_at.clear();
+  if (now < parameters.start)
     return;
-  const Particles<3> &particles = population.particles;
   const std::vector<double> &radius = particles.field("radius");
   const std::vector<double> *reference = particles.has("reference_volume") ? &particles.field("reference_volume") : nullptr;
   const OuterCells outer = find_outer_cells(particles);
@@ -51,6 +65,7 @@ void DextranPressure::update(const CellPopulation &population, const double t)
     {
       const std::uint32_t i = cells[k];
       exposed += outer.exposure[k];
+      found_at.push_back(particles.position(i));
       share.push_back(outer.exposure[k] * (reference ? sphere_volume(radius[i]) / (*reference)[i] : 1.));
     }
   unit_forces(particles);
@@ -62,8 +77,8 @@ void DextranPressure::update(const CellPopulation &population, const double t)
       cells.clear();
       return;
     }
-  const double risen = parameters.rise > 0. ? std::min(1., (t - parameters.start) / parameters.rise) : 1.;
-  if (!(parameters.fixed_force && F_0 > 0. && t > parameters.start + parameters.rise))
+  const double risen = parameters.rise > 0. ? std::min(1., (now - parameters.start) / parameters.rise) : 1.;
+  if (!(parameters.fixed_force && F_0 > 0. && now > parameters.start + parameters.rise))
     F_0 = 3. * risen * parameters.pressure * volume / moment;
 }
 

@@ -9,8 +9,9 @@
 // sum_i p_i V_i = -1/3 sum_outer F_i . r_i = p sum_i V_i, r_i from the centroid. Then the mean weighted with V_i is p up to what
 // the medium's friction carries.
 //
-// Exposures, the centroid and F_0 are found in update(); in between the forces keep their size and point to that centroid
-// (within a mean radius of it they fall to zero): dead loads would push a cell through the spheroid and out.
+// Exposures, the centroid and F_0 are found in update(), and again after a step in which one of the cells has gone farther than a quarter of
+// a mean radius since: a force that stays on a cell that has sunk in pushes it on, through a loose spheroid and out. In between
+// the forces keep their size and point to that centroid (within a mean radius of it they fall to zero).
 // The pressure rises in proportion to time over `rise`.
 // F_0 fixed ("fixed for each experiment"): it keeps the value of the first update.
 //
@@ -37,6 +38,7 @@ public:
 
   std::string name() const override { return "dextran_pressure"; }
   void update(const CellPopulation &population, double t) override;
+  void advance(const Particles<3> &particles, double dt) override;
   void add_forces(Particles<3> &particles) override;
   void gather(const std::vector<std::uint32_t> &source) override;
   std::vector<Value> values(const CellPopulation &) const override;
@@ -47,13 +49,16 @@ public:
   const std::vector<std::uint32_t> &outer_cells() const { return cells; }
 
 private:
+  void press(const Particles<3> &particles); ///< at time `now`
   /// The forces on the outer cells where they are now (N), for F_0 = 1.
   void unit_forces(const Particles<3> &particles);
 
   DextranParameters parameters;
+  double now = 0.; ///< s
   double F_0 = 0., softened = 0., exposed = 0.; ///< N; m, within it of the centroid forces fall to zero; sum of exposures
   Vector<3> centre = Vector<3>::Zero();
   std::vector<std::uint32_t> cells;
+  std::vector<Vector<3>> found_at; ///< m, where the cells were when they were found
   std::vector<double> share; ///< w V/V_ref of cells
   std::vector<Vector<3>> forces;
 };

@@ -7,6 +7,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <sstream>
+#include <algorithm>
 #include <numeric>
 
 using namespace turgor;
@@ -268,6 +269,30 @@ BOOST_AUTO_TEST_CASE(dextran_forces_balance_and_carry_the_given_virial)
     }
   BOOST_CHECK_SMALL(total.norm() / size, 1e-14);
   BOOST_TEST(-virial / (3. * volume) == 5e3, boost::test_tools::tolerance(1e-12));
+}
+
+// A cell that is pushed in is no outer cell any more: after it has gone a quarter of a radius the forces are found anew.
+BOOST_AUTO_TEST_CASE(dextran_lets_go_of_cells_that_sink_in)
+{
+  CellPopulation cells;
+  for (const double x : {-40., 0., 40.})
+    for (const double y : {-40., 0., 40.})
+      for (const double z : {-40., 0., 40.})
+        cells.add(Vector<3>(x, y, z), 30., 1.);
+  cells.add(Vector<3>(90., 0., 0.), 10., 1.);
+  DextranPressure dextran({.pressure = 1.});
+  dextran.update(cells, 0.);
+  const auto pressed = [&](const std::uint32_t i) {
+    const auto &of = dextran.outer_cells();
+    return std::find(of.begin(), of.end(), i) != of.end();
+  };
+  BOOST_TEST(pressed(27));
+  cells.particles.x[0][27] = 85.; // less than a quarter of the mean radius, 29.3
+  dextran.advance(cells.particles, 1.);
+  BOOST_TEST(pressed(27));
+  cells.particles.x[0][27] = 45.; // inside its neighbour
+  dextran.advance(cells.particles, 1.);
+  BOOST_TEST(!pressed(27));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
