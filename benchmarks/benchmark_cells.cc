@@ -10,6 +10,7 @@
 // friction: the matrix at one state, pair friction 10 times the medium's, half of it sideways; friction_isotropic: all of it,
 //   which needs no directions (and is what explicit steps of the scenes have). assembly_ns_cell: with the right-hand side and one
 //   product; iteration_ns_cell: of conjugate gradients to 1e-6.
+// friction_iterations: their number at 10^4 cells, by pair over medium friction and digits of the tolerance, all directions the same.
 // The time column is wall time.
 #include "micro/engine/counter_random.h"
 #include "micro/engine/gathered.h"
@@ -115,6 +116,15 @@ BENCHMARK(pair_mechanics)->Apply(some);
 BENCHMARK(pair_mechanics)->Apply(many);
 BENCHMARK(pair_mechanics)->Apply(most);
 
+constexpr double pair = 5e10; // N s/m^3
+
+/// Medium friction: that of a cell's pairs is `ratio` times as much.
+std::vector<double> medium(const std::size_t n, const double ratio)
+{
+  const double area = 3.14 * 0.5 * R_0 * 0.1 * R_0;
+  return std::vector<double>(n, 11. * area * pair / ratio);
+}
+
 /// sideways: tangential over normal friction.
 void solve_friction(benchmark::State &state, const double sideways)
 {
@@ -124,8 +134,7 @@ void solve_friction(benchmark::State &state, const double sideways)
   Particles<3> cells = ball(n);
   SphereContacts contacts(HertzContact(), 0.2 * R_0);
   contacts.add_forces(cells, threads);
-  const double area = 3.14 * 0.5 * R_0 * 0.1 * R_0, pair = 5e10;
-  const std::vector<double> gamma(n, 11. * area * pair / 10.);
+  const std::vector<double> gamma = medium(n, 10.);
   Friction assembled({.normal = pair, .tangential = sideways * pair, .tolerance = 1e9}),
     solved({.normal = pair, .tangential = sideways * pair});
   for (Friction *warm : {&assembled, &solved}) // memory is there
@@ -162,6 +171,18 @@ BENCHMARK(friction_isotropic)
   ->ArgsProduct({{1000, 10000, 100000, 1000000}, {1, 2}})
   ->MeasureProcessCPUTime()
   ->UseRealTime();
+void friction_iterations(benchmark::State &state)
+{
+  const std::size_t n = 10000;
+  Particles<3> cells = ball(n);
+  SphereContacts contacts(HertzContact(), 0.2 * R_0);
+  contacts.add_forces(cells, 1);
+  Friction friction({.normal = pair, .tangential = pair, .tolerance = std::pow(10., -double(state.range(1)))});
+  for (auto _ : state)
+    friction.velocities(cells, contacts, medium(n, double(state.range(0))), 0., 1);
+  state.counters["iterations"] = friction.iterations();
+}
+BENCHMARK(friction_iterations)->ArgNames({"ratio", "digits"})->ArgsProduct({{1, 10, 100, 1000}, {6, 10}})->Iterations(1);
 } // namespace
 
 BENCHMARK_MAIN();
