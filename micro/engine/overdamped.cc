@@ -119,12 +119,24 @@ double Overdamped::step(Particles<3> &particles, const std::vector<double> &gamm
   for (;;)
     {
       const double h = std::min({dt, limit, parameters.longest_step});
-      if (implicit)
-        evaluate(particles, gamma, h, false);
-      if (heun)
+      try
         {
-          move(particles.x, x_before, h, v_before);
-          evaluate(particles, gamma, 0., true);
+          if (implicit)
+            evaluate(particles, gamma, h, false);
+          if (heun)
+            {
+              move(particles.x, x_before, h, v_before);
+              evaluate(particles, gamma, 0., true);
+            }
+        }
+      catch (const StepTooLong &error)
+        { // where an implicit step begins does not depend on its length, only the matrix does
+          if ((implicit && !dynamic_cast<const NotSolved *>(&error)) || 0.2 * h < parameters.least_step)
+            throw;
+          ++rejections;
+          dt = 0.2 * h;
+          copy(x_before, particles.x);
+          continue;
         }
       const auto [worst, total] = change_of(particles.v);
       const bool finite = std::isfinite(total);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 
 namespace turgor
@@ -75,10 +74,10 @@ void Friction::correct(const double target, const double start, const unsigned i
   while (!(residual * start <= target))
     {
       if (last_iterations >= parameters.max_iterations || !std::isfinite(residual * start))
-        throw std::runtime_error("the friction matrix was not solved within " + std::to_string(parameters.max_iterations)
-                                 + " iterations (residual " + std::to_string(std::sqrt(residual * start / allowed) * parameters.tolerance)
-                                 + " of the forces, allowed " + std::to_string(parameters.tolerance)
-                                 + "): more friction with the medium, or a larger tolerance.");
+        throw NotSolved("the friction matrix was not solved within " + std::to_string(parameters.max_iterations)
+                        + " iterations (residual " + std::to_string(std::sqrt(residual * start / allowed) * parameters.tolerance)
+                        + " of the forces, allowed " + std::to_string(parameters.tolerance)
+                        + "): more friction with the medium, or a larger tolerance.");
       const double pAp = sum_chunks(threads, chunks, parts, [&](std::size_t begin, std::size_t last) {
         return matrix.product(begin, last, p, Ap);
       });

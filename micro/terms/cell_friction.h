@@ -16,6 +16,7 @@
 // list, sums in the order of chunks: same bits on any number of threads.
 #pragma once
 
+#include "micro/engine/step_too_long.h"
 #include "micro/terms/friction_matrix.h"
 
 #include <vector>
@@ -29,13 +30,19 @@ struct FrictionParameters
   unsigned int max_iterations = 2000;
 };
 
+/// The friction matrix was not solved: an implicit step is too long for the stiffness of its contacts, or there is too little friction.
+struct NotSolved : StepTooLong
+{
+  using StepTooLong::StepTooLong;
+};
+
 class Friction
 {
 public:
   explicit Friction(const FrictionParameters &parameters);
 
   /// particles.v from particles.f, started from particles.v. gamma: N s/m, per cell; implicit_step (s): 0 explicit. Throws
-  /// std::runtime_error with the residual when not solved.
+  /// NotSolved with the residual.
   void velocities(Particles<3> &particles, const SphereContacts &contacts, const std::vector<double> &gamma,
                   double implicit_step, unsigned int threads);
 

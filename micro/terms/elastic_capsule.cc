@@ -1,6 +1,7 @@
 #include "micro/terms/elastic_capsule.h"
 
 #include "micro/engine/binary.h"
+#include "micro/engine/step_too_long.h"
 
 #include <algorithm>
 #include <sstream>
@@ -169,8 +170,8 @@ void ElasticCapsule::add_forces(Particles<3> &particles)
       if (!(w < radius[i]))
         continue;
       if (!(w > 0.))
-        throw std::runtime_error("the centre of cell " + std::to_string(i)
-                                 + " has passed the capsule's wall: take shorter steps, or stiffer contacts.");
+        throw StepTooLong("the centre of cell " + std::to_string(i)
+                          + " has passed the capsule's wall: take shorter steps, or stiffer contacts.");
       const SphereContact c = material(radius[i], reference(i), modulus[i], -1. / parameters.radius, w);
       touches.push_back({i, particles.position(i) / -distance[k], w, c});
       for (int d = 0; d < 3; ++d)

@@ -1,6 +1,7 @@
 #include "micro/terms/rigid_walls.h"
 
 #include "micro/engine/binary.h"
+#include "micro/engine/step_too_long.h"
 
 #include <stdexcept>
 
@@ -55,8 +56,8 @@ void RigidWalls::add_forces(Particles<3> &particles)
           if (!meets(particles.position(i), radius[i], walls[k], touch.w, curvature, touch.inward))
             continue;
           if (!(touch.w > 0.))
-            throw std::runtime_error("the centre of cell " + std::to_string(i)
-                                     + " has passed a rigid wall: take shorter steps, or a slower or smaller load.");
+            throw StepTooLong("the centre of cell " + std::to_string(i)
+                              + " has passed a rigid wall: take shorter steps, or a slower or smaller load.");
           touch.cell = std::uint32_t(i);
           touch.contact = material(radius[i], reference(i), modulus[i], curvature, touch.w);
           for (int d = 0; d < 3; ++d)

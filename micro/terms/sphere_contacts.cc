@@ -2,6 +2,7 @@
 
 #include "micro/engine/binary.h"
 #include "micro/engine/parallel.h"
+#include "micro/engine/step_too_long.h"
 #include "micro/terms/overlap_energy.h"
 
 #include <algorithm>
@@ -125,9 +126,9 @@ void SphereContacts::compute_pairs(const Law &one, const unsigned int threads, c
       }
   });
   if (coincide < list.size())
-    throw std::runtime_error("the centres of cells " + std::to_string(list[coincide].i) + " and "
-                             + std::to_string(list[coincide].j)
-                             + " coincide, so the direction of their contact is not defined: take smaller steps.");
+    throw StepTooLong("the centres of cells " + std::to_string(list[coincide].i) + " and "
+                      + std::to_string(list[coincide].j)
+                      + " coincide, so the direction of their contact is not defined: take smaller steps.");
 }
 
 void SphereContacts::add_forces(Particles<3> &particles, const unsigned int threads, const bool trial)

@@ -1,14 +1,15 @@
 // Capsule, walls and dextran around cells: closed forms, F = -dE/dx, order of convergence in the step.
 #include "micro/engine/counter_random.h"
+#include "micro/engine/overdamped.h"
 #include "micro/terms/dextran_pressure.h"
 #include "micro/terms/elastic_capsule.h"
 #include "micro/terms/rigid_walls.h"
 
 #include <boost/test/unit_test.hpp>
 
-#include <sstream>
 #include <algorithm>
 #include <numeric>
+#include <sstream>
 
 using namespace turgor;
 
@@ -293,6 +294,27 @@ BOOST_AUTO_TEST_CASE(dextran_lets_go_of_cells_that_sink_in)
   cells.particles.x[0][27] = 45.; // inside its neighbour
   dextran.advance(cells.particles, 1.);
   BOOST_TEST(!pressed(27));
+}
+
+// A trial that leads behind a wall is a step too long, no end of the run: F = 8 against the wall's 4/3 E sqrt(R) delta^(3/2), from far away.
+BOOST_AUTO_TEST_CASE(a_step_behind_a_wall_is_taken_back)
+{
+  CellPopulation one;
+  one.add(Vector<3>(0., 0., 10.), 4., 3.);
+  RigidWalls wall({RigidWall{}}, WallMaterial{});
+  SphereContacts contacts(HertzContact(), 1.);
+  Friction friction(FrictionParameters{});
+  Overdamped motion({.method = OverdampedMethod::heun, .tolerance = 0.02, .first_step = 4.}, contacts, friction,
+                    [&](Particles<3> &particles) {
+                      particles.f[2][0] -= 8.;
+                      wall.add_forces(particles);
+                    },
+                    1);
+  const std::vector<double> gamma(1, 1.);
+  for (double t = 0.; t < 50.;)
+    t += motion.step(one.particles, gamma, 50. - t);
+  BOOST_TEST(motion.rejected() > 0u);
+  BOOST_TEST(one.particles.x[2][0] == 3., boost::test_tools::tolerance(1e-2)); // R = 4, delta = 1
 }
 
 BOOST_AUTO_TEST_SUITE_END()
