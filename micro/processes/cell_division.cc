@@ -23,7 +23,7 @@ Vector<3> CellDivision::choose(const std::uint64_t mother_id, const Tensor2<3> &
   return {across * std::cos(turn), across * std::sin(turn), z};
 }
 
-double CellDivision::half_distance(const CellPopulation &cells, const SphereContacts &contacts,
+double CellDivision::half_distance(const CellPopulation &cells, const SphereContacts &contacts, const PairList<3> &near,
                                    const std::vector<std::unique_ptr<Surroundings>> &surroundings, const std::uint32_t mother,
                                    const Vector<3> &along, const double radius) const
 {
@@ -34,16 +34,15 @@ double CellDivision::half_distance(const CellPopulation &cells, const SphereCont
   if (!least_energy)
     return nearest;
   const Vector<3> centre = p.position(mother);
-  const PairList<3> &list = contacts.list();
   const SphereContacts::Sphere daughter{radius, reference(mother) * std::cbrt(0.5), contacts.modulus(mother)};
   const auto energy = [&](const double s) {
     double sum = contacts.pair_energy(daughter, daughter, 2. * s);
     for (const auto &around : surroundings)
       for (const double side : {-s, s})
         sum += around->energy_of(centre + side * along, radius, daughter.reference, p.field("modulus")[mother]);
-    for (std::uint32_t k = list.first()[mother]; k < list.first()[mother + 1]; ++k)
+    for (std::uint32_t k = near.first()[mother]; k < near.first()[mother + 1]; ++k)
       {
-        const std::uint32_t j = list.other()[k];
+        const std::uint32_t j = near.other()[k];
         const Vector<3> to = p.position(j) - centre;
         const SphereContacts::Sphere neighbour{R[j], reference(j), contacts.modulus(j)};
         for (const double side : {-s, s})

@@ -36,11 +36,15 @@ struct CellDivision
   bool least_energy = true;
   std::uint64_t seed = 1;
 
+  /// m, how far beyond a mother of a radius (m) her daughters reach: 2 R_d - R_m.
+  static double reach(const double radius) { return 0.5875 * radius; }
+
   /// stress: any positive multiple of the cell's.
   Vector<3> choose(std::uint64_t mother_id, const Tensor2<3> &stress) const;
 
-  /// m; neighbours: those of the contacts' list, after their add_forces. radius: of each daughter, m.
-  double half_distance(const CellPopulation &cells, const SphereContacts &contacts,
+  /// m; contacts after their add_forces; near: all pairs closer than the sum of their radii and `reach` of the mother. It is not the contacts'
+  /// list: that does not reach as far, and what it has besides depends on when it was built. radius: of each daughter, m.
+  double half_distance(const CellPopulation &cells, const SphereContacts &contacts, const PairList<3> &near,
                        const std::vector<std::unique_ptr<Surroundings>> &surroundings, std::uint32_t mother,
                        const Vector<3> &direction, double radius) const;
 };

@@ -4,6 +4,7 @@
 #include "micro/cells/outer_cells.h"
 #include "micro/engine/gathered.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -134,11 +135,20 @@ void CellLife::advance(CellPopulation &cells, const SphereContacts &contacts,
     return;
 
   const double half = std::cbrt(0.5);
+  double reach = 0.;
+  for (const Division &division : divisions_now)
+    reach = std::max(reach, CellDivision::reach(R[division.mother]));
+  PairList<3> near(reach);
+  if (!divisions_now.empty() && parameters.division.least_energy)
+    {
+      std::vector<unsigned char> no_marks;
+      near.build(p, R, no_marks, threads);
+    }
   for (Division &division : divisions_now)
     {
       const std::uint32_t i = division.mother;
       const Vector<3> along = parameters.division.choose(cells.id[i], virial[i]);
-      division.offset = parameters.division.half_distance(cells, contacts, surroundings, i, along, half * R[i]) * along;
+      division.offset = parameters.division.half_distance(cells, contacts, near, surroundings, i, along, half * R[i]) * along;
     }
   std::vector<std::uint32_t> source, place(cells.size());
   for (std::uint32_t i = 0; i < cells.size(); ++i)

@@ -292,6 +292,14 @@ BOOST_AUTO_TEST_CASE(random_directions_are_uniform)
   BOOST_CHECK_SMALL((second - Tensor2<3>::Identity() / 3.).cwiseAbs().maxCoeff(), 0.0085);
 }
 
+PairList<3> near(const CellPopulation &cells)
+{
+  PairList<3> list(CellDivision::reach(1.));
+  std::vector<unsigned char> no_marks;
+  list.build(cells.particles, cells.particles.field("radius"), no_marks);
+  return list;
+}
+
 // A pair alone lies least in energy where it touches without force: Hertz 2 R_d, extended Hertz where F = 0.
 BOOST_AUTO_TEST_CASE(newborn_pairs_lie_where_their_energy_is_least)
 {
@@ -301,22 +309,30 @@ BOOST_AUTO_TEST_CASE(newborn_pairs_lie_where_their_energy_is_least)
   CellDivision division;
   SphereContacts hertz(HertzContact(), 0.1);
   hertz.add_forces(cells.particles, 1);
-  BOOST_TEST(division.half_distance(cells, hertz, {}, 0, Vector<3>::UnitX(), R) == R, digits(2e-3));
+  BOOST_TEST(division.half_distance(cells, hertz, near(cells), {}, 0, Vector<3>::UnitX(), R) == R, digits(2e-3));
   SphereContacts sticky(ExtendedHertzContact{W}, 0.1);
   sticky.add_forces(cells.particles, 1);
   // 4/3 E sqrt(R/2) delta^(3/2) = pi W R/2, E = 50
   const double delta = std::pow(std::numbers::pi * W * 0.5 * R / (4. / 3. * 50. * std::sqrt(0.5 * R)), 2. / 3.);
-  BOOST_TEST(division.half_distance(cells, sticky, {}, 0, Vector<3>::UnitX(), R) == R - 0.5 * delta, digits(2e-3));
+  BOOST_TEST(division.half_distance(cells, sticky, near(cells), {}, 0, Vector<3>::UnitX(), R) == R - 0.5 * delta, digits(2e-3));
   division.least_energy = false;
-  BOOST_TEST(division.half_distance(cells, sticky, {}, 0, Vector<3>::UnitX(), R) == 1. - R, digits(1e-14));
+  BOOST_TEST(division.half_distance(cells, sticky, near(cells), {}, 0, Vector<3>::UnitX(), R) == 1. - R, digits(1e-14));
   // held between two neighbours along its line it comes to lie closer
   division.least_energy = true;
   cells.add(Vector<3>(1.9, 0., 0.), 1., 100.);
   cells.add(Vector<3>(-1.9, 0., 0.), 1., 100.);
   hertz.add_forces(cells.particles, 1);
-  const double held = division.half_distance(cells, hertz, {}, 0, Vector<3>::UnitX(), R);
+  const double held = division.half_distance(cells, hertz, near(cells), {}, 0, Vector<3>::UnitX(), R);
   BOOST_TEST(held < 0.8 * R);
-  const double across = division.half_distance(cells, hertz, {}, 0, Vector<3>::UnitY(), R);
+  // a neighbour that the mother does not touch, but daughters of free distance would
+  CellPopulation apart;
+  apart.add(Vector<3>::Zero(), 1., 100.);
+  apart.add(Vector<3>(2.3, 0., 0.), 1., 100.);
+  hertz.add_forces(apart.particles, 1);
+  BOOST_TEST(hertz.contacts().empty());
+  BOOST_TEST(division.half_distance(apart, hertz, near(apart), {}, 0, Vector<3>::UnitX(), R) < 0.99 * R);
+  hertz.add_forces(cells.particles, 1);
+  const double across = division.half_distance(cells, hertz, near(cells), {}, 0, Vector<3>::UnitY(), R);
   BOOST_TEST(across > held);
 }
 
@@ -331,10 +347,10 @@ BOOST_AUTO_TEST_CASE(newborn_pairs_see_the_wall)
   walls.push_back(std::make_unique<RigidWalls>(std::vector<RigidWall>{{.point = Vector<3>(0., 0., -0.9)}}, WallMaterial{}));
   const double R = std::cbrt(0.5);
   CellDivision division;
-  const double free = division.half_distance(cells, hertz, {}, 0, Vector<3>::UnitZ(), R);
-  BOOST_TEST(division.half_distance(cells, hertz, walls, 0, Vector<3>::UnitX(), R) == free, digits(1e-12));
+  const double free = division.half_distance(cells, hertz, near(cells), {}, 0, Vector<3>::UnitZ(), R);
+  BOOST_TEST(division.half_distance(cells, hertz, near(cells), walls, 0, Vector<3>::UnitX(), R) == free, digits(1e-12));
   // least of 8/15 E R^(1/2) delta^(5/2): pair E = 50, R/2, delta = 2 R - 2 s; wall E = 100, R, delta = R - 0.9 + s: equal forces
-  const double s = division.half_distance(cells, hertz, walls, 0, Vector<3>::UnitZ(), R);
+  const double s = division.half_distance(cells, hertz, near(cells), walls, 0, Vector<3>::UnitZ(), R);
   const double pair = 2. * HertzContact()(0.5 * R, 50., 2. * (R - s)).force, wall = HertzContact()(R, 100., R - 0.9 + s).force;
   BOOST_TEST(s < 0.9 * free);
   BOOST_TEST(pair == wall, digits(0.02));
@@ -343,7 +359,7 @@ BOOST_AUTO_TEST_CASE(newborn_pairs_see_the_wall)
   thin.radius = 10.;
   walls[0] = std::make_unique<ElasticCapsule>(thin, WallMaterial{});
   cells.particles.x[0][0] = 9.4; // a daughter touching her sister would have her centre outside
-  BOOST_TEST(9.4 + division.half_distance(cells, hertz, walls, 0, Vector<3>::UnitX(), R) < 10.);
+  BOOST_TEST(9.4 + division.half_distance(cells, hertz, near(cells), walls, 0, Vector<3>::UnitX(), R) < 10.);
 }
 
 // One cell without neighbours: it divides at T, its volume is kept, both daughters are new and as old as what was left.
