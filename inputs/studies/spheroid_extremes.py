@@ -35,7 +35,7 @@ DRIVEN = [
     ("spheroid_capsule", "Motion/Motility", (1e-14, 1e-12)),
     ("spheroid_capsule", "Motion/Migration force", (1e-9, 1e-8, 1e-7)),
     ("spheroid_capsule", "Cell/Variability", (0, 0.24)),
-    ("spheroid_dextran", "Dextran/Pressure", (100, 2e4, 5e4, 1e5, 1e6)),
+    ("spheroid_dextran", "Dextran/Pressure", (100, 2e4, 5e4)),
     ("spheroid_dextran", "Cell/Modulus", (45, 4.5e4)),
     ("spheroid_dextran", "Cell/Bulk modulus", (500, 1e6)),
     ("spheroid_dextran", "Contact/Local stiffness", ("none", "closest")),
