@@ -4,10 +4,10 @@
 
 DIRECTORY: of a finished spheroid_capsule run. All rates as speeds of the capsule's wall, um/d: volume over time and over the mean inner surface.
 
-  wall's speed = growth - lysis - compression - voids
-  growth, lysis    uncompressed volume made by living cells, lost by dying ones (growth.csv: grown_volume, drained_volume)
-  compression      rise of the difference between uncompressed and present volume of all cells
-  voids            fall of the space inside the capsule that no cell fills (spheres overlap: it may become negative)
+  wall's speed = growth + lysis + compression + voids, each with its sign
+  growth, lysis    uncompressed volume made by living cells (positive), lost by dying ones (negative; growth.csv: grown_volume, drained_volume)
+  compression      change of the present over the uncompressed volume of all cells (negative while they are pressed together)
+  voids            change of the space inside the capsule that no cell fills (spheres overlap: that space may be negative)
 """
 import argparse
 import csv

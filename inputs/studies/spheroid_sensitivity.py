@@ -94,7 +94,8 @@ def main():
             rows[-1].update({"dilatation_24h": f"{single[label]['d24']:.4g}", "dilatation_48h_over_radius": f"{single[label]['d48']:.4g}",
                              "rate_per_day": f"{single[label]['rate']:.4g}", "density_48h_over_confluence": f"{single[label]['density']:.4g}"})
     write_table("spheroid", "sensitivity", rows)
-    measured = {label: mean_of([single[name] for name in labels_of(label) if name in single]) for label in variants if label in single}
+    measured = {label: mean_of([single[name] for name in labels_of(label) if name in single]) for label in variants
+                if any(name in single for name in labels_of(label))}
     if chosen == list(STUDIES):
         draw_panels({label: place for label, place, _ in done if place is not None})
     verdicts = []
@@ -104,7 +105,7 @@ def main():
                 continue
             values = [measured[label] for label in needed]
             verdicts.append({"study": study, "statement": statement, "measured": "yes" if holds(*values) else "no",
-                             "numbers": "; ".join(f"{label}: " + ", ".join(f"{k} {one[k]:.3g} +- {v:.1g}" for k, v in one["error"].items())
+                             "numbers": "; ".join(f"{label}" + (f" ({len(one['each'])} seeds)" if len(one["each"]) < len(SEEDS) else "") + ": " + ", ".join(f"{k} {one[k]:.3g} +- {v:.1g}" for k, v in one["error"].items())
                                                   for label, one in zip(needed, values))})
             print(verdicts[-1]["measured"], statement)
     if verdicts:

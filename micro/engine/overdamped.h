@@ -13,8 +13,8 @@
 // mean square instead, the largest at most a quarter of the radius: in a large population some cells always divide or
 // touch for the first time, and the largest error would keep all steps as short as theirs; v_before is the
 // velocity of the last step (heun: that of its own first stage). A step that errs more is
-// taken back and repeated with a shorter one, as is one that leads behind a wall or whose matrix is not solved (step_too_long.h). The next step: dt 0.9 sqrt(allowed/error), within [1/5, 2] of the last. Where cells have divided
-// or gone, forces jump: the first step then is at most twice the one that was accepted after the last such jump.
+// taken back and repeated with a shorter one, as is one of heun whose trial leads behind a wall and an implicit one whose matrix is not solved (step_too_long.h). The next step: dt 0.9 sqrt(allowed/error), within [1/5, 2] of the last. Where cells have divided
+// or gone (or changed places), forces may jump: the first step then is at most twice the one that was accepted after the last such jump.
 #pragma once
 
 #include "micro/terms/cell_friction.h"

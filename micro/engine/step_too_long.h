@@ -1,6 +1,6 @@
 // What a step throws that led where forces or velocities are not defined any more: a cell's centre behind a wall, centres that coincide, a
-// friction matrix that is not solved. A stepper takes such a step back and tries a shorter one; where there is none to take back, the run
-// fails with the sentence.
+// friction matrix that is not solved. Where it came of a trial that can be taken back (heun's x + h v, an implicit step's matrix) the stepper tries
+// a shorter one; where a step has been accepted that led there, the run fails with the sentence.
 #pragma once
 
 #include <stdexcept>

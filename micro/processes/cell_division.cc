@@ -65,7 +65,7 @@ double CellDivision::half_distance(const CellPopulation &cells, const SphereCont
   constexpr double golden = 0.6180339887498949;
   double a = high - golden * (high - low), b = low + golden * (high - low), at_a = energy(a), at_b = energy(b);
   while (high - low > 1e-3 * radius)
-    if (at_a < at_b)
+    if (at_a < at_b || !std::isfinite(at_b)) // towards the mother, away from what is forbidden
       {
         high = b;
         b = a;

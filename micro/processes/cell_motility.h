@@ -74,11 +74,13 @@ inline void advance_polarity(Particles<3> &particles, const std::vector<std::uin
     }
 }
 
-inline void add_migration_forces(Particles<3> &particles, const MigrationParameters &parameters)
+/// f += F_0 P of the cells that live: crawls(i).
+template <class Crawls>
+void add_migration_forces(Particles<3> &particles, const MigrationParameters &parameters, const Crawls &crawls)
 {
   const std::vector<double> *P[3] = {&particles.field("polarity_x"), &particles.field("polarity_y"), &particles.field("polarity_z")};
   for (std::size_t i = 0; i < particles.size(); ++i)
-    for (int d = 0; d < 3; ++d)
+    for (int d = 0; d < 3 && crawls(i); ++d)
       particles.f[d][i] += parameters.force * (*P[d])[i];
 }
 } // namespace turgor

@@ -43,7 +43,7 @@ CellCulture::CellCulture(const CultureParameters &parameters_, std::vector<std::
         for (const auto &around : surroundings)
           around->add_forces(particles);
         if (migrates())
-          add_migration_forces(particles, parameters.migration);
+          add_migration_forces(particles, parameters.migration, [this](const std::size_t i) { return cells.alive(i); });
       },
       threads_)
   , h(parameters_.interval > 0. ? parameters_.interval :

@@ -21,7 +21,7 @@ void SpheroidDextran::declare_more(dealii::ParameterHandler &prm)
   prm.add_parameter("Cell line", cell_line, "Sets cycle time and change of the rim; own: Cell/Cycle time, no change. Units: none.",
                     Selection("CT26|AB6|HT29|BC52|FHI|own"));
   prm.add_parameter("Pressure", pressure, "Mean of the cells (5.3); 0: the control without dextran. Units: Pa.", Double(0., 1e9));
-  prm.add_parameter("Fixed force", fixed_force, "F_0 stays what it is at the start instead of holding the pressure. Units: none.", Bool());
+  prm.add_parameter("Fixed force", fixed_force, "F_0 stays what it is when the whole pressure is first there, instead of holding it. Units: none.", Bool());
   prm.add_parameter("Rise time", rise, "Until the whole pressure is there. Units: s.", Double(0., 1e12));
   prm.add_parameter("Regime change", regime_change, "When BC52's and FHI's rim changes. Units: s.", Double(0., 1e12));
   prm.leave_subsection();

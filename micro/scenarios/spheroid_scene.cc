@@ -207,15 +207,20 @@ void SpheroidScene::run(RunContext &context)
   if (frames > 0 && context.is_writer())
     fields = std::make_unique<FieldFile>(context.directory(), "cells", resumed);
 
-  std::string good; // the state at the last row: what a run that fails leaves
-  const auto record = [&] {
-    table.rows.push_back(row_of(culture));
-    file->add_row(table.rows.back());
+  std::string good; // the state at the last row, or where it was resumed: what a run that fails leaves
+  const auto remember = [&] {
     std::ostringstream state;
     write_all(state);
     good = state.str();
   };
-  if (!resumed)
+  const auto record = [&] {
+    table.rows.push_back(row_of(culture));
+    file->add_row(table.rows.back());
+    remember();
+  };
+  if (resumed)
+    remember();
+  else
     {
       record();
       if (fields)

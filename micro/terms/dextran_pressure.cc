@@ -75,11 +75,13 @@ void DextranPressure::press(const Particles<3> &particles)
   if (!(moment > 0.)) // one cell: nothing to press against
     {
       cells.clear();
+      exposed = 0.;
       return;
     }
   const double risen = parameters.rise > 0. ? std::min(1., (now - parameters.start) / parameters.rise) : 1.;
-  if (!(parameters.fixed_force && F_0 > 0. && now > parameters.start + parameters.rise))
+  if (!(parameters.fixed_force && whole))
     F_0 = 3. * risen * parameters.pressure * volume / moment;
+  whole = risen == 1.;
 }
 
 void DextranPressure::add_forces(Particles<3> &particles)
@@ -101,6 +103,15 @@ std::vector<Surroundings::Value> DextranPressure::values(const CellPopulation &)
 }
 
 // Checkpoints are taken between intervals, and every interval begins with update(): F_0 is all that lasts.
-void DextranPressure::save(std::ostream &out) const { write_binary(out, F_0); }
-void DextranPressure::load(std::istream &in) { read_binary(in, F_0); }
+void DextranPressure::save(std::ostream &out) const
+{
+  write_binary(out, F_0);
+  write_binary(out, whole);
+}
+
+void DextranPressure::load(std::istream &in)
+{
+  read_binary(in, F_0);
+  read_binary(in, whole);
+}
 } // namespace turgor

@@ -3,17 +3,18 @@
 //
 //   F_i = F_0 w_i V_i/V_ref,i towards the centroid, minus what all sum up to in the same shares          (they sum to zero),
 //
-// Why w_i: full forces on the outermost cells alone, one to a cell's area, do not press a loose spheroid together. They are pushed in between
-// others that carry nothing, those become the outermost, and so on without end (10 kPa on 400 cells: 6.4 kPa were held).
 // with F_0 such that the mean pressure of the cells is the given one. In equilibrium the virial theorem gives it without a search:
 // sum_i p_i V_i = -1/3 sum_outer F_i . r_i = p sum_i V_i, r_i from the centroid. Then the mean weighted with V_i is p up to what
 // the medium's friction carries.
+//
+// Why w_i: full forces on the outermost cells alone, one to a cell's area, do not press a loose spheroid together. They are pushed in between
+// others that carry nothing, those become the outermost, and so on without end (10 kPa on 400 cells: 6.4 kPa were held).
 //
 // Exposures, the centroid and F_0 are found in update(), and again after a step in which one of the cells has gone farther than a quarter of
 // a mean radius since: a force that stays on a cell that has sunk in pushes it on, through a loose spheroid and out. In between
 // the forces keep their size and point to that centroid (within a mean radius of it they fall to zero).
 // The pressure rises in proportion to time over `rise`.
-// F_0 fixed ("fixed for each experiment"): it keeps the value of the first update.
+// F_0 fixed ("fixed for each experiment"): it keeps the first value found for the whole pressure.
 //
 // Fields read: radius, reference_volume.
 #pragma once
@@ -28,7 +29,7 @@ struct DextranParameters
   double pressure = 5e3;    ///< Pa
   double start = 0.;        ///< s, when the dextran is added
   double rise = 0.;         ///< s, until the whole pressure is there
-  bool fixed_force = false; ///< F_0 of the first update for good
+  bool fixed_force = false; ///< the first F_0 of the whole pressure for good
 };
 
 class DextranPressure final : public Surroundings
@@ -55,6 +56,7 @@ private:
 
   DextranParameters parameters;
   double now = 0.; ///< s
+  bool whole = false; ///< F_0 has been found for the whole pressure
   double F_0 = 0., softened = 0., exposed = 0.; ///< N; m, within it of the centroid forces fall to zero; sum of exposures
   Vector<3> centre = Vector<3>::Zero();
   std::vector<std::uint32_t> cells;

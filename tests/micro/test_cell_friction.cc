@@ -283,7 +283,6 @@ BOOST_AUTO_TEST_CASE(two_cells_by_hand)
   BOOST_TEST(virial[0](0, 0) == -2. / 3. * 1.5, boost::test_tools::tolerance(1e-14));
 }
 
-// Two cells of R_ref = R overlapping by 0.3 R: d = 0.15, both moduli are multiplied by g(0.15).
 // Cells that go leave nothing behind in the solver (lanes that fill up the last eight once were cells).
 BOOST_AUTO_TEST_CASE(a_population_that_shrinks_is_solved_as_a_new_one)
 {
@@ -320,6 +319,7 @@ BOOST_AUTO_TEST_CASE(forces_that_are_no_numbers_are_refused)
                         [](const auto &e) { return std::string(e.what()).find("was not solved") != std::string::npos; });
 }
 
+// The same matrix for other forces: Gamma v = F once more, against its own residual by momentum: sum gamma_i v_i = sum F_i.
 BOOST_AUTO_TEST_CASE(the_matrix_solves_again_for_other_forces)
 {
   const std::uint32_t n = 300;

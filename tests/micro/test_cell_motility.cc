@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(persistent_walk_and_its_weak_order)
       for (int k = 0; k < steps; ++k)
         {
           w.clear();
-          add_migration_forces(w.particles, parameters);
+          add_migration_forces(w.particles, parameters, [](std::size_t) { return true; });
           for (std::size_t d = 0; d < 3; ++d)
             for (std::size_t i = 0; i < w.id.size(); ++i)
               w.particles.x[d][i] += t / steps * w.particles.f[d][i] / w.gamma[i];
@@ -211,7 +211,7 @@ BOOST_AUTO_TEST_CASE(cells_of_a_culture_crawl)
       parameters.motion.longest_step = 30.;
       parameters.motion.tolerance = 0.1;
       CellCulture culture(parameters, {}, threads);
-      const int columns = 40, rows = 50;
+      const int columns = 90, rows = 100; // more than a chunk of any loop
       for (int a = 0; a < columns; ++a)
         for (int b = 0; b < rows; ++b)
           culture.life.add(culture.cells, Vector<3>(apart * a, apart * b, 0.), 0.);

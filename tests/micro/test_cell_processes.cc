@@ -355,6 +355,11 @@ BOOST_AUTO_TEST_CASE(newborn_pairs_see_the_wall)
   BOOST_TEST(s < 0.9 * free);
   BOOST_TEST(pair == wall, digits(0.02));
 
+  // so near that only the least distance leaves both before the wall: that one
+  const double nearest = 1. - R;
+  walls[0] = std::make_unique<RigidWalls>(std::vector<RigidWall>{{.point = Vector<3>(0., 0., -nearest - 0.01)}}, WallMaterial{});
+  BOOST_TEST(division.half_distance(cells, hertz, near(cells), walls, 0, Vector<3>::UnitZ(), R) < nearest + 0.01);
+
   CapsuleParameters thin;
   thin.radius = 10.;
   walls[0] = std::make_unique<ElasticCapsule>(thin, WallMaterial{});

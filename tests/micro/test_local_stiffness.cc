@@ -147,6 +147,7 @@ BOOST_AUTO_TEST_CASE(from_a_file)
   refused([] { LocalStiffness::from_file("no/such/file.csv"); }, "cannot read 'no/such/file.csv'");
 }
 
+// Two cells of R_ref = R overlapping by 0.3 R: d = 0.15, both moduli are multiplied by g(0.15).
 BOOST_AUTO_TEST_CASE(local_stiffness_multiplies_the_moduli)
 {
   const LocalStiffness stiffness = LocalStiffness::repaired_C9();
@@ -197,7 +198,6 @@ BOOST_AUTO_TEST_CASE(local_stiffness_is_that_of_the_mean_compression)
   BOOST_TEST(p.f[0][1] == F_left - F_right, boost::test_tools::tolerance(1e-12));
 }
 
-// The same matrix for other forces: Gamma v = F once more, against its own residual by momentum: sum gamma_i v_i = sum F_i.
 // By the compression of each contact: the modulus is that of the pair's own compression, whatever the others do, and F = -dE/dr.
 BOOST_AUTO_TEST_CASE(by_contact_the_force_is_the_slope_of_an_energy)
 {

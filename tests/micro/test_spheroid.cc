@@ -37,6 +37,8 @@ subsection Death
   set Remove lysed = true
 end
 subsection Motion
+  set Migration force  = 2e-10
+  set Persistence time = 4000
   set Tolerance = 5e-3
   set Growth tolerance = 5e-3
 end
