@@ -38,7 +38,7 @@ DRIVEN = [
     ("spheroid_dextran", "Dextran/Pressure", (100, 2e4, 5e4)),
     ("spheroid_dextran", "Cell/Modulus", (45, 4.5e4)),
     ("spheroid_dextran", "Cell/Bulk modulus", (500, 1e6)),
-    ("spheroid_dextran", "Contact/Local stiffness", ("none", "closest")),
+    ("spheroid_dextran", "Contact/Local stiffness", ("closest",)),
     ("spheroid_dextran", "Contact/Medium friction", (5e5, 5e10)),
     ("monolayer", "Cell/Modulus", (45, 4.5e5)),
     ("monolayer", "Contact/Medium friction", (5e6, 5e12)),
