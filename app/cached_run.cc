@@ -3,6 +3,7 @@
 #include "app/child_process.h"
 #include "micro/io/atomic_file.h"
 #include "micro/io/checksum.h"
+#include "micro/io/number_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -41,7 +42,7 @@ void compute(CachedRun &run, const RunRequest &request, const bool fresh, const 
   const std::string log = run.directory.string() + ".log";
   std::filesystem::remove(log);
   std::vector<std::string> words = {this_program(), "run", request.input.string(), "-o", run.directory.string(), "--quiet",
-                                    "--threads", std::to_string(request.threads)};
+                                    "--threads", number_text(request.threads)};
   for (const std::string &value : request.overrides)
     words.insert(words.end(), {"--set", value});
   std::vector<std::string> resumed = words;
@@ -53,7 +54,7 @@ void compute(CachedRun &run, const RunRequest &request, const bool fresh, const 
   if (!read_summary(run) && run.status.empty())
     {
       run.status = end.code == 130 ? "stopped" : "failed";
-      run.message = "It ended with code " + std::to_string(end.code) + "; " + log + " has its last words.";
+      run.message = "It ended with code " + number_text(end.code) + "; " + log + " has its last words.";
       run.use = end.use;
     }
 }

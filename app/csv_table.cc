@@ -1,6 +1,7 @@
 #include "app/csv_table.h"
 
 #include "app/prm_text.h"
+#include "micro/io/number_text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -34,8 +35,8 @@ CsvTable read_csv(const std::filesystem::path &file)
         continue;
       const std::vector<std::string> words = split_trimmed(line, ',');
       const auto refuse = [&] {
-        throw std::runtime_error(file.string() + ", line " + std::to_string(number) + ": '" + line + "' is not a row of " +
-                                 std::to_string(table.names.size()) + " numbers.");
+        throw std::runtime_error(file.string() + ", line " + number_text(number) + ": '" + line + "' is not a row of " +
+                                 number_text(table.names.size()) + " numbers.");
       };
       if (words.size() != table.names.size())
         refuse();

@@ -7,6 +7,7 @@
 #include "app/run_command.h"
 #include "app/study_runner.h"
 #include "app/validate_command.h"
+#include "micro/io/number_text.h"
 #include "micro/io/stop_flag.h"
 #include "micro/io/run_context.h"
 
@@ -102,7 +103,7 @@ int dispatch(int argc, char **argv)
           // Wrong input is told once, not by every rank.
           const Input input = load_input(run.file, run.overrides, registry);
           if (!input.scenario->uses_ranks())
-            throw InputError("--ranks " + std::to_string(run.ranks) + ": the scenario " + input.scenario_name +
+            throw InputError("--ranks " + number_text(run.ranks) + ": the scenario " + input.scenario_name +
                              " does not share its work over ranks; use --threads N.");
           return run_ranks(run.ranks, {argv + 1, argv + argc});
         }

@@ -1,6 +1,7 @@
 #include "app/prm_text.h"
 
 #include "micro/io/atomic_file.h"
+#include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 
 #include <sstream>
@@ -68,7 +69,7 @@ PrmText parse_prm(const std::string &text, const std::string &file_name)
         }
       if (line.empty())
         continue;
-      const std::string where = file_name + ", line " + std::to_string(first_number);
+      const std::string where = file_name + ", line " + number_text(first_number);
       std::string rest;
       if (starts_with_word(line, "set", rest))
         {
@@ -99,7 +100,7 @@ PrmText parse_prm(const std::string &text, const std::string &file_name)
                                                 "'end' and comments after #.");
     }
   if (!section.empty())
-    throw InputError(file_name + ", line " + std::to_string(opened.back()) + ": subsection '" + section.back() +
+    throw InputError(file_name + ", line " + number_text(opened.back()) + ": subsection '" + section.back() +
                      "' is never closed; its 'end' is missing.");
   return result;
 }

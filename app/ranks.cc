@@ -1,6 +1,7 @@
 #include "app/ranks.h"
 
 #include "app/child_process.h"
+#include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 #include "micro/io/stop_flag.h"
 
@@ -18,7 +19,7 @@ int run_ranks(const unsigned int ranks, const std::vector<std::string> &argument
 {
   // mpirun's own way with SIGINT is to kill; SIGUSR1 it hands on to the ranks, who take it as the wish to stop. They then
   // end with 0: at another code mpirun kills those who are still saving.
-  std::vector<std::string> words = {"mpirun", "-n", std::to_string(ranks), "--oversubscribe", "--bind-to", "none"};
+  std::vector<std::string> words = {"mpirun", "-n", number_text(ranks), "--oversubscribe", "--bind-to", "none"};
   if (::geteuid() == 0)
     words.push_back("--allow-run-as-root");
   words.push_back(this_program());

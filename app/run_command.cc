@@ -2,6 +2,7 @@
 
 #include "app/plot_command.h"
 #include "app/ranks.h"
+#include "micro/io/number_text.h"
 #include "micro/io/resource_use.h"
 #include "micro/io/run_directory.h"
 #include "micro/io/stop_flag.h"
@@ -88,7 +89,7 @@ int run_command(const RunOptions &options, const ScenarioRegistry &registry, Mpi
   const Input input = load_input(options.file, options.overrides, registry);
   const unsigned int ranks = mpi != nullptr ? mpi->size() : 1;
   if (ranks > 1 && !input.scenario->uses_ranks())
-    throw InputError("--ranks " + std::to_string(ranks) + ": the scenario " + input.scenario_name +
+    throw InputError("--ranks " + number_text(ranks) + ": the scenario " + input.scenario_name +
                      " does not share its work over ranks; use --threads N.");
 
   const unsigned int cores = std::max(1u, std::thread::hardware_concurrency());

@@ -1,5 +1,7 @@
 #include "app/study_errors.h"
 
+#include "micro/io/number_text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -39,9 +41,9 @@ double history_error(const CsvTable &run, const CsvTable &reference)
     throw std::runtime_error((times.size() < 2 ? reference : run).file.string() + " has too few rows.");
   const double span = times.back() - times.front();
   if (run_times.back() < times.back() - 0.01 * span || run_times.front() > times.front() + 0.01 * span)
-    throw std::runtime_error(run.file.string() + " covers " + std::to_string(run_times.front()) + " to " +
-                             std::to_string(run_times.back()) + " s, the reference " + std::to_string(times.front()) +
-                             " to " + std::to_string(times.back()) + " s.");
+    throw std::runtime_error(run.file.string() + " covers " + number_text(run_times.front()) + " to " +
+                             number_text(run_times.back()) + " s, the reference " + number_text(times.front()) +
+                             " to " + number_text(times.back()) + " s.");
   std::vector<double> difference(times.size(), 0.), size(times.size(), 0.);
   for (const char *name : {"displacement_x", "displacement_y"})
     for (std::size_t i = 0; i < times.size(); ++i)
@@ -72,8 +74,8 @@ double field_error(const CsvTable &run, const CsvTable &reference)
                                           std::lround(reference.column("cell_y")[row])};
       const auto there = rows.find(cell);
       if (there == rows.end())
-        throw std::runtime_error(run.file.string() + " lacks cell (" + std::to_string(cell.first) + ", " +
-                                 std::to_string(cell.second) + ") of the reference.");
+        throw std::runtime_error(run.file.string() + " lacks cell (" + number_text(cell.first) + ", " +
+                                 number_text(cell.second) + ") of the reference.");
       for (const char *name : {"displacement_x", "displacement_y"})
         {
           const double expected = reference.column(name)[row];

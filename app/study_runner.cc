@@ -7,6 +7,7 @@
 #include "app/study_input.h"
 #include "app/swing.h"
 #include "micro/io/atomic_file.h"
+#include "micro/io/number_text.h"
 #include "micro/io/progress_bar.h"
 #include "micro/io/run_context.h"
 #include "micro/io/stop_flag.h"
@@ -75,7 +76,7 @@ void write_tables(const std::vector<Row> &rows, const std::filesystem::path &dir
       const bool costed = row.use.wall_time > 0.;
       table << csv_field(row.run.method) << ',' << csv_field(row.run.settings) << ',' << number(row.error_history) << ','
             << number(row.error_field) << ',' << (costed ? number(row.use.cpu_time) : "") << ','
-            << (costed ? number(row.use.wall_time) : "") << ',' << (costed ? std::to_string(row.use.peak_memory) : "") << '\n';
+            << (costed ? number(row.use.wall_time) : "") << ',' << (costed ? number_text(row.use.peak_memory) : "") << '\n';
       if (row.swing && row.reference_swing)
         {
           const Swing &swing = *row.swing, &expected = *row.reference_swing;
@@ -145,7 +146,7 @@ std::vector<Row> planned(const StudyInput &study, const StudyOptions &options, c
     {
       // All inputs are checked before the first run starts.
       const Input input = load_input(run.input, run.overrides, registry);
-      const std::string key = input.hash + " " + program_version() + " " + std::to_string(run.threads);
+      const std::string key = input.hash + " " + program_version() + " " + number_text(run.threads);
       Row &row = rows.emplace_back();
       static_cast<CachedRun &>(row) = cached_run(run.input.stem().string(), key, options.fresh);
       row.run = run;

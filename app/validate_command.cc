@@ -6,6 +6,7 @@
 #include "app/validation_table.h"
 #include "micro/io/atomic_file.h"
 #include "micro/io/checksum.h"
+#include "micro/io/number_text.h"
 #include "micro/io/progress_bar.h"
 #include "micro/io/run_context.h"
 #include "micro/io/stop_flag.h"
@@ -29,7 +30,7 @@ std::map<std::string, CachedRun> planned(const Validation &validation, const boo
   for (const auto &[label, request] : validation.runs)
     {
       const Input input = load_input(request.input, request.overrides, registry);
-      runs[label] = cached_run(request.input.stem().string(), input.hash + " " + program + " " + std::to_string(request.threads), fresh);
+      runs[label] = cached_run(request.input.stem().string(), input.hash + " " + program + " " + number_text(request.threads), fresh);
     }
   return runs;
 }
@@ -50,7 +51,7 @@ public:
 
   std::string head() const
   {
-    return std::to_string(waiting_runs) + (waiting_runs == 1 ? " run, about " : " runs, about ") + ProgressBar::in_words(total - done) +
+    return number_text(waiting_runs) + (waiting_runs == 1 ? " run, about " : " runs, about ") + ProgressBar::in_words(total - done) +
            " of CPU time to go";
   }
 

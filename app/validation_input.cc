@@ -2,6 +2,7 @@
 
 #include "app/nearest_name.h"
 #include "micro/io/atomic_file.h"
+#include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 
 #include <nlohmann/json.hpp>
@@ -112,14 +113,14 @@ std::vector<Validation> load_validations(const std::filesystem::path &directory)
               for (const std::string &override : each_of(text_of(item.value(), "each", where), where))
                 {
                   std::vector<std::string> &labels = validation.means[item.key()];
-                  labels.push_back(item.key() + " " + std::to_string(labels.size() + 1));
+                  labels.push_back(item.key() + " " + number_text(labels.size() + 1));
                   validation.runs[labels.back()] = run;
                   validation.runs[labels.back()].overrides.push_back(override);
                 }
             }
           for (const Json &row : rows)
             {
-              const std::string where = file.string() + ", row " + std::to_string(validation.rows.size() + 1);
+              const std::string where = file.string() + ", row " + number_text(validation.rows.size() + 1);
               const ValidationRow next = row_of(row, where);
               for (const ValidationRow &other : validation.rows) // a result is found again by its quantity
                 if (other.quantity == next.quantity)

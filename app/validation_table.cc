@@ -2,6 +2,7 @@
 
 #include "app/csv_table.h"
 #include "micro/io/atomic_file.h"
+#include "micro/io/number_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -153,7 +154,7 @@ std::vector<ValidationResult> read_results(const std::filesystem::path &file)
     {
       const std::vector<std::string> f = fields_of(line);
       if (f.size() != 6)
-        throw std::runtime_error(file.string() + ", line " + std::to_string(number) + ": six fields are needed.");
+        throw std::runtime_error(file.string() + ", line " + number_text(number) + ": six fields are needed.");
       results.push_back({f[0], f[1], f[2], f[3], f[4], f[5]});
     }
   return results;

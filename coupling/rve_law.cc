@@ -3,6 +3,7 @@
 #include "coupling/answer_table.h"
 #include "coupling/state_bytes.h"
 #include "coupling/tensor_conversion.h"
+#include "micro/io/number_text.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -320,8 +321,8 @@ void RveLaw<dim>::load(std::istream &in)
   ByteReader reader(bytes);
   const auto n = reader.get<std::uint64_t>();
   if (n != m.points.size())
-    throw std::runtime_error("The checkpoint holds " + std::to_string(n) + " RVEs, the tissue has " +
-                             std::to_string(m.points.size()) + ".");
+    throw std::runtime_error("The checkpoint holds " + number_text(n) + " RVEs, the tissue has " +
+                             number_text(m.points.size()) + ".");
   m.statistics = reader.get<RveLawStatistics>();
   reader.get(m.pressure.data(), n);
   for (Tensor2<dim> &sigma : m.sigma)

@@ -2,6 +2,7 @@
 
 #include "coupling/bruise.h"
 #include "coupling/tissue_size.h"
+#include "micro/io/number_text.h"
 #include "rve/make_rve.h"
 
 #include <deal.II/base/parameter_handler.h>
@@ -70,7 +71,7 @@ void TissueBruise::run(RunContext &context)
   settings.law.threads = context.threads();
   context.result("density", rve->density(), "kg/m^3");
   context.note("rve", rve_parameters.rule + ", " + rve_parameters.fluid + " fluid, " +
-                        std::to_string(rve_parameters.columns) + " x " + std::to_string(rve_parameters.rows) + " cells, yielding " +
+                        number_text(rve_parameters.columns) + " x " + number_text(rve_parameters.rows) + " cells, yielding " +
                         rve_parameters.yielding);
   const ToolParameters &tool = settings.tissue.tool;
   context.note("tool", tool.shape + ", " + tool.motion);

@@ -1,6 +1,7 @@
 #include "coupling/tissue_gravity.h"
 
 #include "coupling/tissue_size.h"
+#include "micro/io/number_text.h"
 #include "rve/make_rve.h"
 
 #include <deal.II/base/parameter_handler.h>
@@ -73,7 +74,7 @@ void TissueGravity::run(RunContext &context)
   context.result("density", rve->density(), "kg/m^3");
   context.result("body_force", settings.tissue.body_force.norm(), "N/kg");
   context.note("rve", rve_parameters.rule + ", " + rve_parameters.fluid + " fluid, " +
-                        std::to_string(rve_parameters.columns) + " x " + std::to_string(rve_parameters.rows) + " cells");
+                        number_text(rve_parameters.columns) + " x " + number_text(rve_parameters.rows) + " cells");
   run_tissue(context, settings, rve);
 }
 

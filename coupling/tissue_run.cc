@@ -5,6 +5,7 @@
 #include "macro/binary.h"
 #include "macro/tissue.h"
 #include "micro/io/cpu_clock.h"
+#include "micro/io/number_text.h"
 
 #include <chrono>
 #include <cmath>
@@ -183,7 +184,7 @@ void Run::go()
     if (resumed)
     {
       before = law.statistics();
-      context.say("Resumed at t = " + std::to_string(tissue.time() * 1e3) + " ms.");
+      context.say("Resumed at t = " + number_text(tissue.time() * 1e3) + " ms.");
     }
     else
     {
@@ -206,7 +207,7 @@ void Run::go()
       if (context.stop_requested()) // agreed by all ranks
       {
         checkpoint();
-        throw RunStopped("Stopped at t = " + std::to_string(tissue.time() * 1e3) + " ms.");
+        throw RunStopped("Stopped at t = " + number_text(tissue.time() * 1e3) + " ms.");
       }
       // One clock decides for all ranks.
       if (law.shares().any(context.is_writer() && seconds_since(saved) >= settings.tissue.checkpoint_interval))

@@ -4,6 +4,7 @@
 #include "coupling/tissue_output.h"
 #include "coupling/tissue_size.h"
 #include "macro/tissue.h"
+#include "micro/io/number_text.h"
 #include "rve/make_rve.h"
 
 #include <deal.II/base/parameter_handler.h>
@@ -67,7 +68,7 @@ void TissueStatics::check() const
   catch (const std::invalid_argument &e)
   {
     // the same rule under the name the entry has here
-    throw InputError("Tissue statics/Elements is " + std::to_string(elements) + ": " + e.what());
+    throw InputError("Tissue statics/Elements is " + number_text(elements) + ": " + e.what());
   }
   check_tissue_size(piece, *make_rve(rve_parameters), double(cells) * cells * cell_samples * cell_samples);
 }

@@ -1,6 +1,8 @@
 // Plain numbers and vectors of them to and from a checkpoint's stream, bit by bit.
 #pragma once
 
+#include "micro/io/number_text.h"
+
 #include <cstdint>
 #include <istream>
 #include <ostream>
@@ -43,8 +45,8 @@ void read_binary(std::istream &in, std::vector<T> &values)
   std::uint64_t size = 0;
   read_binary(in, size);
   if (size != values.size())
-    throw std::runtime_error("The checkpoint belongs to another mesh: it holds " + std::to_string(size) +
-                             " entries where this run has " + std::to_string(values.size()) + ".");
+    throw std::runtime_error("The checkpoint belongs to another mesh: it holds " + number_text(size) +
+                             " entries where this run has " + number_text(values.size()) + ".");
   for (T &value : values)
     read_binary(in, value);
 }

@@ -1,6 +1,7 @@
 #include "macro/dormand_prince.h"
 
 #include "macro/binary.h"
+#include "micro/io/number_text.h"
 
 #include <arkode/arkode_arkstep.h>
 #include <nvector/nvector_serial.h>
@@ -19,7 +20,7 @@ constexpr unsigned int most_halvings = 8;
 void check(int flag, const char *call)
 {
   if (flag < 0)
-    throw std::runtime_error(std::string("SUNDIALS: ") + call + " failed with code " + std::to_string(flag) + ".");
+    throw std::runtime_error(std::string("SUNDIALS: ") + call + " failed with code " + number_text(flag) + ".");
 }
 
 template <int dim>
@@ -219,8 +220,8 @@ void DormandPrince<dim>::step(double limit)
           return;
         }
       if (!point_failed)
-        throw std::runtime_error("The integrator dormand_prince gave up at t = " + std::to_string(now.time) + " s (code " +
-                                 std::to_string(flag) + "): " + s.message);
+        throw std::runtime_error("The integrator dormand_prince gave up at t = " + number_text(now.time) + " s (code " +
+                                 number_text(flag) + "): " + s.message);
       if (halvings == most_halvings)
         throw TissueFailed(last_failure, now.time, tried, most_halvings);
       tried = 0.5 * std::min(tried, limit - now.time);

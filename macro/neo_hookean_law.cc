@@ -1,6 +1,7 @@
 #include "macro/neo_hookean_law.h"
 
 #include "macro/binary.h"
+#include "micro/io/number_text.h"
 
 #include <cmath>
 
@@ -39,7 +40,7 @@ void NeoHookeanLaw<dim>::evaluate(const std::vector<Tensor<2, dim>> &F, const st
       const double J = dealii::determinant(F[q]);
       if (!(J > 0.))
         {
-          answer.failed.push_back({q, "the material is turned inside out (det F = " + std::to_string(J) + ")"});
+          answer.failed.push_back({q, "the material is turned inside out (det F = " + number_text(J) + ")"});
           continue;
         }
       const Tensor<2, dim> inverse = dealii::invert(F[q]), inverse_T = dealii::transpose(inverse);

@@ -1,5 +1,7 @@
 #include "macro/tissue_operator.h"
 
+#include "micro/io/number_text.h"
+
 #include <cmath>
 #include <stdexcept>
 
@@ -19,7 +21,7 @@ TissueOperator<dim>::TissueOperator(const TissueMesh<dim> &mesh, const TissuePar
   , local_v(mesh.nodes_per_cell * dim)
 {
   if (!(law.density() > 0.) || !std::isfinite(law.density()))
-    throw std::invalid_argument("The material's density must be positive; it is " + std::to_string(law.density()) +
+    throw std::invalid_argument("The material's density must be positive; it is " + number_text(law.density()) +
                                 " kg/m^3.");
   for (unsigned int a = 0; a < mesh.nodes; ++a)
     for (unsigned int c = 0; c < dim; ++c)
@@ -68,7 +70,7 @@ bool TissueOperator<dim>::evaluate(double time, double since_commit, const std::
       const unsigned int bad = element[cell].set(gradient, local_u.data());
       if (bad < tables.points)
         return describe(cell * n_gauss + std::min(bad, n_gauss - 1),
-                        "the element is turned inside out (det F = " + std::to_string(element[cell].determinant(bad)) + ")",
+                        "the element is turned inside out (det F = " + number_text(element[cell].determinant(bad)) + ")",
                         0);
       for (unsigned int q = 0; q < n_gauss; ++q)
         deformation[cell * n_gauss + q] = element[cell].deformation(q);

@@ -1,5 +1,7 @@
 #include "macro/tissue_parameters.h"
 
+#include "micro/io/number_text.h"
+
 #include <deal.II/base/parameter_handler.h>
 
 #include <cmath>
@@ -84,9 +86,9 @@ void TissueParameters<dim>::check() const
   for (unsigned int d = 0; d < dim; ++d)
     {
       if (!std::isfinite(body_force[d]))
-        throw std::invalid_argument("Tissue/Body force must be " + std::to_string(dim) + " finite numbers (N/kg).");
+        throw std::invalid_argument("Tissue/Body force must be " + number_text(dim) + " finite numbers (N/kg).");
       if (!std::isfinite(traction[d]))
-        throw std::invalid_argument("Tissue/Traction must be " + std::to_string(dim) + " finite numbers (Pa).");
+        throw std::invalid_argument("Tissue/Traction must be " + number_text(dim) + " finite numbers (Pa).");
     }
   if (right == "clamped" && traction.norm() > 0.)
     throw std::invalid_argument("Tissue/Traction acts on the side x = Width, so it needs 'Right side = free' "
@@ -101,8 +103,8 @@ void TissueParameters<dim>::check() const
       const double aside = parts % 2 == 0 ? 0. : 0.5 * size[1] / parts;
       const double height = aside < tool.radius ? tool.radius - std::sqrt(tool.radius * tool.radius - aside * aside) : tool.radius;
       if (!(height < tool.depth))
-        throw std::invalid_argument("With Tissue/Elements y = " + std::to_string(elements[1]) + " the cylinder comes down between two nodes and, at Impact/Depth = " +
-                                    std::to_string(tool.depth * 1e3) + " mm, touches neither; take more elements, or an even number of them.");
+        throw std::invalid_argument("With Tissue/Elements y = " + number_text(elements[1]) + " the cylinder comes down between two nodes and, at Impact/Depth = " +
+                                    number_text(tool.depth * 1e3) + " mm, touches neither; take more elements, or an even number of them.");
     }
   if (tool.active() && lateral == "clamped")
     for (unsigned int d = 1; d < dim; ++d)

@@ -1,5 +1,7 @@
 #include "macro/tool_parameters.h"
 
+#include "micro/io/number_text.h"
+
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
@@ -56,7 +58,7 @@ void ToolParameters::check(const double width) const
   if (!(speed > 0.))
     wrong("Speed", speed, "a positive speed (m/s)");
   if (!(depth > 0. && depth < 0.9 * width))
-    wrong("Depth", depth, "more than 0 and less than nine tenths of the tissue's width, " + std::to_string(width * 1e3) + " mm (m)");
+    wrong("Depth", depth, "more than 0 and less than nine tenths of the tissue's width, " + number_text(width * 1e3) + " mm (m)");
   if (shape == "cylinder" && !(radius > 0.))
     wrong("Radius", radius, "a positive radius (m)");
   if (!(stiffness > 0.))

@@ -2,6 +2,7 @@
 
 #include "micro/cells/turgid_network.h"
 #include "micro/io/cpu_clock.h"
+#include "micro/io/number_text.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -215,7 +216,7 @@ EquilibriumReport HydrostaticRve::break_bonds(const Tensor2<2> &F, std::vector<d
       if (!report.converged)
         {
           total.converged = false;
-          total.message = "After a wall broke in cell " + std::to_string(cell + 1) + ": " + report.message;
+          total.message = "After a wall broke in cell " + number_text(cell + 1) + ": " + report.message;
           return total;
         }
       network.evaluate(x, H, NetworkOrder::energy, scratch.evaluation, &history);

@@ -1,5 +1,6 @@
 #include "rve/rve_response.h"
 
+#include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 #include "rve/deformation_path.h"
 #include "rve/flat_wall_closed_form.h"
@@ -168,8 +169,8 @@ void RveResponse::run(RunContext &context)
       iterations += answer.diagnostics.iterations;
       context.progress(double(i + 1) / double(todo.size()), "stress along the path");
       if (context.stop_requested())
-        throw RunStopped("Stopped after the stress of " + std::to_string(i + 1) + " of " +
-                         std::to_string(todo.size()) + " points was written.");
+        throw RunStopped("Stopped after the stress of " + number_text(i + 1) + " of " +
+                         number_text(todo.size()) + " points was written.");
     }
 
   for (int c = 0; c < 4; ++c)

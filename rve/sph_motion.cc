@@ -1,6 +1,7 @@
 #include "rve/sph_motion.h"
 
 #include "micro/engine/kick_drift_kick.h"
+#include "micro/io/number_text.h"
 #include "rve/stretch_path.h"
 
 #include <algorithm>
@@ -66,8 +67,8 @@ bool SphMotion::bring(const RveState<2> &from, const Tensor2<2> &F, const Tensor
   const double jumps = std::ceil(path.length() / walk_jump);
   if (!(jumps <= most_jumps))
     {
-      diagnostics.message = "F stretches the cells by a factor of " + std::to_string(std::exp(path.length()))
-                            + " in one call, allowed are " + std::to_string(std::exp(most_jumps * walk_jump))
+      diagnostics.message = "F stretches the cells by a factor of " + number_text(std::exp(path.length()))
+                            + " in one call, allowed are " + number_text(std::exp(most_jumps * walk_jump))
                             + "; use a smaller change of F per call.";
       return false;
     }
@@ -79,8 +80,8 @@ bool SphMotion::bring(const RveState<2> &from, const Tensor2<2> &F, const Tensor
       relax(next, Tensor2<2>::Zero(), walk_steps, diagnostics);
       if (!(diagnostics.residual < runaway))
         {
-          diagnostics.message = "the cells broke on the way to F, at step " + std::to_string(k) + " of "
-                                + std::to_string(int(jumps))
+          diagnostics.message = "the cells broke on the way to F, at step " + number_text(k) + " of "
+                                + number_text(int(jumps))
                                 + "; use a smaller RVE/Step fraction or a smaller change of F per call.";
           return false;
         }

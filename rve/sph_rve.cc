@@ -3,6 +3,7 @@
 #include "micro/cells/tissue_block.h"
 #include "micro/cells/turgid_reference.h"
 #include "micro/io/cpu_clock.h"
+#include "micro/io/number_text.h"
 #include "rve/sph_motion.h"
 
 #include <algorithm>
@@ -114,19 +115,19 @@ RveAnswer<2> SphRve::attempt(Scratch &scratch, const RveState<2> &committed, con
     message = "the micro steps diverged; use a smaller RVE/Step fraction or a shorter macro step.";
   else if (const double most = 7. * patch.parameters.fluid_modulus; answer.sigma.norm() > 10. * most
                                                                     || !(fastest(p, F, F_dot) < sound))
-    message = "the micro steps diverged: stress " + std::to_string(answer.sigma.norm())
-              + " Pa, where the fluid's bulk modulus is " + std::to_string(most)
+    message = "the micro steps diverged: stress " + number_text(answer.sigma.norm())
+              + " Pa, where the fluid's bulk modulus is " + number_text(most)
               + " Pa; use a smaller RVE/Step fraction or a smaller change of F per call.";
   else if (crossed > p.size() / 20)
-    message = std::to_string(crossed) + " fluid particles crossed the wall; the deformation is beyond "
+    message = number_text(crossed) + " fluid particles crossed the wall; the deformation is beyond "
               "what this resolution can take (more Particles per side).";
   else
     {
       broke = !(answer.diagnostics.residual < SphMotion::runaway);
       if (settings.rule == SphRule::elastic_equilibrium && answer.diagnostics.residual > SphMotion::accepted * settings.tolerance)
         message = "the forces did not balance within RVE/Relax steps (residual "
-                  + std::to_string(answer.diagnostics.residual) + ", allowed are " + std::to_string(int(SphMotion::accepted)) + " times RVE/Tolerance = "
-                  + std::to_string(SphMotion::accepted * settings.tolerance) + ").";
+                  + number_text(answer.diagnostics.residual) + ", allowed are " + number_text(int(SphMotion::accepted)) + " times RVE/Tolerance = "
+                  + number_text(SphMotion::accepted * settings.tolerance) + ").";
     }
   return answer;
 }

@@ -1,6 +1,7 @@
 #include "micro/cells/bring_to_turgor.h"
 
 #include "micro/engine/descent.h"
+#include "micro/io/number_text.h"
 #include "micro/processes/osmosis.h"
 
 #include <algorithm>
@@ -71,7 +72,7 @@ double bring_to_turgor(RoundCell<dim> &cell, const std::function<void(unsigned i
   };
   const auto check_finite = [&](const unsigned int step) {
     if (step % 200 == 0 && !cell.finite())
-      throw std::runtime_error("the cell diverged while it was inflated (step " + std::to_string(step)
+      throw std::runtime_error("the cell diverged while it was inflated (step " + number_text(step)
                                + "): use a larger Cell/Fluid modulus, a softer wall or less turgor.");
   };
   const bool settled = p.settle_steps > 0 && p.turgor == 0.; // all that is left is what the wall stirs up when it is let go
@@ -119,11 +120,11 @@ double bring_to_turgor(RoundCell<dim> &cell, const std::function<void(unsigned i
     throw std::runtime_error("the cell diverged while it was inflated: use a larger Cell/Fluid modulus, a softer wall or less turgor.");
   const double residual = unbalanced();
   if (steps > 0 && !at_rest())
-    throw std::runtime_error("the cell has not come to rest after Cell/Anneal steps = " + std::to_string(steps) + " and "
-                             + std::to_string(more) + " of Cell/Rest steps = " + std::to_string(p.rest_steps) + " (pressure "
-                             + std::to_string(cell.pressure()) + " Pa, turgor " + std::to_string(p.turgor) + " Pa; unbalanced force "
-                             + std::to_string(residual) + " of turgor times the wall of a node, allowed "
-                             + std::to_string(p.rest_residual) + "): use more steps.");
+    throw std::runtime_error("the cell has not come to rest after Cell/Anneal steps = " + number_text(steps) + " and "
+                             + number_text(more) + " of Cell/Rest steps = " + number_text(p.rest_steps) + " (pressure "
+                             + number_text(cell.pressure()) + " Pa, turgor " + number_text(p.turgor) + " Pa; unbalanced force "
+                             + number_text(residual) + " of turgor times the wall of a node, allowed "
+                             + number_text(p.rest_residual) + "): use more steps.");
   return residual;
 }
 

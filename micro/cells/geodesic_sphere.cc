@@ -1,5 +1,7 @@
 #include "micro/cells/geodesic_sphere.h"
 
+#include "micro/io/number_text.h"
+
 #include <array>
 #include <cmath>
 #include <map>
@@ -60,7 +62,7 @@ void relax(GeodesicSphere &sphere, const unsigned int nu)
 GeodesicSphere make_geodesic_sphere(const unsigned int nu)
 {
   if (nu < 1 || nu > 80)
-    throw std::invalid_argument("a geodesic sphere's frequency is " + std::to_string(nu) + ", but has to be between 1 and 80");
+    throw std::invalid_argument("a geodesic sphere's frequency is " + number_text(nu) + ", but has to be between 1 and 80");
   const double g = 0.5 * (1. + std::sqrt(5.));
   const std::vector<Vector<3>> corners = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
                                           {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};

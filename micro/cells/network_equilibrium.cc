@@ -1,5 +1,7 @@
 #include "micro/cells/network_equilibrium.h"
 
+#include "micro/io/number_text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -248,7 +250,7 @@ EquilibriumReport NetworkEquilibrium::solve(std::vector<double> &x, const Tensor
         }
       if (report.iterations >= static_cast<int>(settings.max_iterations))
         {
-          report.message = "No equilibrium within " + std::to_string(settings.max_iterations) + " Newton iterations.";
+          report.message = "No equilibrium within " + number_text(settings.max_iterations) + " Newton iterations.";
           return report;
         }
       if (settings.each_iteration)

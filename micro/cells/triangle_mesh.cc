@@ -1,5 +1,7 @@
 #include "micro/cells/triangle_mesh.h"
 
+#include "micro/io/number_text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -20,7 +22,7 @@ void TriangleMesh::complete()
         nodes = std::max(nodes, std::uint32_t(a) + 1);
         if (!half.insert({{a, b}, {f, c}}).second)
           throw std::invalid_argument("the triangles of a wall do not form an oriented surface at nodes "
-                                      + std::to_string(a) + ", " + std::to_string(b));
+                                      + number_text(a) + ", " + number_text(b));
       }
   edges.clear();
   edges_of_face.assign(faces.size(), {});
@@ -30,8 +32,8 @@ void TriangleMesh::complete()
         const std::uint16_t a = faces[f][k], b = faces[f][(k + 1) % 3];
         const auto other = half.find({b, a});
         if (other == half.end())
-          throw std::invalid_argument("the triangles of a wall are not closed at nodes " + std::to_string(a) + ", "
-                                      + std::to_string(b));
+          throw std::invalid_argument("the triangles of a wall are not closed at nodes " + number_text(a) + ", "
+                                      + number_text(b));
         const std::uint32_t g = other->second.first;
         if (g < f)
           continue; // named by the face before

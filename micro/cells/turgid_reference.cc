@@ -1,6 +1,7 @@
 #include "micro/cells/turgid_reference.h"
 
 #include "micro/engine/kick_drift_kick.h"
+#include "micro/io/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +55,7 @@ ReferenceCell make_turgid_reference(const ParenchymaParameters &cell, const SphP
           const double mean = system.virial().trace() / (2. * volume);
           if (!std::isfinite(mean))
             throw std::runtime_error("the cell fluid did not come to rest while annealing (stress is not finite at step "
-                                     + std::to_string(s) + "): use a larger Fluid modulus or a softer wall"
+                                     + number_text(s) + "): use a larger Fluid modulus or a softer wall"
                                      + (sph.formulation == "thesis" ? ", or SPH/Formulation = variational" : ""));
           const double gain = 0.05 * mean / bulk;
           wet->fluid->set_particle_mass(particles, 0, wet->fluid->particle_mass()[0] * (1. + gain));
@@ -76,9 +77,9 @@ ReferenceCell make_turgid_reference(const ParenchymaParameters &cell, const SphP
     unbalanced = std::max(unbalanced, std::hypot(particles.f[0][i], particles.f[1][i]));
   reference.residual = unbalanced / (p.turgor * patch.spacing * p.depth);
   if (!(reference.residual < largest_residual))
-    throw std::runtime_error("the cell fluid has not come to rest after SPH/Anneal steps = " + std::to_string(steps)
-                             + " (unbalanced force " + std::to_string(reference.residual) + " of turgor times node spacing "
-                             + "times depth, allowed " + std::to_string(largest_residual) + "): anneal longer.");
+    throw std::runtime_error("the cell fluid has not come to rest after SPH/Anneal steps = " + number_text(steps)
+                             + " (unbalanced force " + number_text(reference.residual) + " of turgor times node spacing "
+                             + "times depth, allowed " + number_text(largest_residual) + "): anneal longer.");
   const Tensor2<2> sigma = system.virial() / volume;
   reference.x = particles.x[0];
   reference.y = particles.x[1];

@@ -1,6 +1,7 @@
 #include "micro/engine/particle_system.h"
 
 #include "micro/engine/binary.h"
+#include "micro/io/number_text.h"
 
 #include <algorithm>
 
@@ -182,8 +183,8 @@ void ParticleSystem<dim>::load(std::istream &in)
   const auto read = [&](std::vector<double> &values) {
     read_binary(in, values);
     if (values.size() != n)
-      throw std::runtime_error("the checkpoint holds " + std::to_string(values.size()) + " particles, the scene has "
-                               + std::to_string(n));
+      throw std::runtime_error("the checkpoint holds " + number_text(values.size()) + " particles, the scene has "
+                               + number_text(n));
   };
   for (int d = 0; d < dim; ++d)
     {

@@ -2,6 +2,7 @@
 
 #include "micro/io/atomic_file.h"
 #include "micro/io/checksum.h"
+#include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 
 #include <nlohmann/json.hpp>
@@ -42,8 +43,8 @@ Parsed parse(const std::string &bytes)
     throw std::runtime_error("it is not a checkpoint of turgor");
   const auto format = take<std::uint32_t>(bytes, 8);
   if (format != CheckpointStore::format)
-    throw std::runtime_error("its format is " + std::to_string(format) + ", this program reads " +
-                             std::to_string(CheckpointStore::format));
+    throw std::runtime_error("its format is " + number_text(format) + ", this program reads " +
+                             number_text(CheckpointStore::format));
   const auto crc = take<std::uint32_t>(bytes, 12);
   const auto length = take<std::uint64_t>(bytes, 16);
   if (bytes.size() - head_length != length || length < 8)

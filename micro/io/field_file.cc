@@ -3,6 +3,7 @@
 #include "micro/io/atomic_file.h"
 #include "micro/io/hdf5_file.h"
 #include "micro/io/manifest.h"
+#include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 #include "micro/io/xdmf_text.h"
 
@@ -36,7 +37,7 @@ std::string dataset_name(const std::string &title, const std::vector<std::string
   };
   std::string unique = name;
   for (unsigned int number = 2; is_taken(unique); ++number)
-    unique = name + "_" + std::to_string(number);
+    unique = name + "_" + number_text(number);
   return unique;
 }
 
@@ -53,8 +54,8 @@ void check(const FieldFrame &frame, const std::string &file)
   const std::size_t cells = frame.cells.empty() ? points : frame.cells.size() / frame.nodes_per_cell;
   const auto is_bad = [](const double value) { return !std::isfinite(value); };
   const auto refuse_value = [&](const std::string &name, const std::size_t index) {
-    throw RunFailed(file + ": '" + name + "' is not a finite number at " + std::to_string(index) + ", t = " +
-                    std::to_string(frame.time) + " s; the run has diverged.");
+    throw RunFailed(file + ": '" + name + "' is not a finite number at " + number_text(index) + ", t = " +
+                    number_text(frame.time) + " s; the run has diverged.");
   };
   if (is_bad(frame.time))
     throw RunFailed(file + ": the time of a frame is not a finite number.");
@@ -65,8 +66,8 @@ void check(const FieldFrame &frame, const std::string &file)
       if (field.components != 1 && field.components != 3 && field.components != 9)
         refuse("'" + field.name + "' needs 1, 3 or 9 components.");
       if (field.values.size() != field.components * (field.on_cells ? cells : points))
-        refuse("'" + field.name + "' has " + std::to_string(field.values.size()) + " values for " +
-               std::to_string(field.on_cells ? cells : points) + (field.on_cells ? " cells." : " points."));
+        refuse("'" + field.name + "' has " + number_text(field.values.size()) + " values for " +
+               number_text(field.on_cells ? cells : points) + (field.on_cells ? " cells." : " points."));
       if (const auto bad = std::find_if(field.values.begin(), field.values.end(), is_bad); bad != field.values.end())
         refuse_value(field.name, static_cast<std::size_t>(bad - field.values.begin()) / field.components);
     }

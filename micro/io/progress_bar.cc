@@ -1,5 +1,7 @@
 #include "micro/io/progress_bar.h"
 
+#include "micro/io/number_text.h"
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,10 +18,10 @@ std::string ProgressBar::in_words(const double seconds)
 {
   const long whole = std::lround(std::clamp(seconds, 0., 3.6e8));
   if (whole < 60)
-    return std::to_string(whole) + " s";
+    return number_text(whole) + " s";
   if (whole < 3600)
-    return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
-  return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
+    return number_text(whole / 60) + " min " + number_text(whole % 60) + " s";
+  return number_text(whole / 3600) + " h " + number_text(whole % 3600 / 60) + " min";
 }
 
 void ProgressBar::update(const double fraction, const std::string &what)

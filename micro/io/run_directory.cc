@@ -2,6 +2,7 @@
 
 #include "micro/io/atomic_file.h"
 #include "micro/io/manifest.h"
+#include "micro/io/number_text.h"
 #include "micro/io/series_file.h"
 #include "micro/io/stop_flag.h"
 
@@ -276,7 +277,7 @@ bool RunDirectory::load_checkpoint(const std::function<void(std::istream &)> &re
                        " holds less than this program reads; it was written by another build. Run without --resume to "
                        "start again.");
     }
-  say("Resumed from checkpoint " + std::to_string(resumed->generation) + " in " + settings.directory.string() + ".");
+  say("Resumed from checkpoint " + number_text(resumed->generation) + " in " + settings.directory.string() + ".");
   return true;
 }
 

@@ -1,5 +1,7 @@
 #include "micro/io/series_file.h"
 
+#include "micro/io/number_text.h"
+
 #include <unistd.h>
 
 #include <cerrno>
@@ -26,12 +28,12 @@ std::string SeriesFile::header_of(const std::vector<Column> &columns)
 void SeriesFile::check_row(const std::string &name, const std::vector<Column> &columns, const std::vector<double> &values)
 {
   if (values.size() != columns.size())
-    throw std::logic_error("Series " + name + " has " + std::to_string(columns.size()) + " columns, not " +
-                           std::to_string(values.size()) + ".");
+    throw std::logic_error("Series " + name + " has " + number_text(columns.size()) + " columns, not " +
+                           number_text(values.size()) + ".");
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!std::isfinite(values[i]))
       throw RunFailed("Series " + name + ": '" + columns[i].name + "' is not a finite number" +
-                      (i > 0 ? " at " + columns[0].name + " = " + std::to_string(values[0]) + " " + columns[0].unit : "") +
+                      (i > 0 ? " at " + columns[0].name + " = " + number_text(values[0]) + " " + columns[0].unit : "") +
                       "; the run has diverged.");
 }
 

@@ -1,5 +1,7 @@
 #include "micro/io/xdmf_text.h"
 
+#include "micro/io/number_text.h"
+
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
@@ -52,7 +54,7 @@ const char *topology(const unsigned int nodes_per_cell)
       case 8:
         return "Hexahedron";
       default:
-        throw std::logic_error("A cell of a field file has 1, 2, 3, 4 or 8 nodes, not " + std::to_string(nodes_per_cell) + ".");
+        throw std::logic_error("A cell of a field file has 1, 2, 3, 4 or 8 nodes, not " + number_text(nodes_per_cell) + ".");
     }
 }
 
@@ -78,8 +80,8 @@ XdmfGrid xdmf_grid(const FieldFrame &frame, const std::string &h5, const std::ve
   if (frame.cells.empty())
     out << "/>\n";
   else
-    out << ">" << item(h5, "cells", std::to_string(cells) + " " + std::to_string(nodes), false) << "</Topology>\n";
-  out << "      <Geometry GeometryType=\"XYZ\">" << item(h5, "points", std::to_string(points) + " 3", true)
+    out << ">" << item(h5, "cells", number_text(cells) + " " + number_text(nodes), false) << "</Topology>\n";
+  out << "      <Geometry GeometryType=\"XYZ\">" << item(h5, "points", number_text(points) + " 3", true)
       << "</Geometry>\n";
   for (std::size_t i = 0; i < frame.fields.size(); ++i)
     {
@@ -89,7 +91,7 @@ XdmfGrid xdmf_grid(const FieldFrame &frame, const std::string &h5, const std::ve
       out << "      <Attribute Name=\"" << escaped(field.name) << "\" AttributeType=\"" << type << "\" Center=\""
           << (field.on_cells ? "Cell" : "Node") << "\">"
           << item(h5, dataset_names[i],
-                  std::to_string(count) + (field.components == 1 ? "" : " " + std::to_string(field.components)), true)
+                  number_text(count) + (field.components == 1 ? "" : " " + number_text(field.components)), true)
           << "</Attribute>\n";
     }
   out << grid_end << "\n";

@@ -1,5 +1,6 @@
 // cell_compression: slow squeezing of a cell between two plates, force against deformation, compared with the balloon model
 // (3D). Thesis 3.3.2, Fig. 3.3B and D.
+#include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 #include "micro/scenarios/cell_balloon.h"
 #include "micro/scenarios/squeezed_cell.h"
@@ -83,7 +84,7 @@ private:
         const double found = squeezed::at(mean, &Row::force_upper, 0.01 * percent - 1e-9);
         if (!std::isfinite(found))
           continue;
-        const std::string where = (percent < 10 ? "_at_0" : "_at_") + std::to_string(percent);
+        const std::string where = (percent < 10 ? "_at_0" : "_at_") + number_text(percent);
         const double reference = ring.force(0.01 * percent);
         context.result("ring" + where, reference, "N");
         context.result("ring_deviation" + where, 100. * (found / reference - 1.), "%");
@@ -126,7 +127,7 @@ private:
                          found = squeezed::at(mean, &Row::force_upper, 0.01 * percent - 1e-9);
             if (!std::isfinite(reference) || !std::isfinite(found))
               continue;
-            const std::string where = (percent < 10 ? "_at_0" : "_at_") + std::to_string(percent);
+            const std::string where = (percent < 10 ? "_at_0" : "_at_") + number_text(percent);
             context.result(name + where, reference, "N");
             context.result(name + "_deviation" + where, 100. * (found / reference - 1.), "%");
           }
@@ -145,7 +146,7 @@ private:
           continue;
         const auto along = BalloonModel::largest(*point, 0), around = BalloonModel::largest(*point, 1);
         const auto &most = around.stretch >= along.stretch ? around : along;
-        const std::string where = "_at_" + std::to_string(percent);
+        const std::string where = "_at_" + number_text(percent);
         context.result("largest_stretch" + where, row->largest, "1");
         context.result("balloon_largest_stretch" + where, most.stretch, "1");
         context.result("largest_stretch_angle" + where, std::min(row->largest_angle, 180. - row->largest_angle), "degrees");

@@ -4,6 +4,7 @@
 #include "micro/engine/binary.h"
 #include "micro/engine/counter_random.h"
 #include "micro/engine/watched_steps.h"
+#include "micro/io/number_text.h"
 #include "micro/scenarios/shared_entries.h"
 #include "micro/scenarios/stepping.h"
 
@@ -97,7 +98,7 @@ void CellEndurance::check() const
 {
   check_sph_cell(cell, sph);
   if (steps != std::floor(steps))
-    throw InputError("Steps is " + std::to_string(steps) + ", but has to be a whole number.");
+    throw InputError("Steps is " + number_text(steps) + ", but has to be a whole number.");
 }
 
 double CellEndurance::pressure_of_area(const double pressure_at_reference, const double J) const
@@ -151,7 +152,7 @@ void CellEndurance::run(RunContext &context)
   const Tensor2<2> rate = matrix_from(F_dot);
   for (int k = 0; k <= 100; ++k)
     if (!((Tensor2<2>::Identity() + 0.01 * k * double(last) * at.dt * rate).determinant() > 0.))
-      throw InputError("F_dot = " + F_dot + " over " + std::to_string(double(last) * at.dt)
+      throw InputError("F_dot = " + F_dot + " over " + number_text(double(last) * at.dt)
                        + " s turns the cell inside out; use fewer Steps or a smaller F_dot.");
 
   const bool resumed = context.load_checkpoint([&](std::istream &in) {
@@ -200,16 +201,16 @@ void CellEndurance::run(RunContext &context)
   // Nothing that has blown up is written, neither to a table nor to a checkpoint.
   const auto require_sound = [&](const Sample &now) {
     if (!now.sigma.allFinite() || !std::isfinite(now.kinetic) || !std::isfinite(now.potential))
-      throw RunFailed("the cell diverged before t = " + std::to_string(1e3 * at.time()) + " ms (step "
-                      + std::to_string(at.step) + "): use a smaller Step fraction (now " + std::to_string(step_fraction)
+      throw RunFailed("the cell diverged before t = " + number_text(1e3 * at.time()) + " ms (step "
+                      + number_text(at.step) + "): use a smaller Step fraction (now " + number_text(step_fraction)
                       + ").");
     // Drag only takes energy, and round-off and the integrator's own error are a thousand times smaller.
     const double gain = at.most_dissipated - (at.start_energy + at.work - now.potential - now.kinetic);
     if (at.step > 0 && gain > 1e-3 * (at.start_energy + std::abs(at.work)))
-      throw RunFailed("energy appeared from nothing before t = " + std::to_string(1e3 * at.time()) + " ms (step "
-                      + std::to_string(at.step) + "): the cell has deformed so far that the step is too long for it. A "
+      throw RunFailed("energy appeared from nothing before t = " + number_text(1e3 * at.time()) + " ms (step "
+                      + number_text(at.step) + "): the cell has deformed so far that the step is too long for it. A "
                       + "checkpoint, where there is one, holds the last good state; use a smaller Step fraction (now "
-                      + std::to_string(step_fraction) + ").");
+                      + number_text(step_fraction) + ").");
   };
   const auto record = [&] {
     const Sample now = measure(*wet, *walls, at);
@@ -255,7 +256,7 @@ void CellEndurance::run(RunContext &context)
     });
   };
   const StepCheckpoints keep(context, last, checkpoints, save,
-                             [&] { return "after " + std::to_string(at.step) + " steps"; });
+                             [&] { return "after " + number_text(at.step) + " steps"; });
   const bool moving = rate.norm() > 0.;
   const auto power = [&] {
     return moving ? image_virial(system).cwiseProduct(system.box.H_dot * system.box.H.inverse()).sum() : 0.;

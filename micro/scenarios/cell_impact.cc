@@ -1,5 +1,6 @@
 // cell_impact: a plate comes down on a cell at impact speed; where it deforms, what force is transmitted, whether it
 // oscillates. Thesis 3.3.3, Fig. 3.4.
+#include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 #include "micro/scenarios/squeezed_cell.h"
 
@@ -30,7 +31,7 @@ protected:
     result_at(context, rows, "mean_stretch_lower", &Row::mean_lower, "1");
     for (const int percent : {5, 10, 15, 20, 25, 30, 40, 50})
       if (const double share = squeezed::upper_share(rows, 0.01 * percent - 1e-9); std::isfinite(share))
-        context.result(std::string("deformation_share_upper_at_") + (percent < 10 ? "0" : "") + std::to_string(percent), share, "1");
+        context.result(std::string("deformation_share_upper_at_") + (percent < 10 ? "0" : "") + number_text(percent), share, "1");
     const squeezed::Swing swing = squeezed::transmitted_swing(rows);
     context.result("transmitted_largest", swing.largest, "N");
     context.result("transmitted_reversals", swing.reversals, "");

@@ -2,6 +2,7 @@
 
 #include "micro/engine/counter_random.h"
 #include "micro/io/cpu_clock.h"
+#include "micro/io/number_text.h"
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -43,7 +44,7 @@ void CellSteps::declare_parameters(dealii::ParameterHandler &prm)
 void CellSteps::check() const
 {
   if (newborn > 0. && count * newborn < 1.)
-    throw InputError("Newborn share is " + std::to_string(newborn) + ", but of " + std::to_string(count)
+    throw InputError("Newborn share is " + number_text(newborn) + ", but of " + number_text(count)
                      + " Cells that is less than one: use a larger share, or 0.");
 }
 

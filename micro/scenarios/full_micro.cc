@@ -5,6 +5,7 @@
 #include "micro/engine/watched_steps.h"
 #include "micro/io/cpu_clock.h"
 #include "micro/io/field_file.h"
+#include "micro/io/number_text.h"
 #include "micro/processes/osmosis.h"
 #include "micro/scenarios/shared_entries.h"
 #include "micro/scenarios/stepping.h"
@@ -224,7 +225,7 @@ void FullMicro::run(RunContext &context)
     });
   };
   const StepCheckpoints keep(context, last, checkpoints, save,
-                             [&] { return "at t = " + std::to_string(at.time() * 1e3) + " ms"; });
+                             [&] { return "at t = " + number_text(at.time() * 1e3) + " ms"; });
   const auto record = [&] {
     require_finite(context, block, at);
     const Vector<2> u = probe_displacement(block, at);

@@ -1,5 +1,7 @@
 #include "micro/scenarios/harmonics.h"
 
+#include "micro/io/number_text.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <Eigen/SVD>
@@ -18,8 +20,8 @@ std::vector<Harmonic> harmonics(const std::vector<double> &signal, const double 
   using Eigen::Index;
   const Index n = Index(signal.size()), rank = 2 * Index(count) + 1, columns = n / 2;
   if (n < 3 * rank + 1)
-    throw std::invalid_argument("a signal of " + std::to_string(n) + " samples is too short for "
-                                + std::to_string(count) + " harmonics");
+    throw std::invalid_argument("a signal of " + number_text(n) + " samples is too short for "
+                                + number_text(count) + " harmonics");
   Eigen::MatrixXd hankel(n - columns, columns + 1);
   for (Index i = 0; i < hankel.rows(); ++i)
     for (Index k = 0; k <= columns; ++k)

@@ -1,6 +1,7 @@
 #include "micro/scenarios/shared_entries.h"
 
 #include "micro/cells/sph_parenchyma.h"
+#include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 
 #include <deal.II/base/parameter_handler.h>
@@ -41,7 +42,7 @@ void declare_substeps(dealii::ParameterHandler &prm, unsigned int &substeps)
 void check_substeps(const unsigned int substeps, const SphParameters &sph)
 {
   if (substeps > 1 && sph.formulation == "thesis")
-    throw InputError("Substeps is " + std::to_string(substeps) + ", but SPH/Formulation = thesis carries its density along with "
+    throw InputError("Substeps is " + number_text(substeps) + ", but SPH/Formulation = thesis carries its density along with "
                      "every move of a particle; it has to be 1.");
 }
 

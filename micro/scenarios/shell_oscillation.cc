@@ -2,6 +2,7 @@
 
 #include "micro/cells/bring_to_turgor.h"
 #include "micro/engine/kick_drift_kick.h"
+#include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 #include "micro/scenarios/harmonics.h"
 #include "micro/scenarios/shared_entries.h"
@@ -80,10 +81,10 @@ void ShellOscillation::check() const
 {
   shell().check(3);
   if (periods * samples_per_period < 6. * fitted + 4.)
-    throw std::invalid_argument("Harmonics is " + std::to_string(fitted)
+    throw std::invalid_argument("Harmonics is " + number_text(fitted)
                                 + ", but Periods times Samples per period has to be at least 6 times as many and 4.");
   if (filled && speed > 0.02 * sound_speed)
-    throw std::invalid_argument("Inward speed is " + std::to_string(speed)
+    throw std::invalid_argument("Inward speed is " + number_text(speed)
                                 + ", but has to be at most a fiftieth of Sound speed (m/s): the closed forms are linear.");
 }
 
@@ -183,7 +184,7 @@ void ShellOscillation::run(RunContext &context)
       moving.push_back(radial_speed());
       energy = system.potential_energy() + system.kinetic_energy();
       if (!std::isfinite(radius.back()) || std::abs(radius.back()) > 0.5 * R)
-        throw RunFailed("the shell diverged before t = " + std::to_string(1e6 * time.back())
+        throw RunFailed("the shell diverged before t = " + number_text(1e6 * time.back())
                         + " us: use a smaller Step fraction or Inward speed.");
       table->add_row({time.back(), radius.back(), moving.back(), round.pressure(), energy});
       context.progress(0.3 + 0.7 * double(k) / double(count), "oscillations");
@@ -211,7 +212,7 @@ void ShellOscillation::run(RunContext &context)
     {
       const double below = m == 0 ? 0.5 * theory[0] : 0.5 * (theory[m - 1] + theory[m]);
       const Harmonic part = largest_between(parts, below, 0.5 * (theory[m] + next[m + 1]));
-      const std::string name = "mode_" + std::to_string(m + 1);
+      const std::string name = "mode_" + number_text(m + 1);
       context.result(name + "_closed_form", theory[m] / (2. * pi), "Hz");
       if (part.omega == 0.)
         continue; // not excited, or not carried by the fluid's resolution

@@ -1,5 +1,6 @@
 #include "micro/scenarios/spheroid_capsule.h"
 
+#include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 
 #include <deal.II/base/parameter_handler.h>
@@ -48,13 +49,13 @@ void SpheroidCapsule::declare_more(dealii::ParameterHandler &prm)
 void SpheroidCapsule::check_more() const
 {
   if (capsule.radius < 3. * entries.numbers.life.birth_radius)
-    throw InputError("Capsule/Radius is " + std::to_string(capsule.radius) + " m, but has to be at least three times Cell/Birth radius ("
-                     + std::to_string(3. * entries.numbers.life.birth_radius) + " m).");
+    throw InputError("Capsule/Radius is " + number_text(capsule.radius) + " m, but has to be at least three times Cell/Birth radius ("
+                     + number_text(3. * entries.numbers.life.birth_radius) + " m).");
   // the first cluster: cells on a closest lattice, in the sphere of their number
   const double first = entries.numbers.life.birth_radius * std::cbrt(1.2 * first_cells);
   if (first > 0.95 * capsule.radius)
-    throw InputError("First cells is " + std::to_string(first_cells) + ": their cluster of radius " + std::to_string(first)
-                     + " m does not fit into Capsule/Radius (" + std::to_string(capsule.radius) + " m).");
+    throw InputError("First cells is " + number_text(first_cells) + ": their cluster of radius " + number_text(first)
+                     + " m does not fit into Capsule/Radius (" + number_text(capsule.radius) + " m).");
 }
 
 std::vector<std::unique_ptr<Surroundings>> SpheroidCapsule::make_surroundings() const

@@ -1,5 +1,6 @@
 #include "micro/scenarios/spheroid_entries.h"
 
+#include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 
 #include <deal.II/base/parameter_handler.h>
@@ -116,14 +117,14 @@ void CultureEntries::check() const
   if (numbers.law == "jkr" && !(numbers.adhesion > 0.))
     throw InputError("Contact/Adhesion is 0, but Law = jkr needs it positive (J/m^2): without adhesion JKR is Law = hertz.");
   if (numbers.law != "hertz" && numbers.adhesion > 0.1 * life.modulus * life.birth_radius)
-    throw InputError("Contact/Adhesion is " + std::to_string(numbers.adhesion)
+    throw InputError("Contact/Adhesion is " + number_text(numbers.adhesion)
                      + " J/m^2, but has to be at most a tenth of Modulus times Birth radius ("
-                     + std::to_string(0.1 * life.modulus * life.birth_radius) + "): contacts would be as wide as the cells.");
+                     + number_text(0.1 * life.modulus * life.birth_radius) + "): contacts would be as wide as the cells.");
   if (life.cycle.mitosis > 0.5 * life.cycle_time)
-    throw InputError("Growth/Mitosis time is " + std::to_string(life.cycle.mitosis)
-                     + " s, but has to be at most half of Cell/Cycle time (" + std::to_string(life.cycle_time) + " s).");
+    throw InputError("Growth/Mitosis time is " + number_text(life.cycle.mitosis)
+                     + " s, but has to be at most half of Cell/Cycle time (" + number_text(life.cycle_time) + " s).");
   if (seed != std::floor(seed))
-    throw InputError("Cell/Seed is " + std::to_string(seed) + ", but has to be a whole number.");
+    throw InputError("Cell/Seed is " + number_text(seed) + ", but has to be a whole number.");
   if (in_plane && parameters().migration.preferred[2] != 0.)
     throw InputError("Motion/Preferred direction is " + preferred + ", but cells of a monolayer crawl in its plane: x, y, 0.");
   if (direction == "given" && !(parameters().life.division.axis.norm() > 0.))

@@ -5,6 +5,7 @@
 #include "micro/engine/counter_random.h"
 #include "micro/engine/gathered.h"
 #include "micro/io/field_file.h"
+#include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 #include "micro/scenarios/shared_entries.h"
 #include "micro/scenarios/stepping.h"
@@ -230,7 +231,7 @@ void SpheroidScene::run(RunContext &context)
   const std::uint64_t sample_every = steps_between(last, samples), frame_every = steps_between(last, frames);
   const StepCheckpoints keep(
     context, last, checkpoints, [&] { context.save_checkpoint(write_all); },
-    [&] { return "at t = " + std::to_string(culture.time() / 3600.) + " h"; });
+    [&] { return "at t = " + number_text(culture.time() / 3600.) + " h"; });
   bool full = finished(table);
   while (culture.time() < duration && !full)
     {
@@ -242,7 +243,7 @@ void SpheroidScene::run(RunContext &context)
       catch (const std::runtime_error &error)
         {
           context.save_checkpoint([&](std::ostream &out) { out << good; });
-          throw RunFailed("at t = " + std::to_string(culture.time() / 3600.) + " h with " + std::to_string(culture.cells.size())
+          throw RunFailed("at t = " + number_text(culture.time() / 3600.) + " h with " + number_text(culture.cells.size())
                           + " cells " + error.what() + " The checkpoint holds the last good state.");
         }
       ++done;
@@ -255,7 +256,7 @@ void SpheroidScene::run(RunContext &context)
         }
       if (fields && (end || full || (frame_every > 0 && done % frame_every == 0)))
         write_frame(*fields, culture);
-      context.progress(culture.time() / duration, std::to_string(culture.cells.size()) + " cells");
+      context.progress(culture.time() / duration, number_text(culture.cells.size()) + " cells");
       if (!end && !full)
         keep.after_step(done);
     }

@@ -3,6 +3,7 @@
 #include "micro/cells/bring_to_turgor.h"
 #include "micro/engine/binary.h"
 #include "micro/engine/watched_steps.h"
+#include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 #include "micro/processes/failure.h"
 #include "micro/scenarios/round_cell_fields.h"
@@ -89,9 +90,9 @@ void SqueezedCell::check() const
   if (!(plate_mass > 0.) && (plate_force > 0. || end_time > 0.))
     throw InputError("Plate force and End time are for a plate that has mass; a driven one (Plate mass = 0) needs 0 for both.");
   if (critical_stretch != 0. && !(critical_stretch > cell.turgid_stretch(int(dimension))))
-    throw InputError("Critical stretch is " + std::to_string(critical_stretch)
+    throw InputError("Critical stretch is " + number_text(critical_stretch)
                      + ", but has to be 0 or larger than the stretch of the turgid wall, "
-                     + std::to_string(cell.turgid_stretch(int(dimension))) + ".");
+                     + number_text(cell.turgid_stretch(int(dimension))) + ".");
 }
 
 void SqueezedCell::result_at(RunContext &context, const Rows &rows, const std::string &name,
@@ -99,7 +100,7 @@ void SqueezedCell::result_at(RunContext &context, const Rows &rows, const std::s
 {
   for (const int percent : {5, 10, 15, 20, 25, 30, 40, 50})
     if (const double value = squeezed::at(rows, quantity, 0.01 * percent - 1e-9); std::isfinite(value))
-      context.result(name + "_at_" + (percent < 10 ? "0" : "") + std::to_string(percent), value, unit);
+      context.result(name + "_at_" + (percent < 10 ? "0" : "") + number_text(percent), value, unit);
 }
 
 void SqueezedCell::run(RunContext &context)
@@ -208,10 +209,10 @@ void SqueezedCell::run_in(RunContext &context)
     fields = std::make_unique<RoundCellFields<dim>>(context, resumed);
 
   const auto diverged = [&](const std::string &how) {
-    return RunFailed(how + " before t = " + std::to_string(1e6 * double(at_step.step) * at_step.dt) + " us (step "
-                     + std::to_string(at_step.step)
+    return RunFailed(how + " before t = " + number_text(1e6 * double(at_step.step) * at_step.dt) + " us (step "
+                     + number_text(at_step.step)
                      + "): a checkpoint, where there is one, holds the last good state; use a smaller Step fraction (now "
-                     + std::to_string(step_fraction) + ")" + (speed > 20. ? " or Speed." : "."));
+                     + number_text(step_fraction) + ")" + (speed > 20. ? " or Speed." : "."));
   };
   const auto measure = [&] {
     if (!round.finite())
@@ -219,7 +220,7 @@ void SqueezedCell::run_in(RunContext &context)
     Row row = measure_squeezed(round, plates, polar, at_step.height);
     if (row.deformation > 0.95)
       throw RunFailed("the plate has squeezed the cell flat (deformation above 0.95) before t = "
-                      + std::to_string(1e6 * double(at_step.step) * at_step.dt) + " us: use less Plate mass, Plate force or Speed, or a shorter End time.");
+                      + number_text(1e6 * double(at_step.step) * at_step.dt) + " us: use less Plate mass, Plate force or Speed, or a shorter End time.");
     row.time = double(at_step.step) * at_step.dt;
     row.energy = row.kinetic + system.potential_energy() - at_step.start_energy;
     row.work = plates.work();
@@ -262,7 +263,7 @@ void SqueezedCell::run_in(RunContext &context)
         integrator.save(out);
       });
     },
-    [&] { return "at a deformation of " + std::to_string(rows.empty() ? 0. : rows.back().deformation); });
+    [&] { return "at a deformation of " + number_text(rows.empty() ? 0. : rows.back().deformation); });
   std::unique_ptr<Failure<dim>> failure;
   if (round.damage)
     failure = std::make_unique<Failure<dim>>(*round.wall, round.damage, critical_stretch);

@@ -6,6 +6,7 @@
 #include "micro/engine/step_control.h"
 #include "micro/engine/stepper.h"
 #include "micro/io/cpu_clock.h"
+#include "micro/io/number_text.h"
 #include "micro/scenarios/shared_entries.h"
 #include "micro/scenarios/stepping.h"
 
@@ -105,7 +106,7 @@ void Stability::deform(RunContext &context, SphPatch &wet) const
       for (unsigned int s = 0; s < 100; ++s)
         integrator.step(dt, 0.02 / dt);
       if (!finite(system))
-        throw RunFailed("the cell broke on its way to F, at " + std::to_string(k + 1) + " of " + std::to_string(parts) + " parts of it.");
+        throw RunFailed("the cell broke on its way to F, at " + number_text(k + 1) + " of " + number_text(parts) + " parts of it.");
       context.progress(double(k + 1) / (parts + rest), "deforming");
       if (context.stop_requested())
         throw RunStopped("stopped while the cell was deformed");
@@ -208,7 +209,7 @@ void Stability::run(RunContext &context)
   for (double factor = 0.8; good == 0. && factor > 0.01; factor *= 0.8)
     attempt_at(factor * guess);
   if (good == 0. || bad == 0.)
-    throw RunFailed("no step from a hundredth to a hundred times " + std::to_string(1e9 * guess) + " ns separates stable from unstable.");
+    throw RunFailed("no step from a hundredth to a hundred times " + number_text(1e9 * guess) + " ns separates stable from unstable.");
   for (unsigned int k = 0; k < bisections && bad / good > 1.005; ++k)
     attempt_at(std::sqrt(good * bad));
 

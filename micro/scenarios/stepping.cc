@@ -1,6 +1,7 @@
 #include "micro/scenarios/stepping.h"
 
 #include "micro/cells/turgid_reference.h"
+#include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace turgor
 {
 ReferenceCell anneal_reference(RunContext &context, const ParenchymaParameters &cell, const SphParameters &sph)
 {
-  context.say("annealing the reference cell (" + std::to_string(sph.anneal_steps) + " steps)");
+  context.say("annealing the reference cell (" + number_text(sph.anneal_steps) + " steps)");
   return make_turgid_reference(cell, sph, [&](const double fraction) {
     context.progress(fraction, "annealing");
     if (context.stop_requested())

@@ -1,3 +1,4 @@
+#include "micro/io/number_text.h"
 #include "micro/scenarios/tissue_run.h"
 
 #include "micro/terms/sph_fluid.h"
@@ -12,7 +13,7 @@ void TissueLoading::Run::open_series()
 {
   std::vector<Column> rows{{"time", "s"}, {"strain", ""}};
   for (unsigned int r = 0; r < scene.brick.rows; ++r)
-    rows.push_back({"row_" + std::to_string(r), ""});
+    rows.push_back({"row_" + number_text(r), ""});
   loading = context.series("loading", {{"time", "s"}, {"strain", ""}, {"force_top", "N"}, {"force_bottom", "N"},
                                        {"stress_top", "Pa"}, {"stress_bottom", "Pa"}, {"plate_top", "m"},
                                        {"mean_pressure", "Pa"}, {"potential", "J"}, {"kinetic", "J"}, {"work", "J"},
@@ -129,7 +130,7 @@ void TissueLoading::Run::report()
   for (const double e : {0.05, 0.1, 0.2, 0.3})
     if (e <= history.back().strain * (1. + 1e-9))
       {
-        const std::string at = "_at_" + std::to_string(int(std::lround(100. * e))) + "_percent";
+        const std::string at = "_at_" + number_text(int(std::lround(100. * e))) + "_percent";
         context.result("transmitted_stress" + at, at_strain(history, &TissueSample::bottom, e) / area, "Pa");
         context.result("impact_stress" + at, at_strain(history, &TissueSample::top, e) / area, "Pa");
         context.result("centre_of_flattening" + at, at_strain(history, &TissueSample::centre, e), "");
@@ -172,7 +173,7 @@ void TissueLoading::Run::report_failure()
       context.result("failed_share", failed / cells, "");
       context.result("strain_first_failure", strain_reaching(history, &TissueSample::failed_cells, 1.), "");
       for (const int share : {10, 50, 90})
-        context.result("strain_at_" + std::to_string(share) + "_percent_of_failures",
+        context.result("strain_at_" + number_text(share) + "_percent_of_failures",
                        strain_reaching(history, &TissueSample::failed_cells, 0.01 * share * failed), "");
       const Sigmoid sigmoid = fit_sigmoid(history, &TissueSample::failed_cells);
       context.result("failure_sigmoid_centre", sigmoid.centre, "");

@@ -1,5 +1,6 @@
 #include "micro/scenarios/tissue_run.h"
 
+#include "micro/io/number_text.h"
 #include "micro/processes/osmosis.h"
 #include "micro/scenarios/stepping.h"
 
@@ -193,7 +194,7 @@ void TissueLoading::Run::squeeze(const bool resumed)
   if (scene.frames > 0 && context.is_writer())
     fields = std::make_unique<FieldFile>(context.directory(), "cells", resumed);
   const std::uint64_t sample_every = steps_between(load_steps, scene.samples), frame_every = steps_between(load_steps, scene.frames);
-  const auto where = [this] { return "at a strain of " + std::to_string(strain()); };
+  const auto where = [this] { return "at a strain of " + number_text(strain()); };
   const auto sample = [&] {
     require_finite(where());
     require_energy(where());

@@ -1,5 +1,7 @@
 #include "micro/scenarios/two_cells.h"
 
+#include "micro/io/number_text.h"
+
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
@@ -40,8 +42,8 @@ void TwoCells::check() const
   if (law == "jkr" && !(adhesion > 0.))
     throw InputError("Adhesion is 0, but Law = jkr needs it positive (J/m^2): without adhesion JKR is Law = hertz.");
   if (adhesion > 0.1 * modulus * radius)
-    throw InputError("Adhesion is " + std::to_string(adhesion) + " J/m^2, but it has to be at most a tenth of Modulus times Radius ("
-                     + std::to_string(0.1 * modulus * radius) + "): the contact would be as wide as the cells.");
+    throw InputError("Adhesion is " + number_text(adhesion) + " J/m^2, but it has to be at most a tenth of Modulus times Radius ("
+                     + number_text(0.1 * modulus * radius) + "): the contact would be as wide as the cells.");
 }
 
 ContactLaw TwoCells::contact_law() const

@@ -1,6 +1,7 @@
 #include "micro/terms/cell_friction.h"
 
 #include "micro/engine/parallel.h"
+#include "micro/io/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,9 +75,9 @@ void Friction::correct(const double target, const double start, const unsigned i
   while (!(residual * start <= target))
     {
       if (last_iterations >= parameters.max_iterations || !std::isfinite(residual * start))
-        throw NotSolved("the friction matrix was not solved within " + std::to_string(parameters.max_iterations)
-                        + " iterations (residual " + std::to_string(std::sqrt(residual * start / allowed) * parameters.tolerance)
-                        + " of the forces, allowed " + std::to_string(parameters.tolerance)
+        throw NotSolved("the friction matrix was not solved within " + number_text(parameters.max_iterations)
+                        + " iterations (residual " + number_text(std::sqrt(residual * start / allowed) * parameters.tolerance)
+                        + " of the forces, allowed " + number_text(parameters.tolerance)
                         + "): more friction with the medium, or a larger tolerance.");
       const double pAp = sum_chunks(threads, chunks, parts, [&](std::size_t begin, std::size_t last) {
         return matrix.product(begin, last, p, Ap);

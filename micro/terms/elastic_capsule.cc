@@ -2,6 +2,7 @@
 
 #include "micro/engine/binary.h"
 #include "micro/engine/step_too_long.h"
+#include "micro/io/number_text.h"
 
 #include <algorithm>
 #include <sstream>
@@ -170,7 +171,7 @@ void ElasticCapsule::add_forces(Particles<3> &particles)
       if (!(w < radius[i]))
         continue;
       if (!(w > 0.))
-        throw StepTooLong("the centre of cell " + std::to_string(i)
+        throw StepTooLong("the centre of cell " + number_text(i)
                           + " has passed the capsule's wall: take shorter steps, or stiffer contacts.");
       const SphereContact c = material(radius[i], reference(i), modulus[i], -1. / parameters.radius, w);
       touches.push_back({i, particles.position(i) / -distance[k], w, c});

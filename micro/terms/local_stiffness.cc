@@ -1,5 +1,7 @@
 #include "micro/terms/local_stiffness.h"
 
+#include "micro/io/number_text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -65,10 +67,10 @@ LocalStiffness::LocalStiffness(std::vector<std::pair<double, double>> values)
   for (std::size_t k = 0; k < table.size(); ++k)
     {
       if (!(table[k].second > 0.))
-        throw std::invalid_argument("contact stiffness: row " + std::to_string(k + 1) + " has the modulus "
+        throw std::invalid_argument("contact stiffness: row " + number_text(k + 1) + " has the modulus "
                                     + number(table[k].second) + " Pa; it has to be positive.");
       if (k > 0 && !(table[k].first > table[k - 1].first && table[k].second >= table[k - 1].second))
-        throw std::invalid_argument("contact stiffness: row " + std::to_string(k + 1) + " (" + number(table[k].first) + ", "
+        throw std::invalid_argument("contact stiffness: row " + number_text(k + 1) + " (" + number(table[k].first) + ", "
                                     + number(table[k].second) + " Pa) does not rise above the row before it (compression and modulus"
                                       " have to rise), or cells collapse.");
     }
@@ -143,7 +145,7 @@ LocalStiffness LocalStiffness::from_file(const std::string &path)
       else if (is_number && !polynomial && key_is_number)
         rows.push_back({key, value});
       else
-        throw std::invalid_argument("contact stiffness: line " + std::to_string(count) + " of '" + path + "' is '" + line
+        throw std::invalid_argument("contact stiffness: line " + number_text(count) + " of '" + path + "' is '" + line
                                     + "'; expected " + (polynomial ? "'offset,', 'largest,' or the next power, " : "a compression, ")
                                     + "and a number.");
     }

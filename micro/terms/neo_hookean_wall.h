@@ -18,6 +18,7 @@
 // In: lambda = length / rest length (no unit, > 0). Out: F, dF in N (positive in tension), w in J/m.
 #pragma once
 
+#include "micro/io/number_text.h"
 #include "micro/terms/wall_yield.h"
 
 #include <algorithm>
@@ -169,9 +170,9 @@ private:
         below = above;
         above += std::max(step, 0.05 * (above - 1.));
         if (above > 100.)
-          throw std::invalid_argument("a wall that yields with A = " + std::to_string(yield.sharpness) + ", B = "
-                                      + std::to_string(yield.drop) + " carries at most " + std::to_string(farthest * 1e3)
-                                      + " mN, less than the " + std::to_string(tension * 1e3) + " mN asked of it");
+          throw std::invalid_argument("a wall that yields with A = " + number_text(yield.sharpness) + ", B = "
+                                      + number_text(yield.drop) + " carries at most " + number_text(farthest * 1e3)
+                                      + " mN, less than the " + number_text(tension * 1e3) + " mN asked of it");
       }
     for (int i = 0; i < 200 && above > std::nextafter(below, above); ++i)
       {

@@ -2,6 +2,7 @@
 
 #include "micro/engine/binary.h"
 #include "micro/engine/step_too_long.h"
+#include "micro/io/number_text.h"
 
 #include <stdexcept>
 
@@ -56,7 +57,7 @@ void RigidWalls::add_forces(Particles<3> &particles)
           if (!meets(particles.position(i), radius[i], walls[k], touch.w, curvature, touch.inward))
             continue;
           if (!(touch.w > 0.))
-            throw StepTooLong("the centre of cell " + std::to_string(i)
+            throw StepTooLong("the centre of cell " + number_text(i)
                               + " has passed a rigid wall: take shorter steps, or a slower or smaller load.");
           touch.cell = std::uint32_t(i);
           touch.contact = material(radius[i], reference(i), modulus[i], curvature, touch.w);

@@ -1,6 +1,7 @@
 #include "micro/terms/sph_fluid.h"
 
 #include "micro/engine/binary.h"
+#include "micro/io/number_text.h"
 #include "micro/terms/sph_barrier.h"
 #include "micro/terms/sph_wall_view.h"
 
@@ -89,17 +90,17 @@ void SphFluid<dim>::declare(Particles<dim> &particles)
     {
       const Group &g = particles.groups[group];
       if (std::max(g.fluid_count(), g.wall_count()) > 65534)
-        throw std::invalid_argument("SPH fluid: cell " + std::to_string(group) + " has " + std::to_string(g.fluid_count())
-                                    + " fluid particles and " + std::to_string(g.wall_count())
+        throw std::invalid_argument("SPH fluid: cell " + number_text(group) + " has " + number_text(g.fluid_count())
+                                    + " fluid particles and " + number_text(g.wall_count())
                                     + " wall nodes; the neighbour lists number at most 65534 of each");
       if (dim == 3 && g.wall_count() != mesh->nodes)
-        throw std::invalid_argument("SPH fluid: cell " + std::to_string(group) + " has " + std::to_string(g.wall_count())
-                                    + " wall nodes, its mesh of triangles " + std::to_string(mesh->nodes));
+        throw std::invalid_argument("SPH fluid: cell " + number_text(group) + " has " + number_text(g.wall_count())
+                                    + " wall nodes, its mesh of triangles " + number_text(mesh->nodes));
       const std::size_t faces = dim == 2 ? g.wall_count() : mesh->faces.size();
       if (damage && damage->cells.at(group).face_gone.size() != faces)
-        throw std::invalid_argument("SPH fluid: the wall of cell " + std::to_string(group) + " has " + std::to_string(faces)
+        throw std::invalid_argument("SPH fluid: the wall of cell " + number_text(group) + " has " + number_text(faces)
                                     + " faces, its record of damage "
-                                    + std::to_string(damage->cells[group].face_gone.size()));
+                                    + number_text(damage->cells[group].face_gone.size()));
     }
   particles.declare("density");
   particles.declare("pressure");

@@ -3,6 +3,7 @@
 #include "micro/engine/binary.h"
 #include "micro/engine/parallel.h"
 #include "micro/engine/step_too_long.h"
+#include "micro/io/number_text.h"
 #include "micro/terms/overlap_energy.h"
 
 #include <algorithm>
@@ -126,8 +127,8 @@ void SphereContacts::compute_pairs(const Law &one, const unsigned int threads, c
       }
   });
   if (coincide < list.size())
-    throw StepTooLong("the centres of cells " + std::to_string(list[coincide].i) + " and "
-                      + std::to_string(list[coincide].j)
+    throw StepTooLong("the centres of cells " + number_text(list[coincide].i) + " and "
+                      + number_text(list[coincide].j)
                       + " coincide, so the direction of their contact is not defined: take smaller steps.");
 }
 

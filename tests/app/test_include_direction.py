@@ -13,7 +13,7 @@ ALLOWED = {
     "app": {"app", "coupling", "macro", "rve", "micro"},
 }
 # What every folder may say to the person who runs it: the run's context, no particle.
-SHARED = {"micro/io/run_context.h", "micro/io/field_file.h"}
+SHARED = {"micro/io/run_context.h", "micro/io/field_file.h", "micro/io/number_text.h"}
 MESH = re.compile(r"deal\.II/(grid|fe|dofs|distributed|multigrid|numerics|mappings|matrix_free|hp|particles)/")
 
 
@@ -54,6 +54,18 @@ class IncludeDirection(unittest.TestCase):
     def test_particles_know_no_mesh_and_no_mpi(self):
         wrong = [f"{path}:{number} includes {included}" for folder in ("micro", "rve")
                  for path, number, included, _ in includes(folder) if MESH.match(included) or included == "mpi.h"]
+        self.assertEqual(wrong, [])
+
+    def test_numbers_are_printed_by_number_text(self):
+        """std::to_string prints 3.5e-9 as 0.000000."""
+        wrong = []
+        for folder in ALLOWED:
+            for place, _, files in os.walk(os.path.join(SOURCE, folder)):
+                for name in files:
+                    if name.endswith((".h", ".cc", ".inc")) and name != "number_text.h":
+                        with open(os.path.join(place, name), encoding="utf-8") as file:
+                            if "std::to_string" in file.read():
+                                wrong.append(os.path.relpath(os.path.join(place, name), SOURCE))
         self.assertEqual(wrong, [])
 
     def test_the_check_sees_a_wrong_include(self):
