@@ -1,6 +1,6 @@
 #include "app/csv_table.h"
 
-#include "app/prm_text.h"
+#include "micro/io/prm_text.h"
 #include "micro/io/number_text.h"
 
 #include <algorithm>

@@ -2,12 +2,11 @@
 
 #include "app/declared_entries.h"
 #include "app/nearest_name.h"
-#include "app/prm_text.h"
+#include "micro/io/input_entries.h"
+#include "micro/io/prm_text.h"
 #include "app/scenario_list.h"
 #include "micro/io/checksum.h"
 #include "micro/io/run_context.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
 #include <map>
@@ -21,11 +20,11 @@ std::string quoted_section(const std::vector<std::string> &section)
   return section.empty() ? "the top level" : "subsection '" + join_path({section.begin(), section.end() - 1}, section.back()) + "'";
 }
 
-[[noreturn]] void refuse_unknown(const PrmSetting &setting, const std::vector<DeclaredEntry> &known)
+[[noreturn]] void refuse_unknown(const PrmSetting &setting, const std::vector<InputEntry> &known)
 {
   std::vector<std::string> here;
   std::string elsewhere;
-  for (const DeclaredEntry &entry : known)
+  for (const InputEntry &entry : known)
     if (entry.section == setting.section)
       here.push_back(entry.name);
     else if (entry.name == setting.name)
@@ -34,12 +33,12 @@ std::string quoted_section(const std::vector<std::string> &section)
                    (elsewhere.empty() ? suggestion(setting.name, here) : " Did you mean '" + elsewhere + "'?"));
 }
 
-void check_section(const PrmSection &section, const std::vector<DeclaredEntry> &known)
+void check_section(const PrmSection &section, const std::vector<InputEntry> &known)
 {
   for (std::size_t depth = 1; depth <= section.path.size(); ++depth)
     {
       std::vector<std::string> siblings;
-      for (const DeclaredEntry &entry : known)
+      for (const InputEntry &entry : known)
         if (entry.section.size() >= depth && std::equal(section.path.begin(), section.path.begin() + static_cast<long>(depth) - 1,
                                                         entry.section.begin()) &&
             std::find(siblings.begin(), siblings.end(), entry.section[depth - 1]) == siblings.end())
@@ -51,34 +50,20 @@ void check_section(const PrmSection &section, const std::vector<DeclaredEntry> &
     }
 }
 
-std::string refusal(const PrmSetting &setting, const DeclaredEntry &entry)
+std::string refusal(const PrmSetting &setting, const InputEntry &entry)
 {
-  const std::string near = nearest_name(setting.value, choices(entry.pattern));
+  const std::string near = nearest_name(setting.value, entry.pattern.choices);
   return setting.where + ": '" + setting.path() + "' = '" + setting.value + "' is not allowed; allowed: " +
-         allowed_in_words(entry.pattern) + "." + (near.empty() ? "" : " Did you mean '" + near + "'?") +
+         entry.pattern.in_words() + "." + (near.empty() ? "" : " Did you mean '" + near + "'?") +
          (entry.documentation.empty() ? "" : " (" + entry.documentation + ")");
 }
 
-/// Also where a pattern would let them pass: a list of anything, a future pattern.
-bool names_non_finite(const std::string &value)
-{
-  for (std::string word : split_trimmed(value, ','))
-    {
-      std::transform(word.begin(), word.end(), word.begin(), [](const unsigned char c) { return std::tolower(c); });
-      if (!word.empty() && (word[0] == '+' || word[0] == '-'))
-        word.erase(0, 1);
-      if (word == "nan" || word == "inf" || word == "infinity")
-        return true;
-    }
-  return false;
-}
-
-void declare_all(dealii::ParameterHandler &prm, Scenario &scenario, const std::string &name, const ScenarioRegistry &registry)
+void declare_all(InputEntries &prm, Scenario &scenario, const std::string &name, const ScenarioRegistry &registry)
 {
   std::string list;
   for (const std::string &known : registry.names)
     list += (list.empty() ? "" : "|") + known;
-  prm.declare_entry("Scenario", name, dealii::Patterns::Selection(list), "The scene to run; `turgor list` describes them.");
+  prm.declare_entry("Scenario", name, Patterns::Selection(list), "The scene to run; `turgor list` describes them.");
   scenario.declare_parameters(prm);
 }
 
@@ -115,49 +100,32 @@ ScenarioRegistry product_registry()
   return {scenario_names(), make_scenario};
 }
 
-void apply(const PrmText &text, dealii::ParameterHandler &prm)
+void apply(const PrmText &text, InputEntries &prm)
 {
-  const std::vector<DeclaredEntry> known = declared_entries(prm);
+  const std::vector<InputEntry> known = prm.entries(); // a copy: values change below
   for (const PrmSection &section : text.sections)
     check_section(section, known);
   for (const PrmSetting &setting : text.settings)
     {
       if (!setting.section.empty())
         check_section({setting.section, setting.where}, known);
-      const auto entry = std::find_if(known.begin(), known.end(), [&](const DeclaredEntry &candidate) {
+      const auto entry = std::find_if(known.begin(), known.end(), [&](const InputEntry &candidate) {
         return candidate.section == setting.section && candidate.name == setting.name;
       });
       if (entry == known.end())
         refuse_unknown(setting, known);
-      const bool numeric = entry->pattern.find("[Double") != std::string::npos ||
-                           entry->pattern.find("[Integer") != std::string::npos;
-      if (numeric && names_non_finite(setting.value))
+      if (!entry->pattern.matches(setting.value))
         throw InputError(refusal(setting, *entry));
       for (const std::string &part : setting.section)
         prm.enter_subsection(part);
-      std::string problem;
-      try
-        {
-          prm.set(setting.name, setting.value);
-        }
-      catch (const dealii::ExceptionBase &)
-        {
-          problem = refusal(setting, *entry);
-        }
-      catch (const std::exception &why)
-        {
-          problem = refusal(setting, *entry) + " " + why.what();
-        }
+      prm.set(setting.name, setting.value);
       for (std::size_t i = 0; i < setting.section.size(); ++i)
         prm.leave_subsection();
-      if (!problem.empty())
-        throw InputError(problem);
     }
 }
 
 Input load_input(const std::filesystem::path &file, const std::vector<std::string> &overrides, const ScenarioRegistry &registry)
 {
-  dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
   PrmText text = read_prm(file);
   refuse_repeated(text);
   PrmText set_values;
@@ -168,10 +136,10 @@ Input load_input(const std::filesystem::path &file, const std::vector<std::strin
   Input input;
   input.scenario_name = scenario_setting(text, file.string(), registry).value;
   input.scenario = registry.make(input.scenario_name);
-  dealii::ParameterHandler prm;
+  InputEntries prm;
   declare_all(prm, *input.scenario, input.scenario_name, registry);
   apply(text, prm);
-  const std::vector<DeclaredEntry> entries = declared_entries(prm);
+  const std::vector<InputEntry> &entries = prm.entries();
   input.hash = hexadecimal(fnv1a(canonical(entries)));
   input.text = prm_of(entries, false, false);
   try
@@ -194,8 +162,8 @@ std::string parameters_text(const std::string &scenario_name, const ScenarioRegi
   const std::unique_ptr<Scenario> scenario = registry.make(scenario_name);
   if (!scenario)
     throw InputError("There is no scenario '" + scenario_name + "'." + suggestion(scenario_name, registry.names));
-  dealii::ParameterHandler prm;
+  InputEntries prm;
   declare_all(prm, *scenario, scenario_name, registry);
-  return "# " + scenario->description() + "\n" + prm_of(declared_entries(prm), true, true);
+  return "# " + scenario->description() + "\n" + prm_of(prm.entries(), true, true);
 }
 } // namespace turgor

@@ -10,13 +10,9 @@
 #include <string>
 #include <vector>
 
-namespace dealii
-{
-class ParameterHandler;
-}
-
 namespace turgor
 {
+class InputEntries;
 struct PrmText;
 
 struct Input
@@ -45,5 +41,5 @@ Input load_input(const std::filesystem::path &file, const std::vector<std::strin
 std::string parameters_text(const std::string &scenario_name, const ScenarioRegistry &registry);
 
 /// Sets everything in `text` in prm; entries and sections have to be declared. Used for study files as well.
-void apply(const PrmText &text, dealii::ParameterHandler &prm);
+void apply(const PrmText &text, InputEntries &prm);
 } // namespace turgor

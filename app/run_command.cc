@@ -7,6 +7,7 @@
 #include "micro/io/run_directory.h"
 #include "micro/io/stop_flag.h"
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/multithread_info.h>
 
 #include <tbb/global_control.h>
@@ -94,6 +95,7 @@ int run_command(const RunOptions &options, const ScenarioRegistry &registry, Mpi
 
   const unsigned int cores = std::max(1u, std::thread::hardware_concurrency());
   const unsigned int threads = options.threads > 0 ? options.threads : std::max(1u, cores / ranks);
+  dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
   // Never one for deal.II: with one thread its FEValues reuses the geometry of the cell before it
   // where the two look alike, with more it does not, and the last bits of a run would depend on
   // --threads. TBB's own limit below is what counts.

@@ -2,10 +2,9 @@
 
 #include "app/input.h"
 #include "app/nearest_name.h"
-#include "app/prm_text.h"
+#include "micro/io/input_entries.h"
+#include "micro/io/prm_text.h"
 #include "micro/io/run_context.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
 #include <deque>
@@ -24,10 +23,9 @@ struct RunEntries
 
 StudyInput load_study(const std::filesystem::path &file)
 {
-  using namespace dealii::Patterns;
-  dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
+  using namespace Patterns;
   const PrmText text = read_prm(file);
-  dealii::ParameterHandler prm;
+  InputEntries prm;
   std::string reference, picture;
   prm.add_parameter("Picture", picture, "Without Reference: app/plots/study_NAME.py draws the results.", Anything());
   prm.add_parameter("Reference", reference,

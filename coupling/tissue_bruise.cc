@@ -2,14 +2,12 @@
 
 #include "coupling/bruise.h"
 #include "coupling/tissue_size.h"
+#include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
 #include "rve/make_rve.h"
 
-#include <deal.II/base/parameter_handler.h>
-
 namespace turgor
 {
-namespace Patterns = dealii::Patterns;
 
 TissueBruise::TissueBruise()
 {
@@ -33,7 +31,7 @@ std::string TissueBruise::description() const
          "of cells with walls that yield and break (thesis 3.2, 3.3.3).";
 }
 
-void TissueBruise::declare_parameters(dealii::ParameterHandler &prm)
+void TissueBruise::declare_parameters(InputEntries &prm)
 {
   prm.enter_subsection("Impact");
   settings.tissue.tool.declare(prm);

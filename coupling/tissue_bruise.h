@@ -14,7 +14,7 @@ class TissueBruise : public Scenario
 public:
   TissueBruise();
   std::string description() const override;
-  void declare_parameters(dealii::ParameterHandler &prm) override;
+  void declare_parameters(InputEntries &prm) override;
   void check() const override;
   bool uses_ranks() const override { return true; }
   void run(RunContext &context) override;

@@ -1,16 +1,14 @@
 #include "coupling/tissue_gravity.h"
 
 #include "coupling/tissue_size.h"
+#include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
 #include "rve/make_rve.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <cmath>
 
 namespace turgor
 {
-namespace Patterns = dealii::Patterns;
 
 TissueGravity::TissueGravity()
 {
@@ -23,7 +21,7 @@ std::string TissueGravity::description() const
          "Two scales: finite elements whose stress comes from RVEs of cells.";
 }
 
-void TissueGravity::declare_parameters(dealii::ParameterHandler &prm)
+void TissueGravity::declare_parameters(InputEntries &prm)
 {
   prm.enter_subsection("Tissue gravity");
   prm.add_parameter("Cells", settings.cells,

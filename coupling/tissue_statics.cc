@@ -4,17 +4,15 @@
 #include "coupling/tissue_output.h"
 #include "coupling/tissue_size.h"
 #include "macro/tissue.h"
+#include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
 #include "rve/make_rve.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
 #include <chrono>
 
 namespace turgor
 {
-namespace Patterns = dealii::Patterns;
 
 std::string TissueStatics::description() const
 {
@@ -22,7 +20,7 @@ std::string TissueStatics::description() const
          "tissue_gravity swings about.";
 }
 
-void TissueStatics::declare_parameters(dealii::ParameterHandler &prm)
+void TissueStatics::declare_parameters(InputEntries &prm)
 {
   prm.enter_subsection("Tissue statics");
   prm.add_parameter("Cells", cells,

@@ -1,8 +1,7 @@
 #include "macro/tissue_parameters.h"
 
+#include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -23,10 +22,9 @@ TissueParameters<dim>::TissueParameters()
 }
 
 template <int dim>
-void TissueParameters<dim>::declare(dealii::ParameterHandler &prm, bool with_size_and_body_force)
+void TissueParameters<dim>::declare(InputEntries &prm, bool with_size_and_body_force)
 {
-  namespace Patterns = dealii::Patterns;
-  const Patterns::List vector(Patterns::Double(), dim, dim, ",");
+  const EntryPattern vector = Patterns::List(Patterns::Double(), dim, dim);
 
   prm.enter_subsection("Tissue");
   for (unsigned int d = 0; d < dim && with_size_and_body_force; ++d)

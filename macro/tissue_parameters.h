@@ -11,13 +11,9 @@
 #include <array>
 #include <string>
 
-namespace dealii
-{
-class ParameterHandler;
-}
-
 namespace turgor
 {
+class InputEntries;
 template <int dim>
 struct TissueParameters
 {
@@ -45,7 +41,7 @@ struct TissueParameters
   TissueParameters();
 
   /// Declares subsections "Tissue" and "Time"; without size and body force where the scene finds them itself.
-  void declare(dealii::ParameterHandler &prm, bool with_size_and_body_force = true);
+  void declare(InputEntries &prm, bool with_size_and_body_force = true);
 
   /// What the patterns cannot say; std::invalid_argument with the entry and what is allowed.
   void check() const;

@@ -1,8 +1,7 @@
 #include "macro/tool_parameters.h"
 
+#include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,10 +27,9 @@ double ToolParameters::longest_step() const
   return active() ? depth / (speed * steps_to_the_depth) : std::numeric_limits<double>::infinity();
 }
 
-void ToolParameters::declare(dealii::ParameterHandler &prm)
+void ToolParameters::declare(InputEntries &prm)
 {
-  namespace Patterns = dealii::Patterns;
-  prm.add_parameter("Tool", shape, "What hits the side x = Width: a plate or a cylinder. Units: none.",
+    prm.add_parameter("Tool", shape, "What hits the side x = Width: a plate or a cylinder. Units: none.",
                     Patterns::Selection("plate|cylinder"));
   prm.add_parameter("Radius", radius, "Of the cylinder. Units: m.", Patterns::Double(1e-9, 1e3));
   prm.add_parameter("Motion", motion,

@@ -3,13 +3,9 @@
 
 #include <string>
 
-namespace dealii
-{
-class ParameterHandler;
-}
-
 namespace turgor
 {
+class InputEntries;
 struct ToolParameters
 {
   std::string shape = "none";       ///< none | plate | cylinder
@@ -26,7 +22,7 @@ struct ToolParameters
   double longest_step() const; ///< m, s(t)
 
   /// Declares the entries in the current subsection.
-  void declare(dealii::ParameterHandler &prm);
+  void declare(InputEntries &prm);
   /// What the patterns cannot say; std::invalid_argument. width: m, of the piece.
   void check(double width) const;
 };

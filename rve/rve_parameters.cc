@@ -1,8 +1,7 @@
 #include "rve/rve_parameters.h"
 
 #include "micro/cells/sph_cell_entries.h"
-
-#include <deal.II/base/parameter_handler.h>
+#include "micro/io/input_entries.h"
 
 #include <sstream>
 #include <stdexcept>
@@ -45,9 +44,9 @@ WallLimits RveParameters::wall_limits() const
   return limits;
 }
 
-void RveParameters::add_parameters(dealii::ParameterHandler &prm)
+void RveParameters::add_parameters(InputEntries &prm)
 {
-  using namespace dealii::Patterns;
+  using namespace Patterns;
   prm.enter_subsection("RVE");
   prm.add_parameter("Rule", rule,
                     "How the cells follow F (thesis 3.4.2): cauchy_born moves them affinely, elastic_equilibrium "

@@ -7,13 +7,9 @@
 
 #include <string>
 
-namespace dealii
-{
-class ParameterHandler;
-}
-
 namespace turgor
 {
+class InputEntries;
 struct RveParameters
 {
   std::string rule = "elastic_equilibrium"; ///< cauchy_born | elastic_equilibrium | constrained_runs
@@ -41,7 +37,7 @@ struct RveParameters
   WallLimits wall_limits() const;
 
   /// Declares subsections "RVE", "SPH", "Wall" and "Cell" in the current subsection of prm.
-  void add_parameters(dealii::ParameterHandler &prm);
+  void add_parameters(InputEntries &prm);
   /// Throws std::invalid_argument, entry and allowed range in one sentence.
   void check() const;
 };

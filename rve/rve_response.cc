@@ -1,12 +1,11 @@
 #include "rve/rve_response.h"
 
+#include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 #include "rve/deformation_path.h"
 #include "rve/flat_wall_closed_form.h"
 #include "rve/make_rve.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,9 +35,9 @@ std::string RveResponse::description() const
          "form of flat walls.";
 }
 
-void RveResponse::declare_parameters(dealii::ParameterHandler &prm)
+void RveResponse::declare_parameters(InputEntries &prm)
 {
-  using namespace dealii::Patterns;
+  using namespace Patterns;
   prm.enter_subsection("Path");
   prm.add_parameter("Keyframes", path,
                     "Deformation gradient over time, linear between keyframes: time : xx, xy; yx, yy | time : ... "

@@ -11,7 +11,7 @@ class RveResponse : public Scenario
 {
 public:
   std::string description() const override;
-  void declare_parameters(dealii::ParameterHandler &prm) override;
+  void declare_parameters(InputEntries &prm) override;
   void check() const override;
   void run(RunContext &context) override;
 

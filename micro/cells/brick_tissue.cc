@@ -1,6 +1,7 @@
 #include "micro/cells/brick_tissue.h"
 
 #include "micro/engine/counter_random.h"
+#include "micro/io/input_entries.h"
 
 #include <algorithm>
 #include <array>
@@ -12,13 +13,11 @@
 #include <stdexcept>
 #include <tuple>
 
-#include <deal.II/base/parameter_handler.h>
-
 namespace turgor
 {
-void BrickParameters::add_parameters(dealii::ParameterHandler &prm)
+void BrickParameters::add_parameters(InputEntries &prm)
 {
-  using namespace dealii::Patterns;
+  using namespace Patterns;
   prm.add_parameter("Columns", columns, "Cells in a row. Units: none.", Integer(1, 1000));
   prm.add_parameter("Rows", rows, "Rows of cells. Units: none.", Integer(1, 1000));
   prm.add_parameter("Jitter", jitter,

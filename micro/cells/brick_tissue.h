@@ -36,7 +36,7 @@ struct BrickParameters
 
   /// Throws std::invalid_argument with a sentence for entries that do not go together.
   void check(const ParenchymaParameters &cell, const SphParameters &sph) const;
-  void add_parameters(dealii::ParameterHandler &prm);
+  void add_parameters(InputEntries &prm);
 };
 
 struct BrickTissue

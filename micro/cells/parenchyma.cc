@@ -1,8 +1,7 @@
 #include "micro/cells/parenchyma.h"
 
+#include "micro/io/input_entries.h"
 #include "micro/terms/neo_hookean_wall.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <cmath>
 #include <limits>
@@ -12,11 +11,11 @@
 
 namespace turgor
 {
-void ParenchymaParameters::add_parameters(dealii::ParameterHandler &prm)
+void ParenchymaParameters::add_parameters(InputEntries &prm)
 {
-  using dealii::Patterns::Bool;
-  using dealii::Patterns::Double;
-  using dealii::Patterns::Integer;
+  using Patterns::Bool;
+  using Patterns::Double;
+  using Patterns::Integer;
   prm.add_parameter("Period", period, "Side L of the inflated cell. Units: m.", Double(1e-7, 1e-2));
   prm.add_parameter("Depth", depth, "Depth z0 of the slab. Units: m.", Double(1e-8, 1e-1));
   prm.add_parameter("Nodes per side", nodes_per_side,

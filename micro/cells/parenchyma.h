@@ -15,13 +15,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace dealii
-{
-class ParameterHandler;
-}
-
 namespace turgor
 {
+class InputEntries;
 /// Physical parameters of a parenchyma cell (thesis 3.2); SI units.
 struct ParenchymaParameters
 {
@@ -42,7 +38,7 @@ struct ParenchymaParameters
   double cavitation_pressure = -100e3; ///< Pa gauge, where liquid gives way (see micro/terms/equation_of_state.h)
 
   /// Declares every entry above in the current subsection of prm.
-  void add_parameters(dealii::ParameterHandler &prm);
+  void add_parameters(InputEntries &prm);
 };
 
 /// A tie between node a and the image of node b displaced by lattice vectors H * shift:

@@ -19,13 +19,9 @@
 #include <string>
 #include <type_traits>
 
-namespace dealii
-{
-class ParameterHandler;
-}
-
 namespace turgor
 {
+class InputEntries;
 struct RoundCellParameters
 {
   double radius = 30e-6;           ///< m, R of the turgid cell
@@ -53,7 +49,7 @@ struct RoundCellParameters
   double rest_residual = 0.1; ///< largest unbalanced force over turgor times the wall of a node
 
   /// Declares all entries in the current subsection of prm.
-  void add_parameters(dealii::ParameterHandler &prm);
+  void add_parameters(InputEntries &prm);
   /// Throws std::invalid_argument: entry, value, allowed range.
   void check(int dim) const;
   bool has_particles() const { return fluid == "sph" || fluid == "thesis"; }

@@ -1,7 +1,6 @@
 // The entries of a round cell: names, ranges, what they must not be together.
 #include "micro/cells/round_cell.h"
-
-#include <deal.II/base/parameter_handler.h>
+#include "micro/io/input_entries.h"
 
 #include <cmath>
 #include <numbers>
@@ -15,9 +14,9 @@ NeoHookeanWall RoundCellParameters::ring_law() const
   return NeoHookeanWall(wall_stiffness, depth, wall_beta, WallYield{yield_sharpness, yield_drop});
 }
 
-void RoundCellParameters::add_parameters(dealii::ParameterHandler &prm)
+void RoundCellParameters::add_parameters(InputEntries &prm)
 {
-  using namespace dealii::Patterns;
+  using namespace Patterns;
   prm.add_parameter("Radius", radius, "Radius of the turgid cell. Units: m.", Double(1e-7, 1e-2));
   prm.add_parameter("Depth", depth, "Dimension = 2: depth z0 of the slab. Units: m.", Double(1e-8, 1e-1));
   prm.add_parameter("Ring nodes", ring_nodes, "Dimension = 2: wall nodes. Units: none.", Integer(8, 60000));

@@ -1,12 +1,12 @@
 #include "micro/cells/sph_cell_entries.h"
 
-#include <deal.II/base/parameter_handler.h>
+#include "micro/io/input_entries.h"
 
 #include <stdexcept>
 
 namespace turgor
 {
-void declare_sph_cell(dealii::ParameterHandler &prm, ParenchymaParameters &cell, SphParameters &sph)
+void declare_sph_cell(InputEntries &prm, ParenchymaParameters &cell, SphParameters &sph)
 {
   prm.enter_subsection("Cell");
   cell.add_parameters(prm);

@@ -7,7 +7,7 @@
 namespace turgor
 {
 /// Declares both subsections in the current subsection of prm.
-void declare_sph_cell(dealii::ParameterHandler &prm, ParenchymaParameters &cell, SphParameters &sph);
+void declare_sph_cell(InputEntries &prm, ParenchymaParameters &cell, SphParameters &sph);
 
 /// Throws std::invalid_argument, entry and allowed range in one sentence.
 void check_sph_cell(const ParenchymaParameters &cell, const SphParameters &sph);

@@ -1,6 +1,7 @@
 #include "micro/cells/sph_parenchyma.h"
 
 #include "micro/engine/counter_random.h"
+#include "micro/io/input_entries.h"
 #include "micro/terms/lamella_ties.h"
 #include "micro/terms/ring_wall.h"
 #include "micro/terms/sph_fluid.h"
@@ -10,13 +11,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <deal.II/base/parameter_handler.h>
-
 namespace turgor
 {
-void SphParameters::add_parameters(dealii::ParameterHandler &prm)
+void SphParameters::add_parameters(InputEntries &prm)
 {
-  using namespace dealii::Patterns;
+  using namespace Patterns;
   prm.add_parameter("Particles per side", particles_per_side,
                     "Fluid particles along a cell side; a cell holds the square of it. Units: none.", Integer(6, 180));
   prm.add_parameter("Support ratio", support_ratio,

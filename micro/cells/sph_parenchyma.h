@@ -32,7 +32,7 @@ struct SphParameters
 
   /// Throws std::invalid_argument with a sentence for entries that do not go together.
   void check() const;
-  void add_parameters(dealii::ParameterHandler &prm);
+  void add_parameters(InputEntries &prm);
 };
 
 /// One annealed, turgid, stress-balanced cell of a periodic grid: positions (m) relative to the cell's

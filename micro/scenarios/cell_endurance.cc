@@ -4,11 +4,10 @@
 #include "micro/engine/binary.h"
 #include "micro/engine/counter_random.h"
 #include "micro/engine/watched_steps.h"
+#include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
 #include "micro/scenarios/shared_entries.h"
 #include "micro/scenarios/stepping.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
 #include <cmath>
@@ -79,9 +78,9 @@ std::string CellEndurance::description() const
          "energy.";
 }
 
-void CellEndurance::declare_parameters(dealii::ParameterHandler &prm)
+void CellEndurance::declare_parameters(InputEntries &prm)
 {
-  using namespace dealii::Patterns;
+  using namespace Patterns;
   prm.add_parameter("Steps", steps, "Micro steps. Units: steps.", Double(1., 1e12));
   prm.add_parameter("F_dot", F_dot, "Constant rate of the deformation gradient, xx, xy; yx, yy, from F = I. Units: 1/s.",
                     List(List(Double(-1e6, 1e6), 2, 2, ","), 2, 2, ";"));

@@ -2,9 +2,8 @@
 
 #include "micro/engine/counter_random.h"
 #include "micro/io/cpu_clock.h"
+#include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
 #include <array>
@@ -23,9 +22,9 @@ std::string CellSteps::description() const
   return "Longest stable step of explicit and implicit stepping of centre-based cells, and their error against run time.";
 }
 
-void CellSteps::declare_parameters(dealii::ParameterHandler &prm)
+void CellSteps::declare_parameters(InputEntries &prm)
 {
-  using namespace dealii::Patterns;
+  using namespace Patterns;
   prm.add_parameter("Cells", count, "In the ball. Units: none.", Integer(2, 1000000));
   prm.add_parameter("Duration", duration, "Of the relaxation. Units: s.", Double(1e-9, 1e12));
   prm.add_parameter("Newborn share", newborn, "Of the cells that are replaced by a pair a fifth of a radius apart. Units: none.",

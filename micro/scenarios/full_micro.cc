@@ -5,6 +5,7 @@
 #include "micro/engine/watched_steps.h"
 #include "micro/io/cpu_clock.h"
 #include "micro/io/field_file.h"
+#include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
 #include "micro/processes/osmosis.h"
 #include "micro/scenarios/shared_entries.h"
@@ -14,8 +15,6 @@
 #include <chrono>
 #include <cmath>
 #include <sstream>
-
-#include <deal.II/base/parameter_handler.h>
 
 namespace turgor
 {
@@ -49,9 +48,9 @@ std::string FullMicro::description() const
          "compared with.";
 }
 
-void FullMicro::declare_parameters(dealii::ParameterHandler &prm)
+void FullMicro::declare_parameters(InputEntries &prm)
 {
-  using namespace dealii::Patterns;
+  using namespace Patterns;
   declare_block(prm, columns, rows, load);
   prm.add_parameter("End time", end_time, "Simulated time. Units: s.", Double(1e-9, 10.));
   declare_step_fraction(prm, step_fraction);

@@ -16,7 +16,7 @@ class FullMicro final : public Scenario
 {
 public:
   std::string description() const override;
-  void declare_parameters(dealii::ParameterHandler &prm) override;
+  void declare_parameters(InputEntries &prm) override;
   void check() const override;
   void run(RunContext &context) override;
 

@@ -1,11 +1,10 @@
 #include "micro/scenarios/laplace.h"
 
 #include "micro/cells/bring_to_turgor.h"
+#include "micro/io/input_entries.h"
 #include "micro/io/run_context.h"
 #include "micro/scenarios/round_cell_fields.h"
 #include "micro/scenarios/stepping.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <cmath>
 
@@ -16,9 +15,9 @@ std::string Laplace::description() const
   return "A round cell, 2D or 3D, inflated by osmosis: tension of the wall against pressure times radius (Laplace).";
 }
 
-void Laplace::declare_parameters(dealii::ParameterHandler &prm)
+void Laplace::declare_parameters(InputEntries &prm)
 {
-  using namespace dealii::Patterns;
+  using namespace Patterns;
   prm.add_parameter("Dimension", dimension, "2: slab, 3: sphere. Units: none.", Integer(2, 3));
   prm.add_parameter("Samples", samples, "Rows of laplace.csv. Units: none.", Integer(2, 100000));
   prm.enter_subsection("Cell");

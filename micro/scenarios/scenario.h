@@ -6,13 +6,9 @@
 #include <memory>
 #include <string>
 
-namespace dealii
-{
-class ParameterHandler;
-}
-
 namespace turgor
 {
+class InputEntries;
 class RunContext;
 
 class Scenario
@@ -24,7 +20,7 @@ public:
   virtual std::string description() const = 0;
 
   /// Declares all entries (add_parameter: pattern, default, "Units: ..." in the text).
-  virtual void declare_parameters(dealii::ParameterHandler &prm) = 0;
+  virtual void declare_parameters(InputEntries &prm) = 0;
 
   /// Called after parsing: what patterns cannot say. Throws InputError or std::invalid_argument with entry, value,
   /// allowed range.

@@ -1,16 +1,14 @@
 #include "micro/scenarios/shared_entries.h"
 
 #include "micro/cells/sph_parenchyma.h"
+#include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 
-#include <deal.II/base/parameter_handler.h>
-
 namespace turgor
 {
-namespace Patterns = dealii::Patterns;
 
-void declare_block(dealii::ParameterHandler &prm, unsigned int &columns, unsigned int &rows, double &load)
+void declare_block(InputEntries &prm, unsigned int &columns, unsigned int &rows, double &load)
 {
   prm.add_parameter("Columns", columns, "Cells in x. Units: none.", Patterns::Integer(1, 1000));
   prm.add_parameter("Rows", rows, "Cells in y. Units: none.", Patterns::Integer(1, 1000));
@@ -18,7 +16,7 @@ void declare_block(dealii::ParameterHandler &prm, unsigned int &columns, unsigne
                     Patterns::Double(-1e8, 1e8));
 }
 
-void declare_surfaces(dealii::ParameterHandler &prm, std::string &surfaces)
+void declare_surfaces(InputEntries &prm, std::string &surfaces)
 {
   prm.add_parameter("Surfaces", surfaces,
                     "frozen: the missing neighbours' reference forces stay; free: turgid cells bulge, fixed mass; "
@@ -26,13 +24,13 @@ void declare_surfaces(dealii::ParameterHandler &prm, std::string &surfaces)
                     Patterns::Selection("frozen|free|osmosis|slab"));
 }
 
-void declare_step_fraction(dealii::ParameterHandler &prm, double &step_fraction)
+void declare_step_fraction(InputEntries &prm, double &step_fraction)
 {
   prm.add_parameter("Step fraction", step_fraction,
                     "Time step over the stable limit that the terms state. Units: none.", Patterns::Double(0.01, 1.));
 }
 
-void declare_substeps(dealii::ParameterHandler &prm, unsigned int &substeps)
+void declare_substeps(InputEntries &prm, unsigned int &substeps)
 {
   prm.add_parameter("Substeps", substeps,
                     "Steps of walls and lamella within one step of the fluid (r-RESPA); 1: the same step for all. Units: none.",
@@ -46,7 +44,7 @@ void check_substeps(const unsigned int substeps, const SphParameters &sph)
                      "every move of a particle; it has to be 1.");
 }
 
-void declare_checkpoints(dealii::ParameterHandler &prm, unsigned int &checkpoints)
+void declare_checkpoints(InputEntries &prm, unsigned int &checkpoints)
 {
   prm.add_parameter("Checkpoints", checkpoints, "Checkpoints during the run; 0: none. Units: none.",
                     Patterns::Integer(0, 100000));

@@ -4,26 +4,22 @@
 
 #include <string>
 
-namespace dealii
-{
-class ParameterHandler;
-}
-
 namespace turgor
 {
+class InputEntries;
 struct SphParameters;
 
 /// Columns, Rows (cells) and Load (Pa): the clamped block of full_micro and static_lattice.
-void declare_block(dealii::ParameterHandler &prm, unsigned int &columns, unsigned int &rows, double &load);
+void declare_block(InputEntries &prm, unsigned int &columns, unsigned int &rows, double &load);
 
 /// frozen | free | osmosis | slab, as in tissue_block.h
-void declare_surfaces(dealii::ParameterHandler &prm, std::string &surfaces);
+void declare_surfaces(InputEntries &prm, std::string &surfaces);
 
-void declare_step_fraction(dealii::ParameterHandler &prm, double &step_fraction);
+void declare_step_fraction(InputEntries &prm, double &step_fraction);
 
 /// 1: one step for all. check_substeps throws InputError for a fluid that cannot be split off.
-void declare_substeps(dealii::ParameterHandler &prm, unsigned int &substeps);
+void declare_substeps(InputEntries &prm, unsigned int &substeps);
 void check_substeps(unsigned int substeps, const SphParameters &sph);
 
-void declare_checkpoints(dealii::ParameterHandler &prm, unsigned int &checkpoints);
+void declare_checkpoints(InputEntries &prm, unsigned int &checkpoints);
 } // namespace turgor

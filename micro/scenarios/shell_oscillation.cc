@@ -2,12 +2,11 @@
 
 #include "micro/cells/bring_to_turgor.h"
 #include "micro/engine/kick_drift_kick.h"
+#include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 #include "micro/scenarios/harmonics.h"
 #include "micro/scenarios/shared_entries.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <boost/math/tools/toms748_solve.hpp>
 
@@ -42,9 +41,9 @@ std::string ShellOscillation::description() const
   return "Breathing modes of a thin spherical shell, empty or filled with liquid, against their closed forms.";
 }
 
-void ShellOscillation::declare_parameters(dealii::ParameterHandler &prm)
+void ShellOscillation::declare_parameters(InputEntries &prm)
 {
-  using namespace dealii::Patterns;
+  using namespace Patterns;
   prm.add_parameter("Filled", filled, "With liquid (A.2), else empty (A.3). Units: true or false.", Bool());
   prm.add_parameter("Sound speed", sound_speed,
                     "c of the liquid; Cell/Fluid modulus is then rho c^2/7, whatever is set there. Units: m/s.",

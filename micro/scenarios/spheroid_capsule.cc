@@ -1,9 +1,8 @@
 #include "micro/scenarios/spheroid_capsule.h"
 
+#include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,9 +29,9 @@ std::string SpheroidCapsule::description() const
   return "A tumour spheroid that grows against an elastic capsule: transition, residual growth, density, necrotic core.";
 }
 
-void SpheroidCapsule::declare_more(dealii::ParameterHandler &prm)
+void SpheroidCapsule::declare_more(InputEntries &prm)
 {
-  using namespace dealii::Patterns;
+  using namespace Patterns;
   prm.enter_subsection("Capsule");
   prm.add_parameter("Radius", capsule.radius, "Inner, at rest. Units: m.", Double(1e-9, 1.));
   prm.add_parameter("Thickness", capsule.thickness, "H of the wall at rest. Units: m.", Double(1e-9, 1.));

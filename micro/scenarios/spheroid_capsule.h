@@ -17,7 +17,7 @@ public:
   std::string description() const override;
 
 protected:
-  void declare_more(dealii::ParameterHandler &prm) override;
+  void declare_more(InputEntries &prm) override;
   void check_more() const override;
   std::vector<std::unique_ptr<Surroundings>> make_surroundings() const override;
   bool finished(const GrowthTable &table) const override;

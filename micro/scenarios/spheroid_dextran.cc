@@ -1,9 +1,8 @@
 #include "micro/scenarios/spheroid_dextran.h"
 
+#include "micro/io/input_entries.h"
 #include "micro/io/run_context.h"
 #include "micro/terms/dextran_pressure.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
 
@@ -14,9 +13,9 @@ std::string SpheroidDextran::description() const
   return "A tumour spheroid under the osmotic pressure of a dextran solution: five cell lines and their controls.";
 }
 
-void SpheroidDextran::declare_more(dealii::ParameterHandler &prm)
+void SpheroidDextran::declare_more(InputEntries &prm)
 {
-  using namespace dealii::Patterns;
+  using namespace Patterns;
   prm.enter_subsection("Dextran");
   prm.add_parameter("Cell line", cell_line, "Sets cycle time and change of the rim; own: Cell/Cycle time, no change. Units: none.",
                     Selection("CT26|AB6|HT29|BC52|FHI|own"));

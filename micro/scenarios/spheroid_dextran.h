@@ -16,7 +16,7 @@ public:
   std::string description() const override;
 
 protected:
-  void declare_more(dealii::ParameterHandler &prm) override;
+  void declare_more(InputEntries &prm) override;
   std::vector<std::unique_ptr<Surroundings>> make_surroundings() const override;
   CultureParameters culture_parameters() const override;
   void before_interval(CellCulture &culture) const override;

@@ -1,18 +1,17 @@
 #include "micro/scenarios/spheroid_entries.h"
 
+#include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <cmath>
 #include <cstdio>
 
 namespace turgor
 {
-void CultureEntries::declare(dealii::ParameterHandler &prm)
+void CultureEntries::declare(InputEntries &prm)
 {
-  using namespace dealii::Patterns;
+  using namespace Patterns;
   CellLifeParameters &life = numbers.life;
   prm.enter_subsection("Cell");
   prm.add_parameter("Birth radius", life.birth_radius, "Of a newborn cell, uncompressed; it divides at twice the volume. Units: m.",

@@ -4,13 +4,9 @@
 
 #include "micro/scenarios/cell_culture.h"
 
-namespace dealii
-{
-class ParameterHandler;
-}
-
 namespace turgor
 {
+class InputEntries;
 /// What the entries say, words not yet turned into laws.
 struct CultureEntries
 {
@@ -22,7 +18,7 @@ struct CultureEntries
   double seed = 1.;
   bool in_plane = false; ///< of a monolayer; not an entry
 
-  void declare(dealii::ParameterHandler &prm);
+  void declare(InputEntries &prm);
   /// Throws InputError.
   void check() const;
   CultureParameters parameters() const;

@@ -1,8 +1,7 @@
 #include "micro/scenarios/spheroid_relaxation.h"
 
+#include "micro/io/input_entries.h"
 #include "micro/io/run_context.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <cmath>
 
@@ -19,9 +18,9 @@ std::string SpheroidRelaxation::description() const
   return "A compressed spheroid let go: the time in which its size recovers.";
 }
 
-void SpheroidRelaxation::declare_more(dealii::ParameterHandler &prm)
+void SpheroidRelaxation::declare_more(InputEntries &prm)
 {
-  using namespace dealii::Patterns;
+  using namespace Patterns;
   prm.add_parameter("Compressed size", size, "Of the spheroid before it is let go, over its size at rest. Units: none.",
                     Double(0.5, 0.999));
   prm.add_parameter("Settling time", settling, "In which the first cluster comes to rest. Units: s.", Double(0., 1e12));

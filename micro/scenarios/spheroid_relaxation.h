@@ -18,7 +18,7 @@ public:
   std::string description() const override;
 
 protected:
-  void declare_more(dealii::ParameterHandler &prm) override;
+  void declare_more(InputEntries &prm) override;
   CultureParameters culture_parameters() const override;
   void seed(CellCulture &culture) const override;
   void report(RunContext &context, const GrowthTable &table, CellCulture &culture) const override;

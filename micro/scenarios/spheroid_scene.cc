@@ -5,12 +5,11 @@
 #include "micro/engine/counter_random.h"
 #include "micro/engine/gathered.h"
 #include "micro/io/field_file.h"
+#include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 #include "micro/scenarios/shared_entries.h"
 #include "micro/scenarios/stepping.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
 #include <array>
@@ -50,9 +49,9 @@ double fitted_slope(const std::vector<double> &time, const std::vector<double> &
   return spread > 0. ? (n * ty - t * y) / spread : 0.;
 }
 
-void SpheroidScene::declare_parameters(dealii::ParameterHandler &prm)
+void SpheroidScene::declare_parameters(InputEntries &prm)
 {
-  using namespace dealii::Patterns;
+  using namespace Patterns;
   prm.add_parameter("First cells", first_cells, "Number of cells at the start. Units: none.", Integer(1, 10000000));
   prm.add_parameter("First phases", phases,
                     "Of the first cells: synchronous (all newborn) or spread (ages of exponential growth). Units: none.",

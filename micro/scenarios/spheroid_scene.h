@@ -34,12 +34,12 @@ double fitted_slope(const std::vector<double> &time, const std::vector<double> &
 class SpheroidScene : public Scenario
 {
 public:
-  void declare_parameters(dealii::ParameterHandler &prm) final;
+  void declare_parameters(InputEntries &prm) final;
   void check() const final;
   void run(RunContext &context) final;
 
 protected:
-  virtual void declare_more(dealii::ParameterHandler &) {}
+  virtual void declare_more(InputEntries &) {}
   virtual void check_more() const {}
   virtual std::vector<std::unique_ptr<Surroundings>> make_surroundings() const { return {}; }
   virtual CultureParameters culture_parameters() const { return entries.parameters(); }

@@ -3,14 +3,13 @@
 #include "micro/cells/bring_to_turgor.h"
 #include "micro/engine/binary.h"
 #include "micro/engine/watched_steps.h"
+#include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 #include "micro/processes/failure.h"
 #include "micro/scenarios/round_cell_fields.h"
 #include "micro/scenarios/shared_entries.h"
 #include "micro/scenarios/stepping.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,9 +51,9 @@ double winding(const RoundCell<dim> &cell, const Vector<dim> &x)
 }
 } // namespace
 
-void SqueezedCell::declare_parameters(dealii::ParameterHandler &prm)
+void SqueezedCell::declare_parameters(InputEntries &prm)
 {
-  using namespace dealii::Patterns;
+  using namespace Patterns;
   prm.add_parameter("Dimension", dimension, "2: slab, 3: sphere. Units: none.", Integer(2, 3));
   prm.add_parameter("Speed", speed, "Of approach of the plates. Units: m/s.", Double(1e-4, 1000.));
   prm.add_parameter("Both plates move", both_move,

@@ -21,7 +21,7 @@ public:
   using Row = SqueezedRow;
   using Rows = squeezed::Rows;
 
-  void declare_parameters(dealii::ParameterHandler &prm) override;
+  void declare_parameters(InputEntries &prm) override;
   void check() const override;
   void run(RunContext &context) override;
 

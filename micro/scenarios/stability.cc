@@ -6,11 +6,10 @@
 #include "micro/engine/step_control.h"
 #include "micro/engine/stepper.h"
 #include "micro/io/cpu_clock.h"
+#include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
 #include "micro/scenarios/shared_entries.h"
 #include "micro/scenarios/stepping.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,9 +50,9 @@ std::string Stability::description() const
          "that the program chooses.";
 }
 
-void Stability::declare_parameters(dealii::ParameterHandler &prm)
+void Stability::declare_parameters(InputEntries &prm)
 {
-  using namespace dealii::Patterns;
+  using namespace Patterns;
   prm.add_parameter("F", F_text, "Deformation gradient at which the step is tried, xx, xy; yx, yy. Units: 1.",
                     List(List(Double(-10., 10.), 2, 2, ","), 2, 2, ";"));
   prm.add_parameter("Start speed", start_speed,

@@ -2,6 +2,7 @@
 
 #include "micro/cells/turgid_network.h"
 #include "micro/io/field_file.h"
+#include "micro/io/input_entries.h"
 #include "micro/scenarios/shared_entries.h"
 
 #include <algorithm>
@@ -9,8 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
-
-#include <deal.II/base/parameter_handler.h>
 
 namespace turgor
 {
@@ -205,9 +204,9 @@ std::string StaticLattice::description() const
          "effect and the error of homogenisation apart.";
 }
 
-void StaticLattice::declare_parameters(dealii::ParameterHandler &prm)
+void StaticLattice::declare_parameters(InputEntries &prm)
 {
-  using namespace dealii::Patterns;
+  using namespace Patterns;
   declare_block(prm, columns, rows, load);
   declare_surfaces(prm, surfaces);
   prm.add_parameter("Tolerance", equilibrium.tolerance,

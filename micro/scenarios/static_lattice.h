@@ -73,7 +73,7 @@ class StaticLattice final : public Scenario
 {
 public:
   std::string description() const override;
-  void declare_parameters(dealii::ParameterHandler &prm) override;
+  void declare_parameters(InputEntries &prm) override;
   void check() const override;
   void run(RunContext &context) override;
 

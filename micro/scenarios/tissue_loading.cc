@@ -1,11 +1,10 @@
 #include "micro/scenarios/tissue_loading.h"
 
 #include "micro/cells/sph_cell_entries.h"
+#include "micro/io/input_entries.h"
 #include "micro/scenarios/shared_entries.h"
 #include "micro/scenarios/stepping.h"
 #include "micro/scenarios/tissue_run.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 namespace turgor
 {
@@ -21,9 +20,9 @@ TissueLoading::TissueLoading(const TissueLoadingDefaults &defaults)
   sph.particles_per_side = 12;
 }
 
-void TissueLoading::declare_parameters(dealii::ParameterHandler &prm)
+void TissueLoading::declare_parameters(InputEntries &prm)
 {
-  using namespace dealii::Patterns;
+  using namespace Patterns;
   brick.add_parameters(prm);
   prm.add_parameter("Speed", speed, "Of the upper plate, downward. Units: m/s.", Double(1e-4, 100.));
   prm.add_parameter("End strain", end_strain, "Way of the plate over the height of the inflated tissue. Units: none.",

@@ -32,7 +32,7 @@ public:
   explicit TissueLoading(const TissueLoadingDefaults &defaults);
 
   std::string description() const override { return text; }
-  void declare_parameters(dealii::ParameterHandler &prm) override;
+  void declare_parameters(InputEntries &prm) override;
   void check() const override;
   void run(RunContext &context) override;
 

@@ -1,8 +1,7 @@
 #include "micro/scenarios/two_cells.h"
 
+#include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,9 +18,9 @@ std::string TwoCells::description() const
   return "Two centre-based cells brought together and drawn apart: contact law, hysteresis, pull-off force.";
 }
 
-void TwoCells::declare_parameters(dealii::ParameterHandler &prm)
+void TwoCells::declare_parameters(InputEntries &prm)
 {
-  using namespace dealii::Patterns;
+  using namespace Patterns;
   prm.add_parameter("Law", law, "hertz (Eq. 2.5), extended_hertz (2.7) or jkr (2.8, 2.9). Units: none.",
                     Selection("hertz|extended_hertz|jkr"));
   prm.add_parameter("Radius", radius, "Of both cells. Units: m.", Double(1e-9, 1.));

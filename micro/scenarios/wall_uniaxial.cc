@@ -1,5 +1,6 @@
 #include "micro/scenarios/wall_uniaxial.h"
 
+#include "micro/io/input_entries.h"
 #include "micro/io/run_context.h"
 #include "micro/processes/wall_yielding.h"
 #include "micro/terms/ring_wall.h"
@@ -7,8 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include <deal.II/base/parameter_handler.h>
 
 namespace turgor
 {
@@ -60,9 +59,9 @@ private:
 
 std::string WallUniaxial::description() const { return "A cell wall pulled and let go, for several parameters of its yielding."; }
 
-void WallUniaxial::declare_parameters(dealii::ParameterHandler &prm)
+void WallUniaxial::declare_parameters(InputEntries &prm)
 {
-  using namespace dealii::Patterns;
+  using namespace Patterns;
   prm.add_parameter("Wall stiffness", wall_stiffness, "G t0, shear modulus times wall thickness. Units: N/m.", Double(1e-6, 1e9));
   prm.add_parameter("Depth", depth, "Depth z0 of the slab. Units: m.", Double(1e-8, 1e-1));
   prm.add_parameter("Wall beta", beta, "Axial over hoop stress of the wall (thesis Eq. 3.5). Units: none.", Double(0., 1.));

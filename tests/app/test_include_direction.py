@@ -1,5 +1,5 @@
 """The folders may only include along micro <- rve <- coupling -> macro; app and tests see all.
-macro knows no particle, micro/io knows no particle either, and the engine knows no deal.II mesh."""
+macro knows no particle, micro/io knows no particle either, and neither the engine nor an RVE knows deal.II."""
 import os
 import re
 import unittest
@@ -13,8 +13,7 @@ ALLOWED = {
     "app": {"app", "coupling", "macro", "rve", "micro"},
 }
 # What every folder may say to the person who runs it: the run's context, no particle.
-SHARED = {"micro/io/run_context.h", "micro/io/field_file.h", "micro/io/number_text.h"}
-MESH = re.compile(r"deal\.II/(grid|fe|dofs|distributed|multigrid|numerics|mappings|matrix_free|hp|particles)/")
+SHARED = {"micro/io/run_context.h", "micro/io/field_file.h", "micro/io/number_text.h", "micro/io/input_entries.h"}
 
 
 def includes(folder):
@@ -51,9 +50,9 @@ class IncludeDirection(unittest.TestCase):
                  if quoted and not included.startswith("micro/io/")]
         self.assertEqual(wrong, [])
 
-    def test_particles_know_no_mesh_and_no_mpi(self):
+    def test_particles_know_no_deal_ii_and_no_mpi(self):
         wrong = [f"{path}:{number} includes {included}" for folder in ("micro", "rve")
-                 for path, number, included, _ in includes(folder) if MESH.match(included) or included == "mpi.h"]
+                 for path, number, included, _ in includes(folder) if included.startswith("deal.II/") or included == "mpi.h"]
         self.assertEqual(wrong, [])
 
     def test_numbers_are_printed_by_number_text(self):
@@ -67,11 +66,6 @@ class IncludeDirection(unittest.TestCase):
                             if "std::to_string" in file.read():
                                 wrong.append(os.path.relpath(os.path.join(place, name), SOURCE))
         self.assertEqual(wrong, [])
-
-    def test_the_check_sees_a_wrong_include(self):
-        self.assertIsNotNone(MESH.match("deal.II/fe/fe_q.h"))
-        self.assertNotIn("micro", ALLOWED["macro"])
-        self.assertGreater(sum(1 for _ in includes("coupling")), 5)
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 #include "app/declared_entries.h"
 #include "app/input.h"
 #include "app/nearest_name.h"
-#include "app/prm_text.h"
+#include "micro/io/prm_text.h"
 #include "tests/app/temporary_directory.h"
 #include "tests/app/tiny_scene.h"
 

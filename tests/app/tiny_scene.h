@@ -3,10 +3,9 @@
 #pragma once
 
 #include "app/input.h"
+#include "micro/io/input_entries.h"
 #include "micro/io/run_context.h"
 #include "micro/io/stop_flag.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <istream>
 #include <limits>
@@ -21,9 +20,9 @@ public:
 
   std::string description() const override { return "Decay of one number."; }
 
-  void declare_parameters(dealii::ParameterHandler &prm) override
+  void declare_parameters(InputEntries &prm) override
   {
-    using namespace dealii::Patterns;
+    using namespace Patterns;
     prm.add_parameter("Steps", steps, "Number of steps.", Integer(1, 100000));
     prm.add_parameter("Mode", mode, "What happens in the middle.", Selection("decay|diverge|refuse"));
     prm.enter_subsection("Law");

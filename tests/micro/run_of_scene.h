@@ -1,11 +1,10 @@
 // Runs a scene of growing cells in memory: its growth.csv and its results, at once or with a stop and a resumed run.
 #pragma once
 
+#include "micro/io/input_entries.h"
 #include "tests/memory_context.h"
 
 #include <boost/test/unit_test.hpp>
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <map>
 #include <string>
@@ -22,9 +21,9 @@ struct Outcome
 template <class Scene>
 void read(Scene &scene, const std::string &text)
 {
-  dealii::ParameterHandler prm;
+  InputEntries prm;
   scene.declare_parameters(prm);
-  prm.parse_input_from_string(text);
+  prm.read(text);
   scene.check();
 }
 

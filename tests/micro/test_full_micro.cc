@@ -1,10 +1,9 @@
 // The full run as a scene: asked to stop in each of its parts, and going on from there.
+#include "micro/io/input_entries.h"
 #include "micro/scenarios/full_micro.h"
 #include "tests/memory_context.h"
 
 #include <boost/test/unit_test.hpp>
-
-#include <deal.II/base/parameter_handler.h>
 
 using namespace turgor;
 using test::Disk;
@@ -16,7 +15,7 @@ namespace
 void run_small(MemoryContext &context, const std::string &surfaces)
 {
   FullMicro scene;
-  dealii::ParameterHandler prm;
+  InputEntries prm;
   scene.declare_parameters(prm);
   for (const auto &[name, value] : {std::pair{"Columns", "2"}, {"Rows", "1"}, {"End time", "2e-7"}, {"Relax steps", "100"},
                                     {"Samples", "10"}, {"Frames", "0"}, {"Checkpoints", "0"}})

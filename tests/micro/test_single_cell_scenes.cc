@@ -1,5 +1,6 @@
 // One round cell: what it is made of, Laplace's law, breathing, between plates; small, through the scenes themselves.
 #include "micro/cells/bring_to_turgor.h"
+#include "micro/io/input_entries.h"
 #include "micro/scenarios/laplace.h"
 #include "micro/scenarios/shell_oscillation.h"
 #include "micro/scenarios/squeezed_cell.h"
@@ -7,8 +8,6 @@
 #include "tests/memory_context.h"
 
 #include <boost/test/unit_test.hpp>
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <cmath>
 #include <numbers>
@@ -24,7 +23,7 @@ using Entries = std::vector<std::pair<std::string, std::string>>;
 /// Entries "Cell/x" go to the subsection.
 void run(Scenario &scene, MemoryContext &context, const Entries &entries)
 {
-  dealii::ParameterHandler prm;
+  InputEntries prm;
   scene.declare_parameters(prm);
   for (const auto &[name, value] : entries)
     if (name.substr(0, 5) == "Cell/")

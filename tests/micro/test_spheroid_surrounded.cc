@@ -1,13 +1,12 @@
 // Spheroids in a capsule and under dextran: same bits on two threads and after a stop, balance of pressures, order in memory, bad input.
 #include "micro/engine/gathered.h"
 #include "micro/engine/space_order.h"
+#include "micro/io/input_entries.h"
 #include "micro/scenarios/spheroid_capsule.h"
 #include "micro/scenarios/spheroid_dextran.h"
 #include "tests/micro/run_of_scene.h"
 
 #include <boost/test/unit_test.hpp>
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <set>
 
@@ -119,9 +118,9 @@ BOOST_AUTO_TEST_CASE(dextran_holds_the_pressure_and_has_the_same_bits_always)
 BOOST_AUTO_TEST_CASE(bad_input_is_refused)
 {
   const auto refused = [](Scenario &scene, const std::string &text, const std::string &words) {
-    dealii::ParameterHandler prm;
+    InputEntries prm;
     scene.declare_parameters(prm);
-    prm.parse_input_from_string(text);
+    prm.read(text);
     BOOST_CHECK_EXCEPTION(scene.check(), InputError,
                           [&](const InputError &e) { return std::string(e.what()).find(words) != std::string::npos; });
   };

@@ -1,10 +1,9 @@
 // The static block of cells: balance of forces, frozen surfaces, the slab's closed form, water.
 #include "micro/cells/turgid_network.h"
+#include "micro/io/input_entries.h"
 #include "micro/scenarios/static_lattice.h"
 
 #include <boost/test/unit_test.hpp>
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
 #include <cmath>
@@ -139,16 +138,16 @@ BOOST_AUTO_TEST_CASE(water_held_at_a_pressure_has_its_forces_from_the_energy)
 BOOST_AUTO_TEST_CASE(a_block_too_large_is_refused)
 {
   StaticLattice scene;
-  dealii::ParameterHandler prm;
+  InputEntries prm;
   scene.declare_parameters(prm);
-  prm.parse_input_from_string("set Columns = 200\nset Rows = 200\n");
+  prm.read("set Columns = 200\nset Rows = 200\n");
   BOOST_CHECK_EXCEPTION(scene.check(), InputError, [](const InputError &e) {
     return std::string(e.what()).find("choose a smaller block") != std::string::npos;
   });
-  dealii::ParameterHandler other;
+  InputEntries other;
   StaticLattice fine;
   fine.declare_parameters(other);
-  other.parse_input_from_string("set Columns = 4\nset Rows = 4\n");
+  other.read("set Columns = 4\nset Rows = 4\n");
   fine.check();
 }
 

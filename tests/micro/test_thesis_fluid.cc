@@ -1,13 +1,12 @@
 // The thesis's fluid scheme: kernel, wall repulsion, continuity, forces, viscosities, history.
 #include "micro/engine/kick_drift_kick.h"
+#include "micro/io/input_entries.h"
 #include "micro/terms/lennard_jones_wall.h"
 #include "micro/terms/sph_kernel.h"
 #include "micro/terms/thesis_fluid.h"
 #include "tests/micro/small_patch.h"
 
 #include <boost/test/unit_test.hpp>
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <cmath>
 #include <numbers>
@@ -368,7 +367,7 @@ BOOST_AUTO_TEST_CASE(saved_and_loaded_state_continues_with_the_same_bits)
 BOOST_AUTO_TEST_CASE(the_input_file_selects_it)
 {
   SphParameters read;
-  dealii::ParameterHandler prm;
+  InputEntries prm;
   read.add_parameters(prm);
   const ParenchymaPatch patch = make_parenchyma(cell, 1, 1, true, true);
   const auto fluid_name = [&] {

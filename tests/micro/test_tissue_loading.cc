@@ -1,13 +1,12 @@
 // Aggregates of cells: geometry by hand, the honeycomb, the scenes between plates, stop and resume, failure, bad input.
 #include "micro/cells/brick_tissue.h"
+#include "micro/io/input_entries.h"
 #include "micro/scenarios/tissue_loading.h"
 #include "micro/scenarios/tissue_measures.h"
 #include "micro/scenarios/wall_uniaxial.h"
 #include "tests/memory_context.h"
 
 #include <boost/test/unit_test.hpp>
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +22,7 @@ using Entries = std::vector<std::pair<std::string, std::string>>;
 /// Six small cells hit by the plate; name = "Subsection/Entry" or "Entry".
 void run_small(Scenario &scene, MemoryContext &context, const Entries &more = {})
 {
-  dealii::ParameterHandler prm;
+  InputEntries prm;
   scene.declare_parameters(prm);
   Entries entries{{"Columns", "2"}, {"Rows", "3"}, {"End strain", "0.06"}, {"Inflation time", "15e-6"}, {"Samples", "20"},
                   {"Frames", "0"}, {"Checkpoints", "0"}, {"Cell/Nodes per side", "8"}, {"Cell/Lamella ratio", "1"},
@@ -207,7 +206,7 @@ BOOST_AUTO_TEST_CASE(a_wall_pulled_follows_the_law)
       Disk disk;
       MemoryContext context(disk, false);
       WallUniaxial scene;
-      dealii::ParameterHandler prm;
+      InputEntries prm;
       scene.declare_parameters(prm);
       prm.set("Way back", way);
       scene.check();

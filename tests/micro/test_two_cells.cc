@@ -1,10 +1,9 @@
 // The scene of two cells: pull-off found by the over-damped engine, hysteresis, bad input.
+#include "micro/io/input_entries.h"
 #include "micro/scenarios/two_cells.h"
 #include "tests/memory_context.h"
 
 #include <boost/test/unit_test.hpp>
-
-#include <deal.II/base/parameter_handler.h>
 
 using namespace turgor;
 
@@ -13,9 +12,9 @@ namespace
 double result(const std::string &text, const std::string &name)
 {
   TwoCells scene;
-  dealii::ParameterHandler prm;
+  InputEntries prm;
   scene.declare_parameters(prm);
-  prm.parse_input_from_string(text);
+  prm.read(text);
   scene.check();
   test::Disk disk;
   test::MemoryContext context(disk, false);

@@ -1,10 +1,9 @@
 // The user's entries: path of F, factory, and the scene against the closed form.
+#include "micro/io/input_entries.h"
 #include "micro/io/run_context.h"
 #include "rve/deformation_path.h"
 #include "rve/make_rve.h"
 #include "rve/rve_response.h"
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -56,9 +55,9 @@ public:
 void run(Memory &memory, const std::string &entries)
 {
   const auto scene = make_rve_response();
-  dealii::ParameterHandler prm;
+  InputEntries prm;
   scene->declare_parameters(prm);
-  prm.parse_input_from_string(entries);
+  prm.read(entries);
   scene->check();
   scene->run(memory);
 }

@@ -1,4 +1,4 @@
-#include "app/prm_text.h"
+#include "micro/io/prm_text.h"
 
 #include "micro/io/atomic_file.h"
 #include "micro/io/number_text.h"
