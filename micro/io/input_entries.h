@@ -57,16 +57,21 @@ public:
         [&variable](const std::string &text) { variable = Whole(*read_whole_number(text)); });
   }
 
-  /// As many numbers as the pattern's list has; Vector: anything with [].
+  /// A list of numbers: a std::vector takes its length from the text, anything else with [] is as long as the pattern's list.
   template <class Vector>
     requires requires(Vector v) { v[0] = 1.; }
   void add_parameter(const std::string &name, Vector &variable, const std::string &documentation, const EntryPattern &list)
   {
     std::vector<double> now;
-    for (unsigned int i = 0; i < list.least; ++i)
-      now.push_back(variable[i]);
+    if constexpr (requires { variable.resize(std::size_t(1)); })
+      now.assign(variable.begin(), variable.end());
+    else
+      for (unsigned int i = 0; i < list.least; ++i)
+        now.push_back(variable[i]);
     add(name, list_text(now), documentation, list, [&variable](const std::string &text) {
       const std::vector<double> values = list_of(text);
+      if constexpr (requires { variable.resize(std::size_t(1)); })
+        variable.resize(values.size());
       for (unsigned int i = 0; i < values.size(); ++i)
         variable[i] = values[i];
     });

@@ -59,6 +59,7 @@ BOOST_AUTO_TEST_CASE(every_kind_of_variable_takes_its_value)
   bool yes = false;
   std::string word = "x";
   std::array<double, 2> pair{3., 4.};
+  std::vector<double> series{1., 2.};
   InputEntries entries;
   entries.add_parameter("a", a, "");
   entries.enter_subsection("S");
@@ -66,10 +67,13 @@ BOOST_AUTO_TEST_CASE(every_kind_of_variable_takes_its_value)
   entries.add_parameter("yes", yes, "");
   entries.add_parameter("word", word, "", Patterns::Selection("x|y"));
   entries.add_parameter("pair", pair, "", Patterns::List(Patterns::Double(), 2, 2));
+  entries.add_parameter("series", series, "", Patterns::List(Patterns::Double(), 1, 9));
   entries.leave_subsection();
+  BOOST_TEST(entries.entries()[5].default_value == "1, 2");
   BOOST_TEST(entries.entries()[4].default_value == "3, 4");
   BOOST_TEST(entries.entries()[4].path() == "S/pair");
-  entries.read("set a = 2.5 # words\nsubsection S\n set n = 7\n set yes = true\n set word = y\n set pair = -1, 1e3\nend\n");
+  entries.read("set a = 2.5 # words\nsubsection S\n set n = 7\n set yes = true\n set word = y\n set pair = -1, 1e3\n set series = 1, 2, 3\nend\n");
+  BOOST_TEST((series == std::vector<double>{1., 2., 3.}));
   BOOST_TEST((a == 2.5 && n == 7 && yes && word == "y" && pair[0] == -1. && pair[1] == 1e3));
   BOOST_CHECK_THROW(entries.read("set b = 1\n"), std::invalid_argument);
   BOOST_CHECK_THROW(entries.read("subsection S\nset n = 10\nend\n"), std::invalid_argument);
