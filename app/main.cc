@@ -46,7 +46,7 @@ int dispatch(int argc, char **argv)
   input_options(run_app);
   run_app->add_option("-o,--output", run.directory, "Output directory (default runs/<name of the file>)");
   run_app->add_flag("--resume", run.resume, "Continue from the last checkpoint");
-  run_app->add_flag("--quiet", run.quiet, "No progress bar and no remarks");
+  run_app->add_flag("--quiet", run.quiet, "No progress bar, no remarks and no pictures (`turgor plot DIR` draws them later)");
   run_app->add_option("--threads", run.threads, "Threads (default: all cores)")->check(CLI::Range(1u, 1024u));
   run_app->add_option("--ranks", run.ranks, "MPI ranks (default: 1, without MPI)")->check(CLI::Range(1u, 1024u));
 
@@ -73,9 +73,10 @@ int dispatch(int argc, char **argv)
   validate_app->add_flag("--list", validate.list_only, "Only print the runs and what is cached");
   validate_app->add_flag("--fresh", validate.fresh, "Compute every run again");
 
-  std::string plot_directory;
+  std::string plot_directory, plot_data;
   CLI::App *plot_app = app.add_subcommand("plot", "Pictures of a run, beside its results");
   plot_app->add_option("DIR", plot_directory, "Output directory of a run")->required();
+  plot_app->add_option("--data", plot_data, "CSV of your own measurements, drawn as points wherever a column has the same name and unit");
   app.add_subcommand("test", "Build and run all tests (by the launcher ./turgor)");
 
   if (argc > 1 && argv[1][0] != '-')
@@ -128,7 +129,7 @@ int dispatch(int argc, char **argv)
   if (validate_app->parsed())
     return validate_command(validate, registry);
   if (plot_app->parsed())
-    return plot_command(plot_directory);
+    return plot_command(plot_directory, plot_data);
   throw InputError("The tests are built and run by the launcher: ./turgor test");
 }
 } // namespace

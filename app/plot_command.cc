@@ -27,10 +27,13 @@ int run_plot_script(const std::string &script, const std::vector<std::string> &a
   return run_child(words).code;
 }
 
-bool draw_run(const std::filesystem::path &directory)
+bool draw_run(const std::filesystem::path &directory, const std::filesystem::path &data)
 {
   const auto before = pictures(directory);
-  const bool drawn = run_plot_script("plot.py", {directory.string()}) == 0;
+  std::vector<std::string> words = {directory.string()};
+  if (!data.empty())
+    words.insert(words.end(), {"--data", data.string()});
+  const bool drawn = run_plot_script("plot.py", words) == 0;
   // The next run into this directory must not leave these behind as if they were its own.
   for (const auto &[name, time] : pictures(directory))
     if (const auto old = before.find(name); old == before.end() || old->second != time)
@@ -38,12 +41,14 @@ bool draw_run(const std::filesystem::path &directory)
   return drawn;
 }
 
-int plot_command(const std::filesystem::path &directory)
+int plot_command(const std::filesystem::path &directory, const std::filesystem::path &data)
 {
   if (!std::filesystem::is_directory(directory))
     throw InputError("There is no directory " + directory.string() + " to plot.");
   if (!std::filesystem::exists(directory / "input.prm") && !std::filesystem::exists(directory / "summary.json"))
     throw InputError(directory.string() + " holds no run (neither summary.json nor input.prm is there).");
-  return draw_run(directory) ? 0 : 1;
+  if (!data.empty() && !std::filesystem::is_regular_file(data))
+    throw InputError("--data " + data.string() + ": there is no such file.");
+  return draw_run(directory, data) ? 0 : 1;
 }
 } // namespace turgor

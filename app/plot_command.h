@@ -8,11 +8,11 @@
 
 namespace turgor
 {
-/// Exit code; throws InputError when DIR holds no run.
-int plot_command(const std::filesystem::path &directory);
+/// Exit code; throws InputError when DIR holds no run or there is no such table. data: a CSV with the user's own points, or empty.
+int plot_command(const std::filesystem::path &directory, const std::filesystem::path &data = {});
 
 /// Draws the pictures of the run in DIR and enters them among the files this program made; false when that failed.
-bool draw_run(const std::filesystem::path &directory);
+bool draw_run(const std::filesystem::path &directory, const std::filesystem::path &data = {});
 
 /// Runs a script of app/plots with the Python found at configuration; its exit code.
 int run_plot_script(const std::string &script, const std::vector<std::string> &arguments);

@@ -1,7 +1,5 @@
-"""Spheroids and monolayers as pictures: growth curves with the experiment's stated numbers, and a cut through the middle
+"""Spheroids and monolayers as pictures: growth curves beside growth at the input's own cycle time, and a cut through the middle
 coloured by pressure, volume and state. Used by the scenes' own scripts.
-
-Numbers of the experiment (CT26, thesis 5.2 and 5.4.2): free growth doubles in 17 h; density 0.85 per 100 um^2 at R = 100 um.
 """
 import os
 import sys
@@ -12,7 +10,7 @@ from matplotlib.colors import ListedColormap, Normalize
 from matplotlib.patches import Circle
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from drawing import ACCENT, ALONG, INK, plt, read_table, style  # noqa: E402
+from drawing import ACCENT, ALONG, INK, draw_data, input_entries, plt, read_table, style  # noqa: E402
 from fields import frames  # noqa: E402
 
 STATES = ["proliferating", "quiescent", "necrotic", "lysed"]
@@ -73,24 +71,29 @@ def draw_cut(directory, flat=False, time=None):
     return path
 
 
-def draw_growth(directory, cycle=17.):
-    """spheroid_growth.png: number of cells and radius over time; cycle: h."""
+def draw_growth(directory, flat=False):
+    """spheroid_growth.png: number of cells and radius over time, beside cells that all divide once a cycle of the input."""
     table = read_table(os.path.join(directory, "growth.csv"))
+    cycle = float(input_entries(directory).get(("Cell", "Cycle time"), "nan")) / 3600
     t = table["time [s]"] / 3600
     figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.4), layout="constrained")
     cells = table["cells"]
     left.semilogy(t, cells, color=ALONG, linewidth=2, label="cells")
-    left.semilogy(t, cells[0] * 2 ** (t / cycle), color=INK, linewidth=1, linestyle=(0, (4, 3)), label=f"doubling in {cycle:g} h (experiment, free)")
+    if np.isfinite(cycle):
+        left.semilogy(t, cells[0] * 2 ** (t / cycle), color=INK, linewidth=1, linestyle=(0, (4, 3)),
+                      label=f"doubling every {cycle:g} h (the input's Cycle time)")
     for name, colour in zip(STATES, STATE_COLOURS):
         if np.any(table[name] > 0) and np.any(table[name] < cells):
             left.semilogy(t, np.where(table[name] > 0, table[name], np.nan), color=colour, linewidth=1.3, label=name)
+    draw_data(left, "time [s]", "cells", 1 / 3600)
     left.set_ylabel("cells", color=INK)
     radius = table["radius [m]"] * 1e6
     right.plot(t, radius, color=ACCENT, linewidth=2, label="radius (outermost cells)")
     right.plot(t, table["gyration_radius [m]"] * 1e6, color=ALONG, linewidth=1.2, label="radius of gyration")
-    late = len(t) - 1
-    right.plot(t, radius[late] * 2 ** ((t - t[late]) / (3 * cycle)), color=INK, linewidth=1, linestyle=(0, (4, 3)),
-               label=f"volume doubling in {cycle:g} h")
+    if np.isfinite(cycle):
+        right.plot(t, radius[-1] * 2 ** ((t - t[-1]) / ((2 if flat else 3) * cycle)), color=INK, linewidth=1, linestyle=(0, (4, 3)),
+                   label=f"{'area' if flat else 'volume'} doubling every {cycle:g} h, through the last point")
+    draw_data(right, "time [s]", "radius [m]", 1 / 3600, 1e6)
     right.set_ylabel("radius [µm]", color=INK)
     for axis in (left, right):
         axis.set_xlabel("time [h]", color=INK)
@@ -102,18 +105,6 @@ def draw_growth(directory, cycle=17.):
     return path
 
 
-def cycle_of(directory):
-    """h, from input.prm."""
-    try:
-        with open(os.path.join(directory, "input.prm"), encoding="utf-8") as file:
-            for line in file:
-                if line.strip().startswith("set Cycle time"):
-                    return float(line.split("=")[1].split("#")[0]) / 3600
-    except OSError:
-        pass
-    return 17.
-
-
 def main(directory, flat=False):
     """Paths of the pictures made."""
-    return [path for path in (draw_growth(directory, cycle_of(directory)), draw_cut(directory, flat)) if path]
+    return [path for path in (draw_growth(directory, flat), draw_cut(directory, flat)) if path]

@@ -4,12 +4,14 @@ import csv
 import os
 
 import matplotlib
+import matplotlib.ticker
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
 INK = "#22313f"
+DATA = []  # (name, {column: values}) of the user's own measurements, `turgor plot DIR --data FILE.csv`: set by plot.py
 ACCENT = "#b5432e"
 ALONG = "#3d6e99"
 
@@ -30,6 +32,62 @@ def read_table(path):
     return {name.strip(): data[:, k] for k, name in enumerate(rows[0])}
 
 
+def input_entries(directory):
+    """{(subsection, name): text} of input.prm, where the run left one; outermost subsections only."""
+    found, section = {}, []
+    path = os.path.join(directory, "input.prm")
+    if not os.path.exists(path):
+        return found
+    with open(path, encoding="utf-8") as file:
+        for line in file:
+            words = line.split("#")[0].strip()
+            if words.startswith("subsection "):
+                section.append(words[11:].strip())
+            elif words == "end" and section:
+                section.pop()
+            elif words.startswith("set ") and "=" in words:
+                name, value = words[4:].split("=", 1)
+                found["/".join(section), name.strip()] = value.strip()
+    return found
+
+
+def input_is(directory, numbers):
+    """Whether the run's input has these values: {(subsection, name): number}. Published results are drawn over runs of the published input only."""
+    have = input_entries(directory)
+    try:
+        return all(abs(float(have[key]) - value) <= 1e-6 * abs(value) for key, value in numbers.items())
+    except (KeyError, ValueError):
+        return False
+
+
+def draw_data(axis, first, column, unit_first=1.0, unit=1.0):
+    """The user's own points of this column over this first column, where their table has both, in the units of the axis."""
+    for name, table in DATA:
+        if first in table and column in table:
+            axis.plot(table[first] * unit_first, table[column] * unit, "D", color=INK, markersize=4.5, linestyle="none", label=name)
+
+
+def round_length(length):
+    """The nearest 1, 2 or 5 times a power of ten below a length."""
+    power = 10.0 ** np.floor(np.log10(length))
+    return power * max(k for k in (1, 2, 5) if k * power <= length * 1.0001)
+
+
+def scale_bar(axis, left, foot, width, unit="mm", gap=0.03):
+    """A bar of about a third of `width` (in the unit of the axis) with its length beside it."""
+    length = round_length(width / 3)
+    axis.plot([left, left + length], [foot, foot], color=INK, linewidth=3, solid_capstyle="butt", clip_on=False)
+    text = f"{length:g} {unit}" if length >= 0.1 or unit != "mm" else f"{1e3 * length:g} µm"
+    axis.text(left + length + gap * width, foot, text, color=INK, fontsize=9, va="center")
+
+
+def line_styles(count):
+    """So many (colour, dash) that no two are alike: the ten usual colours, then the same dashed, then dotted."""
+    colours = plt.rcParams["axes.prop_cycle"].by_key()["color"]
+    dashes = ("-", (0, (5, 2)), (0, (1, 1.5)), (0, (5, 1, 1, 1)))
+    return [(colours[k % len(colours)], dashes[k // len(colours) % len(dashes)]) for k in range(count)]
+
+
 def has_history(directory, fields):
     """Whether the run wrote its fields and at least two rows of probe.csv, which a picture needs."""
     files = [os.path.join(directory, name) for name in ("probe.csv", fields)]
@@ -47,6 +105,9 @@ def style(axis):
 def colour_bar(figure, place, norm, colours, label):
     bar = figure.colorbar(plt.cm.ScalarMappable(norm=norm, cmap=colours), cax=figure.add_axes(place),
                           orientation="horizontal")
+    bar.formatter.set_useOffset(False)  # "1e-5+1.005" would stand on the label
+    bar.locator = matplotlib.ticker.MaxNLocator(5)
+    bar.update_ticks()
     bar.set_label(label, color=INK, fontsize=9)
     bar.ax.tick_params(labelsize=8, colors=INK)
     bar.outline.set_visible(False)

@@ -1,7 +1,7 @@
-"""Pictures of a run: every series against its first column, then what the scene's own script
-app/plots/<scenario>.py draws (contract: main(directory)).
+"""Pictures of a run: every series whose first column rises (time, strain, ...) against it, then what the scene's own script
+app/plots/<scenario>.py draws (contract: main(directory)). Tables that are no series have no picture of this kind.
 
-  plot.py DIR
+  plot.py DIR [--data FILE.csv]     the user's own points, drawn wherever a column has the same name and unit
 """
 import importlib
 import json
@@ -9,28 +9,31 @@ import os
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from drawing import plt, read_table  # noqa: E402
+import numpy as np  # noqa: E402
+
+from drawing import DATA, draw_data, line_styles, plt, read_table  # noqa: E402
 
 
 def plot_series(path):
-    """One panel per unit below each other; the picture beside the table. Its path, or None without data."""
+    """One panel per unit below each other; the picture beside the table. Its path, or None where there is nothing to follow from row to row."""
     table = read_table(path)
     names = list(table)
-    if len(names) < 2 or len(table[names[0]]) < 2:
+    if len(names) < 2 or len(table[names[0]]) < 2 or np.any(np.diff(table[names[0]]) <= 0):
         return None
     units = {}
     for name in names[1:]:
-        units.setdefault(name[name.rfind("["):] if "[" in name else "", []).append(name)
-    figure, panels = plt.subplots(len(units), 1, figsize=(7, 1 + 2.6 * len(units)), sharex=True, squeeze=False,
+        units.setdefault(name[name.rfind("[") + 1:-1] if "[" in name else "1", []).append(name)
+    figure, panels = plt.subplots(len(units), 1, figsize=(7.5, 1 + 2.6 * len(units)), sharex=True, squeeze=False,
                                   layout="constrained")
     for panel, (unit, columns) in zip(panels[:, 0], units.items()):
-        for name in columns:
-            panel.plot(table[names[0]], table[name], label=name.split(" [")[0], lw=1.2)
-        panel.set_ylabel(unit or "1")
+        for name, (colour, dash) in zip(columns, line_styles(len(columns))):
+            panel.plot(table[names[0]], table[name], label=name.split(" [")[0].replace("_", " "), color=colour, linestyle=dash, lw=1.2)
+            draw_data(panel, names[0], name)
+        panel.set_ylabel("no unit" if unit in ("", "1") else unit)
         panel.grid(alpha=0.3)
-        if len(columns) <= 12:
-            panel.legend(fontsize=8)
-    panels[-1, 0].set_xlabel(names[0])
+        panel.legend(fontsize=8 if len(columns) <= 8 else 6, ncols=1 + len(columns) // 9, loc="center left", bbox_to_anchor=(1.0, 0.5),
+                     frameon=False)
+    panels[-1, 0].set_xlabel(names[0].replace("_", " "))
     picture = path[:-len(".csv")] + ".png"
     figure.savefig(picture, dpi=150)
     plt.close(figure)
@@ -61,13 +64,17 @@ def main(directory):
     if scenario.isidentifier() and os.path.exists(os.path.join(here, scenario + ".py")):
         made = importlib.import_module(scenario).main(directory)
         pictures += made if isinstance(made, list) else []
-    for picture in pictures:
+    for picture in dict.fromkeys(pictures):
         print(picture)
     if not pictures:
-        print(f"There is nothing to plot in {directory}: no series has two rows.", file=sys.stderr)
+        print(f"There is nothing to plot in {directory}: no series has two rows, and the scene has no picture of its own.", file=sys.stderr)
         return 1
     return 0
 
 
 if __name__ == "__main__":
+    if len(sys.argv) > 3 and sys.argv[2] == "--data":
+        DATA.append((os.path.basename(sys.argv[3]), read_table(sys.argv[3])))
+        if not any(len(values) for values in DATA[0][1].values()):
+            sys.exit(f"{sys.argv[3]} has no rows of numbers; it needs one header line such as 'time [s],radius [m]' and rows below it.")
     sys.exit(main(sys.argv[1]))

@@ -54,8 +54,9 @@ def draw_cell(axis, wall, fluid, norm, reach, plates=(), colours="inferno", ahea
         facing = -(normal @ view) if (corners.mean(axis=1) * normal).sum() > 0 else normal @ view
         front = facing > 0
         order = np.argsort((corners[front].mean(axis=1)) @ -view)
+        # faint, so that the colours stay those of the bar
         stretch = wall.field("stretch").ravel()[cells][front].mean(axis=1)
-        light = 0.55 + 0.45 * np.clip(normal[front] @ (-0.7 * view + 0.55 * up - 0.35 * right), 0, 1)
+        light = 0.85 + 0.15 * np.clip(normal[front] @ (-0.7 * view + 0.55 * up - 0.35 * right), 0, 1)
         colour = cmap(norm(stretch))
         colour[:, :3] *= light[:, None]
         axis.add_collection(PolyCollection(to_plane(corners[front])[order], facecolors=colour[order],

@@ -1,4 +1,5 @@
-"""The picture of a spheroid_capsule run: capsule radius, pressure and density after confluence with the experiment's numbers.
+"""The picture of a spheroid_capsule run: capsule radius, pressure and density after confluence. The experiment's numbers are drawn where the
+input is the experiment's: CT26 cells in a capsule of 100 um inner radius, 8 um (thin) or 30 um (thick) wall.
 
 main(directory) reads growth.csv and summary.json and writes spheroid_capsule.png there; with fields also a cut, cells_cut.png.
 draw(runs, path) puts several runs (label, directory) on one picture.
@@ -11,9 +12,11 @@ import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from cells_cut import draw_cut  # noqa: E402
-from drawing import ACCENT, ALONG, INK, plt, read_table, style  # noqa: E402
+from drawing import ACCENT, ALONG, INK, input_is, plt, read_table, style  # noqa: E402
 
 DAY = 86400.0
+CT26 = {("Cell", "Birth radius"): 6e-6, ("Cell", "Cycle time"): 61200, ("Cell", "Modulus"): 450, ("Cell", "Bulk modulus"): 5000,
+        ("Capsule", "Radius"): 100e-6, ("Capsule", "Modulus"): 68e3}
 COLOURS = (ACCENT, ALONG, "#6b8e4e", "#8a6fb0", "#c28b2c", "#4d4d4d")
 
 
@@ -52,21 +55,25 @@ def draw(runs, path):
             axes[1].plot(results["transition_time"]["value"] / DAY, results["transition_pressure"]["value"] / 1e3, "o",
                          color=colour, markersize=6)
         last = max(last, t[-1])
-    # the experiment: what the thesis states
+    # The experiment: what the thesis states (5.2, C.2.2), over its own input only.
     at = np.array([min(2.0, 0.5 * last), last])
-    for slope, name, style_of in ((2.0, "experiment, thin: 2 µm/d (slope only)", (0, (5, 2))), (0.7, "experiment, thick: 0.7 µm/d (slope only)", (0, (1, 2)))):
-        axes[0].plot(at, slope * (at - at[0]) + (8 if slope > 1 else 3), color=INK, linewidth=1.1, linestyle=style_of, label=name)
-    axes[1].axhline(1.5, color=INK, linewidth=1, linestyle=(0, (5, 2)), label="experiment: transition at about 1.5 kPa")
-    axes[2].plot([0, min(2, last)], [0.85, 2.0], "D", color=INK, markersize=6, label="experiment: 0.85, after 48 h 2")
+    for slope, thickness, name, style_of in ((2.0, 8e-6, "experiment, thin: 2 µm/d (slope only)", (0, (5, 2))),
+                                             (0.7, 30e-6, "experiment, thick: 0.7 µm/d (slope only)", (0, (1, 2)))):
+        if any(input_is(directory, CT26 | {("Capsule", "Thickness"): thickness}) for _, directory in runs):
+            axes[0].plot(at, slope * (at - at[0]) + (8 if slope > 1 else 3), color=INK, linewidth=1.1, linestyle=style_of, label=name)
+    if any(input_is(directory, CT26) for _, directory in runs):
+        axes[1].axhline(1.5, color=INK, linewidth=1, linestyle=(0, (5, 2)), label="experiment: transition at about 1.5 kPa")
+        axes[2].plot([0, min(2, last)], [0.85, 2.0], "D", color=INK, markersize=6, label="experiment: 0.85, after 48 h 2")
     for axis, text in zip(axes, ("capsule dilated by [µm]", "pressure on the capsule [kPa]", "cells per 100 µm² of a section")):
         axis.set_xlabel("time after confluence [d]", color=INK)
         axis.set_ylabel(text, color=INK)
         axis.axvline(0, color="#c8d0d6", linewidth=0.8)
         style(axis)
-    for axis, which in ((axes[0], slice(None)), (axes[1], slice(-1, None)), (axes[2], slice(-1, None))):  # curves are named once
+    for axis, which in ((axes[0], slice(None)), (axes[1], slice(len(runs), None)), (axes[2], slice(len(runs), None))):  # curves are named once
         axis.set_ylim(top=(1.5 if axis is axes[0] else 1.12) * axis.get_ylim()[1])  # room for the legend
         handles, labels = axis.get_legend_handles_labels()
-        axis.legend(handles[which], labels[which], frameon=False, fontsize=8, loc="upper left")
+        if handles[which]:
+            axis.legend(handles[which], labels[which], frameon=False, fontsize=8, loc="upper left")
     figure.savefig(path, dpi=130)
     plt.close(figure)
     return path

@@ -10,7 +10,7 @@ import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from cells_cut import draw_cut  # noqa: E402
-from drawing import ACCENT, ALONG, INK, plt, read_table, style  # noqa: E402
+from drawing import ACCENT, ALONG, INK, draw_data, input_entries, input_is, plt, read_table, style  # noqa: E402
 
 DAY = 86400.0
 
@@ -30,9 +30,11 @@ def draw(runs, path, regime_change=9.0):
         colour = ACCENT if free else "#8a6fb0" if "closest" in label else ALONG
         axis = axes[lines.index(label.split()[0])]
         axis.plot(t, table["radius [m]"] * 1e6, color=colour, linewidth=2, linestyle="-" if free else (0, (5, 2)), label=label)
+        draw_data(axis, "time [s]", "radius [m]", 1 / DAY, 1e6)
         last.plot(t, table["pressure [Pa]"] / 1e3, color=colour, linewidth=1)
+    published = any(input_is(directory, {("Cell", "Birth radius"): 6e-6, ("Cell", "Modulus"): 450}) for _, directory in runs)
     for line, axis in zip(lines, axes):
-        if line == "BC52":  # the one line whose speeds the thesis states
+        if line == "BC52" and published:  # the one line whose speeds the thesis states
             free = axis.lines[0]
             at = np.interp(regime_change, free.get_xdata(), free.get_ydata())
             before, after = np.array([1.0, regime_change]), np.array([regime_change, max(free.get_xdata()[-1], regime_change + 1e-3)])
@@ -57,7 +59,10 @@ def draw(runs, path, regime_change=9.0):
 
 def main(directory):
     """Paths of the pictures made."""
-    made = [draw([("run", directory)], os.path.join(directory, "spheroid_dextran.png"))]
+    have = input_entries(directory)
+    pressure = float(have.get(("Dextran", "Pressure"), "nan"))
+    label = f"{have.get(('Dextran', 'Cell line'), 'cells')} {'free' if pressure == 0 else f'{pressure / 1e3:g} kPa'}"
+    made = [draw([(label, directory)], os.path.join(directory, "spheroid_dextran.png"))]
     cut = draw_cut(directory)
     return made + ([cut] if cut else [])
 

@@ -16,29 +16,12 @@ from matplotlib.collections import LineCollection
 from matplotlib.patches import ConnectionPatch
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from drawing import ACCENT, ALONG, INK, colour_bar, read_table, style  # noqa: E402
+from drawing import ACCENT, ALONG, INK, colour_bar, input_entries, read_table, scale_bar, style  # noqa: E402
 from fields import frames  # noqa: E402
 from tissue_gravity import draw_rve, read_rves  # noqa: E402
 
 BRUISE = matplotlib.colors.LinearSegmentedColormap.from_list("bruise", ["#d9a066", "#8a4b2a", "#4a2318"])
 LEAF = matplotlib.colors.LinearSegmentedColormap.from_list("leaf", ["#f1f7df", "#cfe3a4", "#8dc085", "#3f8f7f", "#1d5470"])
-
-
-def entries(directory):
-    """{(subsection, name): text} of input.prm, where the run left one."""
-    found, section = {}, ""
-    path = os.path.join(directory, "input.prm")
-    if not os.path.exists(path):
-        return found
-    with open(path, encoding="utf-8") as file:
-        for line in file:
-            words = line.split("#")[0].strip()
-            if words.startswith("subsection "):
-                section = words[11:].strip()
-            elif words.startswith("set ") and "=" in words:
-                name, value = words[4:].split("=", 1)
-                found[section, name.strip()] = value.strip()
-    return found
 
 
 def points_at(table, time):
@@ -89,7 +72,7 @@ def picture(directory):
     impact = read_table(os.path.join(directory, "impact.csv"))
     table = read_table(os.path.join(directory, "rve_points.csv"))
     history = frames(directory, "tissue")
-    setup = entries(directory)
+    setup = input_entries(directory)
     t, travel, force = impact["time [s]"], impact["travel [m]"], impact["force [N/m]"]
     written = np.unique(table["time [s]"])
     deepest = written[np.argmax(np.interp(written, t, travel))]
@@ -109,8 +92,7 @@ def picture(directory):
     axis.set_xlim(min(low[0], where[:, 0].min()) - 0.1, max(high[0], where[:, 0].max()) + 0.1)
     axis.set_ylim(low[1] - 0.1, max(high[1], where[:, 1].max()) + 0.15)
     left = axis.get_xlim()[0]
-    axis.plot([left, left + 0.5], [low[1] - 0.09] * 2, color=INK, linewidth=3, solid_capstyle="butt", clip_on=False)
-    axis.text(left + 0.53, low[1] - 0.09, "0.5 mm", color=INK, fontsize=9, va="center")
+    scale_bar(axis, left, low[1] - 0.09, 0.6 * (high[0] - low[0]), gap=0.02)
     axis.set_title(f"Plant tissue hit at {float(setup.get(('Impact', 'Speed'), 5)):g} m/s, t = {main_frame.time * 1e3:.2f} ms "
                    f"(true scale): {100 * share:.0f} % of its cells have failed", color=INK, fontsize=13, pad=6)
 

@@ -16,7 +16,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.patches import ConnectionPatch
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from drawing import ACCENT, INK, colour_bar, has_history, plot_history, read_table  # noqa: E402
+from drawing import ACCENT, INK, colour_bar, has_history, plot_history, read_table, scale_bar  # noqa: E402
 from fields import frames  # noqa: E402
 
 
@@ -154,10 +154,8 @@ def picture(directory):
     axis.set_ylim(min(points[:, 1].min() * 1e3, low[1]) - 0.055 * width, high[1] + 0.14 * width)
     axis.set_aspect("equal")
     axis.axis("off")
-    bar_width = 1e-3 * 0.5 * 1e3  # mm
     foot = min(points[:, 1].min() * 1e3, low[1]) - 0.035 * width
-    axis.plot([low[0], low[0] + bar_width], [foot, foot], color=INK, linewidth=3, solid_capstyle="butt")
-    axis.text(low[0] + bar_width + 0.03 * width, foot, "0.5 mm", color=INK, fontsize=9, va="center")
+    scale_bar(axis, low[0], foot, width)
     axis.set_title(f"A piece of plant tissue and its cells, t = {time * 1e3:.2f} ms (true scale)", color=INK, fontsize=13, pad=4)
 
     rves.sort(key=lambda r: r["at"][0])

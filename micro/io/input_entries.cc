@@ -71,11 +71,20 @@ void InputEntries::set(const std::string &name, const std::string &value)
 void InputEntries::read(const std::string &text)
 {
   const std::vector<std::string> outside = open;
-  for (const PrmSetting &setting : parse_prm(text, "text").settings)
+  const PrmText settings = parse_prm(text, "text");
+  try
+    {
+      for (const PrmSetting &setting : settings.settings)
+        {
+          open = outside;
+          open.insert(open.end(), setting.section.begin(), setting.section.end());
+          set(setting.name, setting.value);
+        }
+    }
+  catch (const std::exception &)
     {
       open = outside;
-      open.insert(open.end(), setting.section.begin(), setting.section.end());
-      set(setting.name, setting.value);
+      throw;
     }
   open = outside;
 }

@@ -1,0 +1,73 @@
+"""The picture of an rve_response run: the path of deformation, stress against strain, pressure.
+
+main(directory) reads stress.csv and writes rve_response.png. A path of several parts has a stress-strain curve for each of the two components
+of F that lead most of it.
+"""
+import os
+import sys
+
+import numpy as np
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from drawing import ACCENT, ALONG, INK, draw_data, plt, read_table, style  # noqa: E402
+
+COMPONENTS = ("xx", "xy", "yx", "yy")
+COLOURS = {"xx": ACCENT, "yy": ALONG, "xy": "#6b8e4e", "yx": "#8a6fb0"}
+NAMES = {"xx": "stretch along x", "yy": "stretch along y", "xy": "shear, x over y", "yx": "shear, y over x"}
+
+
+def parts_of_path(strain):
+    """[(component, rows)]: for the one or two components that lead most of the path, the rows where they change most, contiguous pieces joined."""
+    steps = {c: np.abs(np.diff(strain[c])) for c in COMPONENTS}
+    leading = np.array(COMPONENTS)[np.argmax([steps[c] for c in COMPONENTS], axis=0)]
+    length = {c: steps[c][leading == c].sum() for c in COMPONENTS}
+    chosen = [c for c in sorted(COMPONENTS, key=lambda one: -length[one])[:2] if length[c] > 0.02 * max(length.values())]
+    return [(c, [(k, k + 1) for k in np.flatnonzero(leading == c)]) for c in chosen]
+
+
+def main(directory):
+    """Paths of the pictures made."""
+    path = os.path.join(directory, "stress.csv")
+    table = read_table(path) if os.path.exists(path) else {}
+    if len(table.get("time [s]", [])) < 2:
+        return []
+    strain = {c: 100 * (table[f"F_{c} [1]"] - (c in ("xx", "yy"))) for c in COMPONENTS}
+    parts = parts_of_path(strain)
+    figure, axes = plt.subplots(1, 2 + len(parts), figsize=(4.3 * (2 + len(parts)), 4.2), layout="constrained")
+    time = table["time [s]"]
+    scale, unit = (1e6, "µs") if time[-1] < 1e-3 else (1e3, "ms") if time[-1] < 1 else (1, "s")
+    for c in COMPONENTS:
+        if np.ptp(strain[c]) > 1e-9:
+            axes[0].plot(scale * time, strain[c], color=COLOURS[c], linewidth=1.8, label=NAMES[c])
+    axes[0].set_ylabel("deformation F - I [%]", color=INK)
+    applies = table.get("closed_form_applies [1]", np.zeros(len(time))) > 0.5
+    for axis, (lead, rows) in zip(axes[1:], parts):
+        for c in ("xx", "xy", "yy"):
+            for k, pair in enumerate(rows):
+                pair = list(pair)
+                axis.plot(strain[lead][pair], table[f"sigma_{c} [Pa]"][pair] / 1e3, color=COLOURS[c], linewidth=1.8,
+                          label=f"$\\sigma_{{{c}}}$" if k == 0 else None)
+                if applies[pair].all():
+                    axis.plot(strain[lead][pair], table[f"closed_sigma_{c} [Pa]"][pair] / 1e3, color=INK, linewidth=1,
+                              linestyle=(0, (2, 2)), label="closed form (flat walls)" if c == "yy" and k == 0 else None)
+            draw_data(axis, f"F_{lead} [1]", f"sigma_{c} [Pa]", 100, 1e-3)
+        axis.set_xlabel(f"{NAMES[lead]} [%]", color=INK)
+        axis.set_ylabel("stress, positive in tension [kPa]", color=INK)
+    axes[-1].plot(scale * time, table["pressure [Pa]"] / 1e3, color=ALONG, linewidth=1.8)
+    axes[-1].set_ylabel("pressure of the cells' fluid [kPa]", color=INK)
+    for axis in axes:
+        style(axis)
+    for axis in axes[:-1]:
+        axis.set_ylim(top=axis.get_ylim()[1] + 0.35 * np.ptp(axis.get_ylim()))  # room for the legend
+        axis.legend(frameon=False, fontsize=9, loc="upper left", ncols=2)
+    for axis in (axes[0], axes[-1]):
+        axis.set_xlabel(f"time [{unit}]", color=INK)
+    figure.suptitle("Path of deformation, and the stress one piece of cell structure answers with", color=INK, fontsize=12)
+    made = os.path.join(directory, "rve_response.png")
+    figure.savefig(made, dpi=130)
+    plt.close(figure)
+    return [made]
+
+
+if __name__ == "__main__":
+    main(sys.argv[1] if len(sys.argv) > 1 else ".")
