@@ -35,10 +35,11 @@ std::filesystem::path default_directory(const std::filesystem::path &file)
 }
 
 /// What this machine does not have is refused when it is asked for (std::bad_alloc, a sentence), not promised and then killed for.
+/// Not in a program that has mapped more than that already: a sanitizer's shadow is many terabytes of which little is ever held.
 void keep_within_memory()
 {
   rlimit limit = {};
-  if (getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur <= physical_memory())
+  if (getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur <= physical_memory() || mapped_for_data() > physical_memory())
     return;
   limit.rlim_cur = physical_memory();
   setrlimit(RLIMIT_DATA, &limit);

@@ -5,7 +5,7 @@
 //   build-bench/benchmarks/benchmark_fluid --benchmark_repetitions=5 --benchmark_report_aggregates_only
 //
 // Counters: cpu_ns_particle (CPU time of all threads, a step, over particles), cpu_ns_neighbour (over the neighbours
-// within the support), neighbours, list_bytes_particle. The time column is wall time. TURGOR_SIMD=avx2 measures the portable sweeps.
+// within the support), neighbours, list_bytes_particle. The time column is wall time. TURGOR_SIMD=avx2 or portable measures those sweeps.
 #include "micro/cells/sph_parenchyma.h"
 #include "micro/cells/turgid_reference.h"
 #include "micro/engine/kick_drift_kick.h"

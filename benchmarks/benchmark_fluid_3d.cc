@@ -5,7 +5,7 @@
 //
 // force: pair forces; density: kernel sums, wall and law; pairs_only: the same without wall; lists: one build; step: kick-drift-kick
 // with all lists built as they are due, per particle (fluid and wall). fill: particle spacings in a radius; 5.6, 11.1 and 13.8
-// give about 600, 5000 and 10 000 fluid particles. TURGOR_SIMD=avx2 measures the portable sweeps.
+// give about 600, 5000 and 10 000 fluid particles. TURGOR_SIMD=avx2 or portable measures those sweeps.
 #include "micro/engine/kick_drift_kick.h"
 #include "micro/terms/sph_wall_view.h"
 #include "tests/micro/small_sphere.h"

@@ -14,7 +14,7 @@ class Frame:
         self.directory = directory
         self.time = float(grid.find("Time").get("Value"))
         self._points = grid.find("Geometry/DataItem")
-        self._cells = grid.find("Topology/DataItem")
+        self._cells = None if grid.find("Topology").get("TopologyType") == "Polyvertex" else grid.find("Topology/DataItem")
         self._fields = {a.get("Name"): a.find("DataItem") for a in grid.findall("Attribute")}
 
     def _read(self, item):

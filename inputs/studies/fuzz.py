@@ -9,7 +9,7 @@ Drawn: one to four entries over their whole range (logarithmically where it span
 within a factor of three of their default. The tables SMALL and DRAWN size the scenes down and know entries that are texts.
 
 Verdicts: ok, refused (exit code 2, a sentence, nothing written), failed (1, a sentence), long (alive after --time seconds of CPU, then stopped
-cleanly when asked), and the bad ones: crash, hang, nan, silent (no sentence), energy.
+cleanly when asked), and the bad ones: crash (or a sanitizer's report), hang, nan, silent (no sentence), energy.
 """
 import argparse
 import collections
@@ -108,7 +108,8 @@ def within(rng, low, high, default, wild):
     return rng.uniform(low, high)
 
 
-def draw(rng, scene, entries):
+def draw(rng, scene, entries, sizes_only=False):
+    """Settings; with sizes_only those alone that make the scene small."""
     chosen, small = {}, dict(SMALL, **SCENES.get(scene, {}))
     wild = set(rng.sample([name for name, _, _ in entries], min(len(entries), rng.randint(1, 4))))
     for name, default, allowed in entries:
@@ -116,7 +117,7 @@ def draw(rng, scene, entries):
         if size is not None:
             chosen[name] = rng.randint(*size) if isinstance(size, tuple) else rng.choice(size) if isinstance(size, list) else size
             continue
-        if name not in wild and rng.random() > 0.33:
+        if sizes_only or (name not in wild and rng.random() > 0.33):
             continue
         numbers = re.match(r"a (finite|whole) number from (\S+) to (\S+)", allowed)
         if name in DRAWN:
@@ -185,6 +186,11 @@ def ended(process, seconds):
 def run_one(program, scene, entries, seed, seconds):
     """(seed, scene, verdict, sentence, settings)"""
     settings = draw(random.Random(seed), scene, entries)
+    return (seed, scene) + run_scene(program, scene, settings, seconds) + (settings,)
+
+
+def run_scene(program, scene, settings, seconds):
+    """(verdict, sentence) of a scene that is asked to stop after so many seconds of CPU."""
     with tempfile.TemporaryDirectory() as directory:
         source, out = os.path.join(directory, "scene.prm"), os.path.join(directory, "out")
         with open(source, "w", encoding="utf-8") as file:
@@ -201,13 +207,16 @@ def run_one(program, scene, entries, seed, seconds):
             if not ended(process, seconds + 20.0):
                 process.kill()
                 process.wait()
-                return seed, scene, "hang", "does not stop when asked", settings
+                return "hang", "does not stop when asked"
         with open(said_to, encoding="utf-8", errors="replace") as file:
             words = file.read()
         code, bad_file = process.returncode, not_finite(out)
         said = words.strip().splitlines()
         sentence = said[0] if said else ""
-        if late and code == -signal.SIGTERM:
+        report = re.search(r".*(?:Sanitizer:|runtime error:).*", words)
+        if report:
+            verdict, sentence = "crash", report[0]
+        elif late and code == -signal.SIGTERM:
             verdict, sentence = "long", "stopped before it began"  # a program that is being loaded may simply be ended
         elif code < 0 or code >= 132:
             verdict, sentence = "crash", f"signal {-code if code < 0 else code - 128}: {sentence}"
@@ -227,7 +236,7 @@ def run_one(program, scene, entries, seed, seconds):
             verdict = "refused" if not os.path.exists(os.path.join(out, "summary.json")) else "failed"
         else:
             verdict = "failed"
-        return seed, scene, verdict, sentence, settings
+        return verdict, sentence
 
 
 def kind_of(sentence):
@@ -258,6 +267,12 @@ def read(directory):
     return counts, example, bad
 
 
+def listed(program):
+    """Names of all scenes."""
+    text = subprocess.run([program, "list"], capture_output=True, text=True, check=True).stdout
+    return [line for line in text.splitlines() if line and not line.startswith(" ")]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("-n", type=int, default=1000, help="how many scenes")
@@ -270,10 +285,7 @@ def main():
     parser.add_argument("--repeat", type=int, help="one seed, in full")
     parser.add_argument("--program", default=os.path.join(ROOT, "build", "app", "turgor"))
     options = parser.parse_args()
-    listed = subprocess.run([options.program, "list"], capture_output=True, text=True, check=True).stdout
-    names = [line for line in listed.splitlines() if line and not line.startswith(" ")]
-    if options.scenes:
-        names = options.scenes.split(",")
+    names = options.scenes.split(",") if options.scenes else listed(options.program)
     entries = {name: entries_of(options.program, name) for name in names}
 
     def one(seed):

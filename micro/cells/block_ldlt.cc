@@ -11,7 +11,6 @@ namespace turgor
 namespace
 {
 using Four = double __attribute__((vector_size(32)));
-using Mask = long long __attribute__((vector_size(32)));
 
 Four load(const Block2 &b)
 {
@@ -152,21 +151,21 @@ bool BlockLdlt::factorise()
           const std::uint32_t j = row_pattern[r].column, at = row_pattern[r].index;
           const Four Y = load(work[j]);
           work[j] = Block2{};
-          const Four first = __builtin_shuffle(Y, Mask{0, 0, 2, 2}), second = __builtin_shuffle(Y, Mask{1, 1, 3, 3});
+          const Four first = __builtin_shufflevector(Y, Y, 0, 0, 2, 2), second = __builtin_shufflevector(Y, Y, 1, 1, 3, 3);
           for (std::uint32_t p = start_of_L[j]; p < at; ++p)
             {
               const Four l = load(L[p]);
               Block2 &target = work[rows_of_L[p]];
-              store(target, load(target) - (__builtin_shuffle(l, Mask{0, 1, 0, 1}) * first +
-                                            __builtin_shuffle(l, Mask{2, 3, 2, 3}) * second));
+              store(target, load(target) - (__builtin_shufflevector(l, l, 0, 1, 0, 1) * first +
+                                            __builtin_shufflevector(l, l, 2, 3, 2, 3) * second));
             }
           // L_kj = (D_j^-1 Y)^T, D_k -= L_kj Y
           const Four inverse = load(D_inverse[j]);
-          const Four l_transposed = __builtin_shuffle(inverse, Mask{0, 1, 0, 1}) * first +
-                                    __builtin_shuffle(inverse, Mask{2, 3, 2, 3}) * second;
-          const Four l = __builtin_shuffle(l_transposed, Mask{0, 2, 1, 3});
+          const Four l_transposed = __builtin_shufflevector(inverse, inverse, 0, 1, 0, 1) * first +
+                                    __builtin_shufflevector(inverse, inverse, 2, 3, 2, 3) * second;
+          const Four l = __builtin_shufflevector(l_transposed, l_transposed, 0, 2, 1, 3);
           store(L[at], l);
-          d -= __builtin_shuffle(l, Mask{0, 1, 0, 1}) * first + __builtin_shuffle(l, Mask{2, 3, 2, 3}) * second;
+          d -= __builtin_shufflevector(l, l, 0, 1, 0, 1) * first + __builtin_shufflevector(l, l, 2, 3, 2, 3) * second;
         }
       const double off = 0.5 * (d[1] + d[2]), determinant = d[0] * d[3] - off * off;
       if (!std::isfinite(determinant) || determinant == 0.)

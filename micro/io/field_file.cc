@@ -11,6 +11,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 namespace turgor
 {
@@ -136,6 +137,12 @@ void FieldFile::write(const FieldFrame &frame)
     h5.dataset("points", frame.points, 3, "position [m]");
     if (!frame.cells.empty())
       h5.dataset("cells", frame.cells, frame.nodes_per_cell, "node indices");
+    else
+      {
+        std::vector<std::uint32_t> vertices(frame.points.size() / 3);
+        std::iota(vertices.begin(), vertices.end(), 0u);
+        h5.dataset("cells", vertices, 1, "node indices");
+      }
     for (const NamedField &field : frame.fields)
       {
         names.push_back(dataset_name(field.name, names));

@@ -6,7 +6,7 @@
 // single file would lose all earlier frames too. Each frame is written whole and renamed,
 // then the XDMF is replaced; both are readable at any moment.
 //
-// Datasets of a frame: points (n x 3), cells (m x nodes_per_cell, unless vertices), then one a
+// Datasets of a frame: points (n x 3), cells (m x nodes_per_cell; 0, 1, ... for vertices), then one a
 // field, named by the field's name without unit in letters, digits and _, with the full name in
 // its attribute "name"; the root has the attribute "time" (s).
 // In Python: app/plots/fields.py, frames(directory, name).

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <fstream>
 
 namespace turgor
 {
@@ -18,6 +19,15 @@ double seconds(const timeval &time)
 std::uint64_t physical_memory()
 {
   return static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+std::uint64_t mapped_for_data()
+{
+  std::ifstream file("/proc/self/statm"); // in pages: size, resident, shared, text, lib, data
+  std::uint64_t pages[6] = {};
+  for (std::uint64_t &one : pages)
+    file >> one;
+  return file ? pages[5] * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) : 0;
 }
 
 ResourceMeter::ResourceMeter()

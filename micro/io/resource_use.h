@@ -15,6 +15,8 @@ struct ResourceUse
 
 /// Of this machine, bytes.
 std::uint64_t physical_memory();
+/// Mapped by this process for data, held or not, bytes; 0 where the system does not tell.
+std::uint64_t mapped_for_data();
 
 class ResourceMeter
 {

@@ -76,11 +76,8 @@ XdmfGrid xdmf_grid(const FieldFrame &frame, const std::string &h5, const std::ve
   out << grid_start << "\n" << time_start << time << "\"/>\n";
   out << "      <Topology TopologyType=\"" << topology(nodes) << "\" NumberOfElements=\"" << cells << "\"";
   if (nodes <= 2)
-    out << " NodesPerElement=\"" << nodes << "\"";
-  if (frame.cells.empty())
-    out << "/>\n";
-  else
-    out << ">" << item(h5, "cells", number_text(cells) + " " + number_text(nodes), false) << "</Topology>\n";
+    out << " NodesPerElement=\"" << nodes << "\""; // without it ParaView's reader of XDMF 3 finds no element
+  out << ">" << item(h5, "cells", number_text(cells) + " " + number_text(nodes), false) << "</Topology>\n";
   out << "      <Geometry GeometryType=\"XYZ\">" << item(h5, "points", number_text(points) + " 3", true)
       << "</Geometry>\n";
   for (std::size_t i = 0; i < frame.fields.size(); ++i)
@@ -100,7 +97,7 @@ XdmfGrid xdmf_grid(const FieldFrame &frame, const std::string &h5, const std::ve
 
 std::string xdmf_document(const std::vector<XdmfGrid> &grids)
 {
-  std::string text = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n <Domain>\n"
+  std::string text = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n <Domain>\n"
                      "  <Grid Name=\"run\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
   for (const XdmfGrid &grid : grids)
     text += grid.text;

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <cstring>
 
+#if defined(__AVX__)
 #include <immintrin.h>
+#endif
 
 namespace turgor
 {
@@ -22,25 +24,26 @@ using FloatRow = float __attribute__((vector_size(16)));
 
 namespace eight_floats
 {
-using Pick = std::int32_t __attribute__((vector_size(32)));
-
 /// Rows a and b side by side.
 inline EightFloats beside(const FloatRow a, const FloatRow b)
 {
   return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
 }
 
+// In each half of the lanes: numbers of a and b in turn, and pairs of them.
+inline EightFloats woven_low(const EightFloats a, const EightFloats b) { return __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13); }
+inline EightFloats woven_high(const EightFloats a, const EightFloats b) { return __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15); }
+inline EightFloats pairs_low(const EightFloats a, const EightFloats b) { return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13); }
+inline EightFloats pairs_high(const EightFloats a, const EightFloats b) { return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15); }
+
 /// Rows a[0..7] given as row(k), by components; the fourth apart.
 template <class GiveRow>
 inline Eight columns(const GiveRow &row, EightFloats &fourth)
 {
   const EightFloats a = beside(row(0), row(4)), b = beside(row(1), row(5)), c = beside(row(2), row(6)), d = beside(row(3), row(7));
-  const Pick low{0, 8, 1, 9, 4, 12, 5, 13}, high{2, 10, 3, 11, 6, 14, 7, 15};
-  const EightFloats ab = __builtin_shuffle(a, b, low), cd = __builtin_shuffle(c, d, low), ab_z = __builtin_shuffle(a, b, high),
-                    cd_z = __builtin_shuffle(c, d, high);
-  const Pick first{0, 1, 8, 9, 4, 5, 12, 13}, second{2, 3, 10, 11, 6, 7, 14, 15};
-  fourth = __builtin_shuffle(ab_z, cd_z, second);
-  return {__builtin_shuffle(ab, cd, first), __builtin_shuffle(ab, cd, second), __builtin_shuffle(ab_z, cd_z, first)};
+  const EightFloats ab = woven_low(a, b), cd = woven_low(c, d), ab_z = woven_high(a, b), cd_z = woven_high(c, d);
+  fourth = pairs_high(ab_z, cd_z);
+  return {pairs_low(ab, cd), pairs_high(ab, cd), pairs_low(ab_z, cd_z)};
 }
 template <class GiveRow>
 inline Eight columns(const GiveRow &row)
@@ -53,12 +56,8 @@ inline Eight columns(const GiveRow &row)
 inline void to_rows(const Eight &v, FloatRow *rows)
 {
   const EightFloats none{};
-  const Pick low{0, 8, 1, 9, 4, 12, 5, 13}, high{2, 10, 3, 11, 6, 14, 7, 15};
-  const EightFloats xy = __builtin_shuffle(v.x, v.y, low), z0 = __builtin_shuffle(v.z, none, low),
-                    xy_2 = __builtin_shuffle(v.x, v.y, high), z0_2 = __builtin_shuffle(v.z, none, high);
-  const Pick first{0, 1, 8, 9, 4, 5, 12, 13}, second{2, 3, 10, 11, 6, 7, 14, 15};
-  const EightFloats two[4] = {__builtin_shuffle(xy, z0, first), __builtin_shuffle(xy, z0, second),
-                              __builtin_shuffle(xy_2, z0_2, first), __builtin_shuffle(xy_2, z0_2, second)};
+  const EightFloats xy = woven_low(v.x, v.y), z0 = woven_low(v.z, none), xy_2 = woven_high(v.x, v.y), z0_2 = woven_high(v.z, none);
+  const EightFloats two[4] = {pairs_low(xy, z0), pairs_high(xy, z0), pairs_low(xy_2, z0_2), pairs_high(xy_2, z0_2)};
   for (int k = 0; k < 4; ++k)
     {
       rows[k] = __builtin_shufflevector(two[k], two[k], 0, 1, 2, 3);
@@ -68,9 +67,14 @@ inline void to_rows(const Eight &v, FloatRow *rows)
 
 using FourDoubles = double __attribute__((vector_size(32)));
 
-// The compiler's own conversions of vectors go half by half through memory; these are one instruction.
+#if defined(__AVX__)
+// GCC's own conversions of vectors go half by half through memory; these are one instruction.
 inline FourDoubles doubles(const FloatRow a) { return FourDoubles(_mm256_cvtps_pd(__m128(a))); }
 inline FloatRow floats(const FourDoubles a) { return FloatRow(_mm256_cvtpd_ps(__m256d(a))); }
+#else
+inline FourDoubles doubles(const FloatRow a) { return __builtin_convertvector(a, FourDoubles); }
+inline FloatRow floats(const FourDoubles a) { return __builtin_convertvector(a, FloatRow); }
+#endif
 
 /// Lanes 0 to 3 or 4 to 7 as doubles, and back.
 template <bool high>

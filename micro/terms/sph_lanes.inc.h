@@ -1,11 +1,19 @@
 // The vector of doubles the sweeps compute with, 8 lanes with AVX-512, else 4: arithmetic beyond the operators,
 // gathering of rows, angle. Included by sph_sweeps.inc.h alone and under its rule: anonymous
-// namespace, no inline function of a shared header.
+// namespace, no inline function of a shared header. A file that defines TURGOR_PORTABLE_LANES, or one for a processor
+// without AVX2, gets the lanes in the compiler's own vectors, without intrinsics.
 #pragma once
 
 #include "micro/terms/sph_sweeps.h"
 
-#if defined(__AVX2__)
+#if defined(TURGOR_PORTABLE_LANES)
+#elif defined(__AVX512F__) && defined(__AVX512DQ__)
+#define TURGOR_AVX512_LANES
+#elif defined(__AVX2__)
+#define TURGOR_AVX2_LANES
+#endif
+
+#if defined(TURGOR_AVX512_LANES) || defined(TURGOR_AVX2_LANES)
 #include <immintrin.h>
 #endif
 
@@ -13,7 +21,7 @@ namespace turgor::sph
 {
 namespace
 {
-#if defined(__AVX512F__) && defined(__AVX512DQ__)
+#if defined(TURGOR_AVX512_LANES)
 constexpr int W = 8;
 using V = __m512d;
 inline V splat(double a) { return _mm512_set1_pd(a); }
@@ -116,7 +124,7 @@ inline V load(const double *p) { V a; __builtin_memcpy(&a, p, sizeof a); return 
 inline void store(double *p, V a) { __builtin_memcpy(p, &a, sizeof a); }
 inline V select_less(V a, V b, V yes, V no) { return a < b ? yes : no; }
 inline double sum(V a) { return (a[0] + a[1]) + (a[2] + a[3]); }
-#if defined(__AVX2__)
+#if defined(TURGOR_AVX2_LANES)
 inline V positive(V a) { return _mm256_max_pd(a, _mm256_setzero_pd()); }
 inline V lesser(V a, V b) { return _mm256_min_pd(a, b); }
 inline V greater(V a, V b) { return _mm256_max_pd(a, b); }
@@ -139,13 +147,12 @@ inline V rsqrt(V a) { return splat(1.) / root(a); }
 inline V reciprocal(V a) { return splat(1.) / a; }
 inline void transpose(const V r[4], V c[4])
 {
-  typedef long long M __attribute__((vector_size(32)));
-  const V lo0 = __builtin_shuffle(r[0], r[1], M{0, 4, 2, 6}), hi0 = __builtin_shuffle(r[0], r[1], M{1, 5, 3, 7});
-  const V lo1 = __builtin_shuffle(r[2], r[3], M{0, 4, 2, 6}), hi1 = __builtin_shuffle(r[2], r[3], M{1, 5, 3, 7});
-  c[0] = __builtin_shuffle(lo0, lo1, M{0, 1, 4, 5});
-  c[1] = __builtin_shuffle(hi0, hi1, M{0, 1, 4, 5});
-  c[2] = __builtin_shuffle(lo0, lo1, M{2, 3, 6, 7});
-  c[3] = __builtin_shuffle(hi0, hi1, M{2, 3, 6, 7});
+  const V lo0 = __builtin_shufflevector(r[0], r[1], 0, 4, 2, 6), hi0 = __builtin_shufflevector(r[0], r[1], 1, 5, 3, 7);
+  const V lo1 = __builtin_shufflevector(r[2], r[3], 0, 4, 2, 6), hi1 = __builtin_shufflevector(r[2], r[3], 1, 5, 3, 7);
+  c[0] = __builtin_shufflevector(lo0, lo1, 0, 1, 4, 5);
+  c[1] = __builtin_shufflevector(hi0, hi1, 0, 1, 4, 5);
+  c[2] = __builtin_shufflevector(lo0, lo1, 2, 3, 6, 7);
+  c[3] = __builtin_shufflevector(hi0, hi1, 2, 3, 6, 7);
 }
 /// Columns 0 to 3 of the rows j[0..3], `stride` doubles apart.
 template <unsigned int stride>
@@ -175,7 +182,7 @@ inline void load_rows(const double *rows, const std::uint16_t *j, V c[row_double
 template <unsigned int stride>
 inline void load_two_columns(const double *rows, const std::uint16_t *j, V c[2])
 {
-#if defined(__AVX2__) && !(defined(__AVX512F__) && defined(__AVX512DQ__))
+#if defined(TURGOR_AVX2_LANES)
   const auto row = [&](int k) { return rows + std::uint32_t(j[k]) * stride; };
   const V even = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(row(0))), _mm_load_pd(row(2)), 1),
           odd = _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(row(1))), _mm_load_pd(row(3)), 1);
@@ -192,7 +199,7 @@ inline void load_two_columns(const double *rows, const std::uint16_t *j, V c[2])
 template <int n>
 inline void sums(const V a[n], double to[n])
 {
-#if defined(__AVX2__) && !(defined(__AVX512F__) && defined(__AVX512DQ__))
+#if defined(TURGOR_AVX2_LANES)
   for (int d = 0; d < n; d += 2)
     {
       const V pairs = _mm256_hadd_pd(a[d], a[d + 1 < n ? d + 1 : d]);

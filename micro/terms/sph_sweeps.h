@@ -1,5 +1,5 @@
 // The two hot sweeps of the fluid in one cell, 2D and 3D, over plain arrays, compiled once
-// per instruction set and chosen at run time (sph_sweeps_avx2.cc, sph_sweeps_avx512.cc).
+// per instruction set and chosen at run time (sph_sweeps_portable.cc, sph_sweeps_avx2.cc, sph_sweeps_avx512.cc).
 //
 // Formulation: variational, wall-corrected summation density with the cell's exact volume. For fluid particle i
 //   gamma_i = integral over the cell of W(|x - x_i|)       (share of the kernel inside the wall)
@@ -39,6 +39,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 namespace turgor::sph
 {
@@ -163,14 +164,20 @@ struct Sweeps
   void (*density)(CellView<dim> &) = nullptr;
   /// The forces between fluid particles; needs density() at the same positions.
   void (*force)(CellView<dim> &) = nullptr;
-  const char *name = "";
+  const char *name = ""; ///< its word in TURGOR_SIMD
 };
 
-/// The fastest sweeps this processor can run; `TURGOR_SIMD=avx2` in the environment
-/// forces the portable ones.
+/// The sweeps that are in this program and that this processor can run, the fastest last; the first are the portable ones.
+template <int dim>
+const std::vector<const Sweeps<dim> *> &known_sweeps();
+
+/// The fastest of them, or those that TURGOR_SIMD in the environment names: `portable`, `avx2`, `avx512`.
+/// Throws std::invalid_argument for any other word.
 template <int dim>
 const Sweeps<dim> &sweeps();
 
+template <int dim>
+const Sweeps<dim> &sweeps_portable();
 template <int dim>
 const Sweeps<dim> &sweeps_avx2();
 template <int dim>

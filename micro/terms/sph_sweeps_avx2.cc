@@ -1,4 +1,4 @@
-// The portable sweeps (four lanes; the project's base instruction set).
+// The sweeps for processors with AVX2 (four lanes; the instruction set of all other files).
 #include "micro/terms/sph_sweeps.inc.h"
 
 namespace turgor::sph
@@ -6,7 +6,7 @@ namespace turgor::sph
 template <int dim>
 const Sweeps<dim> &sweeps_avx2()
 {
-  static const Sweeps<dim> chosen{&density_any<dim>, &force_any<dim>, "4 lanes"};
+  static const Sweeps<dim> chosen{&density_any<dim>, &force_any<dim>, "avx2"};
   return chosen;
 }
 

@@ -6,7 +6,7 @@ namespace turgor::sph
 template <int dim>
 const Sweeps<dim> &sweeps_avx512()
 {
-  static const Sweeps<dim> chosen{&density_any<dim>, &force_any<dim>, "8 lanes"};
+  static const Sweeps<dim> chosen{&density_any<dim>, &force_any<dim>, "avx512"};
   return chosen;
 }
 

@@ -1,5 +1,5 @@
-"""Reads the XDMF and HDF5 files of test_field_file.cc back with an independent reader (h5py,
-in its own process: it brings the serial HDF5)."""
+"""Reads the XDMF and HDF5 files of test_field_file.cc back with independent readers (h5py, which brings the serial HDF5 and so is in
+a process of its own, and meshio)."""
 import os
 import subprocess
 import sys
@@ -8,6 +8,7 @@ import unittest
 import xml.etree.ElementTree as xml
 
 import h5py
+import meshio
 import numpy as np
 
 BUILD = os.environ["TURGOR_BUILD"]
@@ -66,7 +67,32 @@ class FieldFileTest(unittest.TestCase):
         grid, = self.grids("points")
         self.assertEqual(grid.find("Topology").get("TopologyType"), "Polyvertex")
         self.assertEqual(grid.find("Topology").get("NumberOfElements"), "2")
+        self.assertEqual(grid.find("Topology").get("NodesPerElement"), "1")
+        np.testing.assert_array_equal(data(self.directory, grid.find("Topology/DataItem")), [[0], [1]])
         np.testing.assert_array_equal(data(self.directory, grid.find("Attribute/DataItem")), [1000, 1001])
+
+    def read_with_meshio(self, name, step):
+        with meshio.xdmf.TimeSeriesReader(os.path.join(self.directory, name + ".xdmf")) as reader:
+            reader.mesh_grid = reader.collection[step]  # every frame has points of its own
+            points, cells = reader.read_points_cells()
+            return (reader.num_steps, points, cells) + reader.read_data(step)
+
+    def test_meshio_reads_every_frame(self):
+        for step, time in enumerate((0., 0.1, 0.25)):
+            steps, points, (cells,), read_time, on_points, on_cells = self.read_with_meshio("mesh", step)
+            self.assertEqual((steps, read_time), (3, time))
+            np.testing.assert_array_equal(points[:, 0], [time, 1 + time, 2 + time] * 2)
+            self.assertEqual(cells.type, "quad")
+            np.testing.assert_array_equal(cells.data, [[0, 1, 4, 3], [1, 2, 5, 4]])
+            np.testing.assert_array_equal(on_points["velocity [m/s]"], np.full((6, 3), time))
+            np.testing.assert_array_equal(on_cells["pressure [Pa]"][0], [10 * time, -1])
+
+    def test_meshio_reads_vertices(self):
+        _, points, (cells,), time, on_points, _ = self.read_with_meshio("points", 0)
+        self.assertEqual((time, cells.type), (1e-7, "vertex"))
+        np.testing.assert_array_equal(points, [[0, 0, 0], [1, 2, 3]])
+        np.testing.assert_array_equal(cells.data, [[0], [1]])
+        np.testing.assert_array_equal(on_points["density [kg/m^3]"], [1000, 1001])
 
     def test_names_and_time_in_the_hdf5_file(self):
         with h5py.File(os.path.join(self.directory, "points.frames", "000000.h5"), "r") as file:
@@ -79,6 +105,7 @@ class FieldFileTest(unittest.TestCase):
         self.assertEqual(frames[2].field("pressure")[0], 2.5)
         self.assertEqual(frames[1].points.shape, (6, 3))
         self.assertEqual(frames[1].cells.shape, (2, 4))
+        self.assertIsNone(fields.frames(self.directory, "points")[0].cells)
 
 
 if __name__ == "__main__":

@@ -66,6 +66,14 @@ class Product(unittest.TestCase):
         self.run_program("run", *FULL, "-o", "two", "--threads", "2")
         self.assert_same("one", "two")
 
+    def test_an_unknown_instruction_set_is_wrong_input(self):
+        done = subprocess.run(self.command("run", *FULL, "-o", "out"), cwd=self.directory, capture_output=True, text=True, timeout=600,
+                              stdin=subprocess.DEVNULL, env=dict(os.environ, TURGOR_SIMD="sse9"))
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        self.assertIn("TURGOR_SIMD=sse9", done.stderr)
+        self.assertIn("portable", done.stderr)
+        self.assertFalse(os.path.exists(os.path.join(self.directory, "out", "summary.json")))
+
     def rows(self, directory, table):
         path = os.path.join(self.directory, directory, table)
         return content(path).count(b"\n") if os.path.exists(path) else 0

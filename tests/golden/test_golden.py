@@ -33,7 +33,7 @@ STRESS = ["sigma_xx", "sigma_xy", "sigma_yx", "sigma_yy", "P_xx", "P_xy", "P_yx"
 CASES = {
     "rve_response": (1e-9, [None], {"stress.csv": STRESS}),
     "tissue_gravity": (1e-9, [None], {"probe.csv": None, "energies.csv": None, "cell_displacement.csv": None}),
-    "full_micro": (1e-8, [None, "avx2"], {"probe.csv": None, "cell_displacement.csv": None,
+    "full_micro": (1e-8, [None, "avx2", "portable"], {"probe.csv": None, "cell_displacement.csv": None,
                                           "energy.csv": ["time", "potential", "kinetic", "dissipated", "mean_pressure"]}),
     "spheroid_capsule": (1e-6, [None], {"growth.csv": None}),
 }
