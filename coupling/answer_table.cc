@@ -12,7 +12,8 @@ struct Row
 {
   static constexpr std::size_t P = 0, sigma = dim * dim, energy = 2 * dim * dim, pressure = energy + 1,
                                iterations = energy + 2, residual = energy + 3, spread = energy + 4,
-                               cpu = energy + 5, failed = energy + 6, dragged = energy + 7, tangent = energy + 8;
+                               cpu = energy + 5, failed = energy + 6, dragged = energy + 7, heating = energy + 8,
+                               tangent = energy + 9;
 };
 } // namespace
 
@@ -36,6 +37,7 @@ void AnswerTable<dim>::put(const std::size_t point, const RveAnswer<dim> &a)
       row[R::sigma + i * dim + j] = a.sigma(i, j);
     }
   row[R::energy] = a.energy;
+  row[R::heating] = a.heating;
   row[R::pressure] = a.pressure;
   row[R::iterations] = a.diagnostics.iterations;
   row[R::residual] = a.diagnostics.residual;
@@ -119,6 +121,10 @@ void AnswerTable<dim>::read(const std::size_t point, LawAnswer<dim> &answer) con
     for (int j = 0; j < dim; ++j)
       answer.P[point][i][j] = row[R::P + i * dim + j];
   answer.energy[point] = row[R::energy];
+  if (!answer.heating.empty())
+    answer.heating[point] = row[R::heating];
+  if (conditions)
+    answer.spent[point] = condition(point).flow_dissipated + condition(point).failure_dissipated;
   if (tangents)
     for (int a = 0; a < dim; ++a)
       for (int b = 0; b < dim; ++b)

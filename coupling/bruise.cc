@@ -1,14 +1,21 @@
 #include "coupling/bruise.h"
 
 #include "macro/binary.h"
+#include "micro/io/number_text.h"
 
 #include <algorithm>
 
 namespace turgor
 {
+namespace
+{
+constexpr double noted = 0.1, lost = 0.5; // penetration over RigidTools::own_size()
+}
+
 Bruise::Bruise(const TissueParameters<2> &parameters)
   : tool(parameters.tool)
   , width(parameters.size[0])
+  , element(parameters.size[0] / parameters.elements[0])
 {}
 
 void Bruise::open(RunContext &context, const Tissue<2> &)
@@ -46,7 +53,11 @@ Bruise::Sum Bruise::sum(const Tissue<2> &tissue, const RveLaw<2> &law) const
     s.by_flow += area * condition[q].flow_dissipated;
     s.by_failure += area * condition[q].failure_dissipated;
     if (condition[q].failed > 0.)
-      s.depth = std::max(s.depth, width - tissue.quadrature_points()[q][0]);
+    {
+      const double x = tissue.quadrature_points()[q][0];
+      s.depth = std::max(s.depth, width - x);
+      s.at_support = s.at_support || x < element;
+    }
   }
   return s;
 }
@@ -74,6 +85,23 @@ void Bruise::row(const Tissue<2> &tissue, const RveLaw<2> &law)
   memory.last_force = force;
   for (const RveCondition &c : law.condition())
     memory.largest_permanent = std::max(memory.largest_permanent, c.permanent);
+  memory.penetration = std::max(memory.penetration, state.tool.penetration);
+  memory.support_penetration = std::max(memory.support_penetration, state.tool.support_penetration);
+  check_contact(tissue);
+}
+
+void Bruise::check_contact(const Tissue<2> &tissue) const
+{
+  const double size = tissue.tools()->own_size();
+  const auto check = [&](const char *what, const double penetration) {
+    if (penetration > lost * size)
+      throw RunFailed("At t = " + number_text(tissue.time() * 1e3) + " ms " + what + " is " + number_text(penetration) +
+                      " m inside the tissue, more than half of " + number_text(size) +
+                      " m, the least of an element's thickness and the tool's radius: the contact no longer holds. Take a larger "
+                      "Impact/Contact stiffness; a tool that is smaller than an element needs more Tissue/Elements.");
+  };
+  check("the tool", memory.penetration);
+  check("the plate below", memory.support_penetration);
 }
 
 void Bruise::frame(const Tissue<2> &tissue, const RveLaw<2> &law)
@@ -94,6 +122,16 @@ void Bruise::results(RunContext &context, const Tissue<2> &tissue, const RveLaw<
   context.result("bruised_share", s.failed / s.area, "1");
   context.result("bruised_area", s.failed, "m^2");
   context.result("bruise_depth", s.depth, "m");
+  context.result("bruise_at_support", s.at_support ? 1. : 0., "1");
+  if (s.at_support)
+    context.say("The bruise has reached the support: how deep it is and how much is bruised is decided by the size of the block.");
+  const double size = tissue.tools()->own_size(), deepest = std::max(memory.penetration, memory.support_penetration);
+  context.result("tool_penetration_max", memory.penetration, "m");
+  context.result("support_penetration_max", memory.support_penetration, "m");
+  context.result("penetration_share_max", deepest / size, "1"); // of an element's thickness or the tool's radius
+  if (deepest > noted * size)
+    context.say("Tool and tissue overlap by up to " + number_text(deepest) + " m, " + number_text(100. * deepest / size) +
+                " % of an element's thickness or the tool's radius; a larger Impact/Contact stiffness or more Tissue/Elements make it less.");
   context.result("peak_force", memory.peak_force, "N/m");
   context.result("time_of_peak_force", memory.peak_time, "s");
   context.result("peak_transmitted_force", memory.peak_support, "N/m");

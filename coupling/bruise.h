@@ -28,6 +28,7 @@ private:
     double area = 0., failed = 0., permanent = 0.; // m^2
     double by_flow = 0., by_failure = 0.;        // J/m
     double depth = 0.;                           // m, of the deepest point with a failed cell below the surface, at rest
+    bool at_support = false;                     // a cell has failed in the elements at the support
   };
   Sum sum(const Tissue<2> &tissue, const RveLaw<2> &law) const;
 
@@ -37,10 +38,14 @@ private:
     double first_failure_time = -1., first_failure_travel = 0.; // s, m; -1: none yet
     double impulse = 0., last_time = 0., last_force = 0.;      // N s/m
     double largest_permanent = 0.;
+    double penetration = 0., support_penetration = 0.; // m, deepest so far of tool and plate below
   };
 
+  /// Throws RunFailed where a contact no longer holds what it should keep out.
+  void check_contact(const Tissue<2> &tissue) const;
+
   const ToolParameters tool;
-  const double width;
+  const double width, element; // m, of the block and of an element, in x
   Memory memory;
   std::unique_ptr<Series> impact, points;
 };

@@ -229,6 +229,8 @@ void RveLaw<dim>::evaluate(const std::vector<dealii::Tensor<2, dim>> &F,
 
   answer.P.resize(n);
   answer.energy.resize(n);
+  answer.heating.resize(m.rve->knows_heating() ? n : 0);
+  answer.spent.resize(m.condition.empty() ? 0 : n);
   answer.tangent.resize(request.tangents ? n : 0);
   answer.failed.clear();
   for (std::size_t p = 0; p < n; ++p)

@@ -73,6 +73,10 @@ void TissueGravity::run(RunContext &context)
   context.result("body_force", settings.tissue.body_force.norm(), "N/kg");
   context.note("rve", rve_parameters.rule + ", " + rve_parameters.fluid + " fluid, " +
                         number_text(rve_parameters.columns) + " x " + number_text(rve_parameters.rows) + " cells");
+  if (const double left = rve_parameters.equilibrium_tolerance() * rve_parameters.cell.turgor;
+      rve_parameters.rule == "elastic_equilibrium" && rve_parameters.fluid == "hydrostatic" && load > 0. && left > 1e-3 * load)
+    context.say("RVE/Tolerance leaves up to " + number_text(left) + " Pa out of balance inside the cells, more than a thousandth of the load of " +
+                number_text(load) + " Pa: they may not feel it. Take a smaller tolerance or a larger load.");
   run_tissue(context, settings, rve);
 }
 

@@ -29,6 +29,7 @@ struct Memory
   unsigned long frames = 0; // written so far; the next one is due at frames * output_interval
   double cpu_seconds = 0.;  // before the resume, all ranks
   double wall_seconds = 0.;
+  EnergyCheck energy;
 };
 
 class Run
@@ -65,6 +66,7 @@ private:
   void row();
   void frame();
   void results();
+  void tell_of_bursts();
   double frame_time(unsigned long n) const
   {
     const double end = settings.tissue.end_time, t = static_cast<double>(n) * settings.tissue.output_interval;
@@ -88,7 +90,11 @@ void Run::row()
 {
   observer.row(tissue, law);
   const TissueEnergies e = tissue.energies();
-  energy_series->add_row({tissue.time(), e.kinetic, e.internal, e.external_work, e.balance()});
+  std::vector<double> row = {tissue.time(), e.kinetic, e.stored, e.contact, e.work, e.dissipated()};
+  if (rve.knows_heating())
+    row.push_back(e.heat);
+  energy_series->add_row(row);
+  memory.energy.update(e);
   const RveLawStatistics &s = law.statistics();
   const double calls = static_cast<double>(s.calls - before.calls);
   cost_series->add_row({tissue.time(), tissue.last_step(), calls,
@@ -108,11 +114,26 @@ void Run::frame()
   ++memory.frames;
 }
 
+/// What bursts can and cannot follow; nothing without them.
+void Run::tell_of_bursts()
+{
+  if (!(rve.burst() > 0.) || tissue.steps() == 0)
+    return;
+  const double step = tissue.time() / double(tissue.steps()), share = rve.burst() / step;
+  context.result("burst_over_macro_step", share, "1");
+  if (share < 0.5)
+    context.say("In a macro step of " + number_text(step) + " s the cells live " + number_text(rve.burst()) + " s: what relaxes or swings inside them is slowed by " +
+                number_text(1. / share) + ". Stress follows their dynamics only with RVE/Burst length near the macro step.");
+}
+
 void Run::results()
 {
   observer.results(context, tissue, law);
   const TissueEnergies e = tissue.energies();
-  context.result("energy_dissipated", -e.balance(), "J/m");
+  context.result("energy_dissipated", e.dissipated(), "J/m");
+  context.result("energy_dissipated_share", memory.energy.dissipated_share(), "1");
+  if (rve.knows_heating())
+    context.result("energy_heat", e.heat, "J/m");
 
   const RveLawStatistics &s = law.statistics();
   const double cpu = memory.cpu_seconds + law.shares().sum(process_cpu_seconds() - cpu_at_start);
@@ -140,6 +161,16 @@ void Run::results()
       context.say(sentence);
     }
   }
+  tell_of_bursts();
+  if (rve.micro_step() > 0.)
+  {
+    // Both count particles times steps in time; a full run of the piece would move as many particles a cell at the same step.
+    const double rve_area = rve.lattice().determinant(), area = tissue.size()[0] * tissue.size()[1];
+    const double ratio = double(s.iterations) * rve.micro_step() * rve_area / (area * tissue.time());
+    context.result("micro_steps_over_full_run", ratio, "1");
+    if (ratio > 1.)
+      context.say("The cells of the RVEs have taken " + number_text(ratio) + " times the micro steps of a full particle run of this piece (scene full_micro), which is cheaper.");
+  }
   if (s.max_stress_spread > 0.)
     context.result("rve_stress_spread_max", s.max_stress_spread, "Pa");
   context.result("rve_cpu_time", s.rve_cpu_seconds, "s");
@@ -158,11 +189,15 @@ void Run::go()
 {
   const double end = settings.tissue.end_time;
   observer.open(context, tissue);
-  energy_series = context.series("energies", {{"time", "s"},
+  std::vector<Column> energy_columns = {{"time", "s"},
                                               {"kinetic", "J/m"},
-                                              {"internal", "J/m"},
-                                              {"external_work", "J/m"},
-                                              {"balance", "J/m"}});
+                                              {"stored", "J/m"},
+                                              {"contact", "J/m"},
+                                              {"work", "J/m"},
+                                              {"dissipated", "J/m"}};
+  if (rve.knows_heating())
+    energy_columns.push_back({"heat", "J/m"});
+  energy_series = context.series("energies", energy_columns);
   cost_series = context.series("cost", {{"time", "s"},
                                         {"step", "s"},
                                         {"rve_calls", "1"},

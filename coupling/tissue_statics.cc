@@ -14,6 +14,12 @@
 namespace turgor
 {
 
+namespace
+{
+constexpr double most_share_of_load = 1e-6; // of the load, that cells may be out of balance
+constexpr double means_nothing = 0.1;       // relative residual, where rounding is all that is left
+} // namespace
+
 std::string TissueStatics::description() const
 {
   return "The static state of a clamped square of tissue under a body force, by Newton's method over two scales: what "
@@ -74,7 +80,14 @@ void TissueStatics::check() const
 void TissueStatics::run(RunContext &context)
 {
   const auto started = std::chrono::steady_clock::now();
-  const std::shared_ptr<const Rve<2>> rve = make_rve(rve_parameters);
+  RveParameters cells_inside = rve_parameters;
+  if (rve_parameters.rule == "elastic_equilibrium")
+    cells_inside.tolerance = std::clamp(std::abs(load) / std::max(rve_parameters.cell.turgor, 1e-300) * most_share_of_load,
+                                        RveParameters::least_tolerance, rve_parameters.equilibrium_tolerance());
+  if (cells_inside.equilibrium_tolerance() < rve_parameters.equilibrium_tolerance())
+    context.say("RVE/Tolerance is taken as " + number_text(cells_inside.tolerance) + ": at the load of " + number_text(load) +
+                " Pa the cells would not feel what " + number_text(rve_parameters.equilibrium_tolerance()) + " of turgor leaves out of balance.");
+  const std::shared_ptr<const Rve<2>> rve = make_rve(cells_inside);
   const double period = rve_parameters.cell.period, width = cells * period;
   TissueParameters<2> piece = tissue;
   piece.elements.fill(elements);
@@ -110,6 +123,9 @@ void TissueStatics::run(RunContext &context)
     throw RunFailed(e.what());
   }
 
+  if (answer.residuals.back() > means_nothing)
+    throw RunFailed("The load of " + number_text(load) + " Pa drowns in the rounding of forces, which leaves " +
+                    number_text(100. * answer.residuals.back()) + " % of it out of balance; take a larger load: displacement is linear in small ones.");
   const dealii::Tensor<1, 2> u = body.displacement_at(dealii::Point<2>(width, 0.5 * width));
   const auto [least, most] = std::minmax_element(law.pressure().begin(), law.pressure().end());
   context.result("tip_displacement_x", u[0], "m");
@@ -120,6 +136,7 @@ void TissueStatics::run(RunContext &context)
   context.result("newton_iterations", answer.iterations, "1");
   context.result("load_increments", answer.increments, "1");
   context.result("residual", answer.residuals.back(), "1");
+  context.result("residual_of_round_off", answer.round_off, "1");
   context.result("rve_points", double(body.quadrature_points().size()), "1");
   context.result("rve_calls", double(law.statistics().calls), "1");
   context.result("rve_cpu_time", law.statistics().rve_cpu_seconds, "s");

@@ -55,7 +55,13 @@ void CentralDifferences<dim>::step(double limit)
       if (this->op.evaluate(time, dt, u, v_predicted))
         {
           now.u = u;
+          double swing = 0.; // m (a^2 after - a^2 before)
+          for (std::size_t i = 0; i < n; ++i)
+            swing -= this->op.mass()[i] * now.a[i] * now.a[i];
           this->accept(time);
+          for (std::size_t i = 0; i < n; ++i)
+            swing += this->op.mass()[i] * now.a[i] * now.a[i];
+          now.step_energy += 0.125 * dt * dt * swing;
           for (std::size_t i = 0; i < n; ++i)
             now.v[i] = v_half[i] + 0.5 * dt * now.a[i];
           this->op.law().commit();

@@ -4,6 +4,8 @@
 #include "macro/central_differences.h"
 #include "macro/dormand_prince.h"
 
+#include <limits>
+
 namespace turgor
 {
 namespace
@@ -103,6 +105,18 @@ template <int dim>
 void Integrator<dim>::accept(double time)
 {
   op.acceleration(state.a);
+  const LawAnswer<dim> &answer = op.answer();
+  const auto sum = [&](const std::vector<double> &of_point) {
+    double result = 0.;
+    for (std::size_t q = 0; q < of_point.size(); ++q)
+      result += op.mesh().gauss_weight[q] * of_point[q];
+    return result;
+  };
+  const double before = state.heating;
+  state.heating = answer.heating.empty() ? std::numeric_limits<double>::signaling_NaN() : sum(answer.heating);
+  if (time > state.time || answer.heating.empty())
+    state.heat += 0.5 * (before + state.heating) * (time - state.time);
+  state.spent = sum(answer.spent);
   if (op.tools())
     {
       const double force_before = state.tool.force, travel = op.tools()->travel(time) - op.tools()->travel(state.time);
@@ -113,8 +127,8 @@ void Integrator<dim>::accept(double time)
   state.time = time;
   state.F = op.F_bar();
   stability.observe(state.F);
-  state.P = op.answer().P;
-  state.energy = op.answer().energy;
+  state.P = answer.P;
+  state.energy = answer.energy;
 }
 
 template <int dim>
@@ -135,6 +149,8 @@ void Integrator<dim>::save(std::ostream &out) const
       write_binary(out, state.tool);
       write_binary(out, state.tool_work);
     }
+  for (const double value : {state.heating, state.heat, state.spent, state.step_energy})
+    write_binary(out, value);
   write_binary(out, counters);
   write_binary(out, last_step);
   write_binary(out, since_estimate);
@@ -150,6 +166,8 @@ void Integrator<dim>::load(std::istream &in)
       read_binary(in, state.tool);
       read_binary(in, state.tool_work);
     }
+  for (double *value : {&state.heating, &state.heat, &state.spent, &state.step_energy})
+    read_binary(in, *value);
   read_binary(in, counters);
   read_binary(in, last_step);
   read_binary(in, since_estimate);

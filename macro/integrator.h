@@ -19,6 +19,10 @@ struct TissueState
   std::vector<double> energy;                ///< J/m^3 per point; empty if the law gives none
   ToolReading tool;                          ///< N, J; support: of the clamp or the plate below
   double tool_work = 0.;                     ///< J, done by the tool since rest
+  double heating = 0.;                       ///< W, by viscosity; signalling NaN if the law does not know
+  double heat = 0.;                          ///< J, by viscosity since rest
+  double spent = 0.;                         ///< J, lost since rest by what has no rate: flow, breaking
+  double step_energy = 0.;                   ///< J, energy_balance.h
 
   void save(std::ostream &out) const;
   void load(std::istream &in);

@@ -9,6 +9,31 @@ namespace turgor
 {
 using dealii::Tensor;
 
+namespace
+{
+/// Points of the side at x (m), eight an element and direction.
+template <int dim>
+std::vector<dealii::Point<dim>> points_of_side(const TissueParameters<dim> &p, const double x)
+{
+  constexpr unsigned int per_element = 8;
+  std::vector<dealii::Point<dim>> points(1);
+  points[0][0] = x;
+  for (unsigned int d = 1; d < dim; ++d)
+    {
+      const unsigned int n = per_element * p.elements[d];
+      std::vector<dealii::Point<dim>> more;
+      for (dealii::Point<dim> point : points)
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            point[d] = p.size[d] * (i + 0.5) / n;
+            more.push_back(point);
+          }
+      points.swap(more);
+    }
+  return points;
+}
+} // namespace
+
 template <int dim>
 RigidTools<dim>::RigidTools(const TissueMesh<dim> &mesh_, const TissueParameters<dim> &parameters, const double stiffness)
   : mesh(mesh_)
@@ -17,7 +42,39 @@ RigidTools<dim>::RigidTools(const TissueMesh<dim> &mesh_, const TissueParameters
   , kappa(stiffness)
   , width(parameters.size[0])
   , middle(0.5 * parameters.size[1])
-{}
+  , size(parameters.size[0] / parameters.elements[0])
+{
+  if (tool.shape == "cylinder" && tool.active())
+    size = std::min(size, tool.radius);
+  if (tool.active())
+    {
+      upper_points = points_of_side(parameters, width);
+      upper_side = mesh.probe(upper_points);
+    }
+  if (plate_below)
+    {
+      lower_points = points_of_side(parameters, 0.);
+      lower_side = mesh.probe(lower_points);
+    }
+}
+
+template <int dim>
+typename RigidTools<dim>::Touch RigidTools<dim>::touch(const double face, const dealii::Point<dim> &x) const
+{
+  Touch result{x[0] - face, {}};
+  result.normal[0] = 1.;
+  if (tool.shape == "cylinder")
+    {
+      Tensor<1, dim> to_axis;
+      to_axis[0] = face + tool.radius - x[0];
+      to_axis[1] = middle - x[1];
+      const double distance = to_axis.norm();
+      result.penetration = tool.radius - distance;
+      if (distance > 0.)
+        result.normal = to_axis / distance;
+    }
+  return result;
+}
 
 // each(node, upper side or not, penetration, normal of the tissue); nodes in order
 template <int dim>
@@ -27,33 +84,36 @@ void RigidTools<dim>::for_contacts(const double time, const std::vector<double> 
   const double face = width - travel(time);
   for (unsigned int node = 0; node < mesh.nodes; ++node)
     {
-      const double x = mesh.node_position[node][0] + u[std::size_t(node) * dim];
+      dealii::Point<dim> x = mesh.node_position[node];
+      for (unsigned int d = 0; d < dim; ++d)
+        x[d] += u[std::size_t(node) * dim + d];
       if (tool.active() && mesh.nodal_area[node] > 0.)
-        {
-          Tensor<1, dim> normal;
-          double penetration = x - face;
-          normal[0] = 1.;
-          if (tool.shape == "cylinder")
-            {
-              const double y = mesh.node_position[node][1] + u[std::size_t(node) * dim + 1];
-              Tensor<1, dim> to_axis;
-              to_axis[0] = face + tool.radius - x;
-              to_axis[1] = middle - y;
-              const double distance = to_axis.norm();
-              penetration = tool.radius - distance;
-              if (distance > 0.)
-                normal = to_axis / distance;
-            }
-          if (penetration > 0.)
-            each(node, true, penetration, normal);
-        }
-      if (plate_below && mesh.nodal_area_below[node] > 0. && x < 0.)
+        if (const Touch contact = touch(face, x); contact.penetration > 0.)
+          each(node, true, contact.penetration, contact.normal);
+      if (plate_below && mesh.nodal_area_below[node] > 0. && x[0] < 0.)
         {
           Tensor<1, dim> normal;
           normal[0] = -1.;
-          each(node, false, -x, normal);
+          each(node, false, -x[0], normal);
         }
     }
+}
+
+template <int dim>
+double RigidTools<dim>::deepest(const Probe &side, const double time, const std::vector<double> &u, const bool upper) const
+{
+  const std::vector<dealii::Point<dim>> &points = upper ? upper_points : lower_points;
+  const double face = width - travel(time);
+  double result = 0.;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    {
+      dealii::Point<dim> x = points[k];
+      for (unsigned int i = 0; i < side.nodes_per_point; ++i)
+        for (unsigned int d = 0; d < dim; ++d)
+          x[d] += side.weight[k * side.nodes_per_point + i] * u[std::size_t(side.node[k * side.nodes_per_point + i]) * dim + d];
+      result = std::max(result, upper ? touch(face, x).penetration : -x[0]);
+    }
+  return result;
 }
 
 template <int dim>
@@ -74,7 +134,11 @@ ToolReading RigidTools<dim>::read(const double time, const std::vector<double> &
     const double push = kappa * (upper ? mesh.nodal_area : mesh.nodal_area_below)[node] * penetration;
     (upper ? reading.force : reading.support) += push * std::abs(normal[0]);
     reading.energy += 0.5 * push * penetration;
+    double &deep = upper ? reading.penetration : reading.support_penetration;
+    deep = std::max(deep, penetration);
   });
+  reading.penetration = std::max(reading.penetration, deepest(upper_side, time, u, true));
+  reading.support_penetration = std::max(reading.support_penetration, deepest(lower_side, time, u, false));
   return reading;
 }
 

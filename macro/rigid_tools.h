@@ -7,7 +7,8 @@
 //   x_tool(t) = Width - s(t):  s = v t up to the depth d, then at rest    ("steady")
 //                              s = d sin(v t/d) until it is back, then away ("rebound": what a mass does on a spring)
 //
-// In 2D forces are per metre of depth. In: u (m), t (s). Out: N, J. The penetration of a node under the pressure p is p/kappa.
+// In 2D forces are per metre of depth. In: u (m), t (s). Out: N, J, m. The penetration of a node under the pressure p is p/kappa.
+// Between nodes nothing holds a tool: how deep it is there is read at eight points an element.
 // The oscillation of a node on its penalty has omega^2 = kappa A/m, which the stable step adds to the tissue's own.
 #pragma once
 
@@ -21,6 +22,8 @@ struct ToolReading
   double force = 0.;   ///< N, of the tool on the tissue in -x, positive when pressing
   double support = 0.; ///< N, of the plate below, in +x; 0 with a clamp
   double energy = 0.;  ///< J, in the penalty
+  double penetration = 0.;         ///< m, deepest of the tool below the side x = width, between nodes too
+  double support_penetration = 0.; ///< m, deepest of the side x = 0 in the plate below
 };
 
 template <int dim>
@@ -34,18 +37,32 @@ public:
   void add_forces(double time, const std::vector<double> &u, std::vector<double> &force) const;
   ToolReading read(double time, const std::vector<double> &u) const;
 
+  /// m: how deep the tool may be without being lost, the least of an element's thickness and the tool's radius.
+  double own_size() const { return size; }
+
   double travel(double time) const { return tool.travel(time); } ///< m, s(t)
 
   /// 1/s^2: largest kappa A/m over the nodes that may touch a tool.
   double frequency2(const std::vector<double> &mass) const;
 
 private:
+  struct Touch
+  {
+    double penetration;             // m; not positive: apart
+    dealii::Tensor<1, dim> normal;  // of the tissue
+  };
+  Touch touch(double face, const dealii::Point<dim> &x) const;
+  double deepest(const Probe &side, double time, const std::vector<double> &u, bool upper) const;
+
   template <class Each>
   void for_contacts(double time, const std::vector<double> &u, const Each &each) const;
 
   const TissueMesh<dim> &mesh;
   const ToolParameters tool;
   bool plate_below;
-  double kappa, width, middle;
+  double kappa, width, middle, size;
+  // points of the sides that may touch, between the nodes: a tool that comes down there meets no force
+  std::vector<dealii::Point<dim>> upper_points, lower_points;
+  Probe upper_side, lower_side;
 };
 } // namespace turgor

@@ -7,6 +7,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -50,6 +51,7 @@ public:
     for (std::size_t i = 0; i < op.size(); ++i)
       sum += op.fixed(i) ? 0. : load[i] * load[i];
     scale = std::sqrt(sum);
+    floor = round_off() / (scale > 0. ? scale : 1.);
   }
 
   /// Relative residual at u under a part of the load; negative: a point failed.
@@ -106,6 +108,9 @@ public:
         answer.residuals.push_back(norm);
         if (norm < settings.tolerance)
           return true;
+        // as good as double precision gets: where it no longer falls
+        if (iteration > 0 && norm <= floor && norm > 0.5 * answer.residuals[iteration - 1])
+          return true;
         if (iteration == settings.most_iterations)
           return false;
         if (settings.each_iteration)
@@ -133,11 +138,35 @@ public:
       }
   }
 
+  /// Relative residual that round-off alone can make.
+  double round_off_floor() const { return floor; }
+
 private:
+  /// N: what the rounding of F = I + grad u makes of forces, as a norm over the free nodes. The law's stress is off by its stiffness times
+  /// a few units of the last place; laws that find a balance inside have several such terms (an RVE of 25 nodes a side: 4 to 8 units).
+  double round_off() const
+  {
+    constexpr double units = 32.;
+    const double stress = units * std::numeric_limits<double>::epsilon() * op.law().stiffness_bound();
+    const TissueMesh<dim> &mesh = op.mesh();
+    std::vector<double> force(op.size(), 0.);
+    for (unsigned int cell = 0; cell < mesh.cells; ++cell)
+      for (unsigned int q = 0; q < mesh.gauss_points; ++q)
+        for (unsigned int a = 0; a < mesh.nodes_per_cell; ++a)
+          for (unsigned int c = 0; c < dim; ++c)
+            force[std::size_t(mesh.cell_node[cell * mesh.nodes_per_cell + a]) * dim + c] +=
+              stress * mesh.gauss_weight[cell * mesh.gauss_points + q] *
+              mesh.gradient[(std::size_t(cell) * mesh.points + q) * mesh.nodes_per_cell + a].norm();
+    double sum = 0.;
+    for (std::size_t i = 0; i < op.size(); ++i)
+      sum += op.fixed(i) ? 0. : force[i] * force[i];
+    return std::sqrt(sum);
+  }
+
   TissueOperator<dim> &op;
   const StaticSettings settings;
   std::vector<double> residual, load;
-  double scale = 0.;
+  double scale = 0., floor = 0.;
   dealii::SparsityPattern pattern;
   dealii::SparseMatrix<double> matrix;
 };
@@ -150,6 +179,7 @@ StaticAnswer<dim> static_equilibrium(TissueOperator<dim> &op, const std::vector<
   Newton<dim> newton(op, settings);
   StaticAnswer<dim> answer;
   answer.u = start;
+  answer.round_off = newton.round_off_floor();
   double part = 0., increment = 1.;
   unsigned int halvings = 0;
   while (part < 1.)

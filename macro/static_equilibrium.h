@@ -27,6 +27,7 @@ struct StaticAnswer
   unsigned int iterations = 0;      ///< all Newton iterations
   unsigned int increments = 0;
   std::vector<double> residuals;    ///< relative, of the last increment, one per iteration
+  double round_off = 0.;            ///< relative residual that rounding alone can make: below it, what no longer falls is accepted
 };
 
 /// Starts from u (m), e.g. zero. Throws TissueFailed if a point fails in every increment, std::runtime_error if the law

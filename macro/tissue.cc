@@ -77,13 +77,16 @@ TissueEnergies Tissue<dim>::energies() const
     {
       result.kinetic += 0.5 * op.mass()[i] * state.v[i] * state.v[i];
       // the loads are constant and dead: their work is their potential, whatever the path
-      result.external_work += op.external_forces()[i] * state.u[i];
+      result.work += op.external_forces()[i] * state.u[i];
     }
-  result.external_work += state.tool_work - state.tool.energy;
+  result.work += state.tool_work;
+  result.contact = state.tool.energy;
+  result.step = state.step_energy;
+  result.heat = state.heat + state.spent;
   if (state.energy.empty())
-    result.internal = std::numeric_limits<double>::signaling_NaN();
+    result.stored = std::numeric_limits<double>::signaling_NaN();
   for (std::size_t q = 0; q < state.energy.size(); ++q)
-    result.internal += tables.gauss_weight[q] * state.energy[q];
+    result.stored += tables.gauss_weight[q] * state.energy[q];
   return result;
 }
 

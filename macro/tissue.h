@@ -8,6 +8,7 @@
 // given the same limits.
 #pragma once
 
+#include "macro/energy_balance.h"
 #include "macro/integrator.h"
 #include "macro/static_equilibrium.h"
 
@@ -15,15 +16,6 @@
 
 namespace turgor
 {
-struct TissueEnergies
-{
-  double kinetic = 0.;       ///< J (2D: per metre of depth)
-  double internal = 0.;      ///< J; signalling NaN if the law gives no energy
-  double external_work = 0.; ///< J, done by body force, traction and tool since rest, less what is in the tools' penalty
-  /// kinetic + internal - external_work: 0 for an elastic law, the energy dissipated with a minus sign for a viscous one
-  double balance() const { return kinetic + internal - external_work; }
-};
-
 /// The tissue for pictures, in the layout of FieldFrame: 3 numbers per point, 3D padded with zeros.
 struct TissueFields
 {
@@ -82,6 +74,7 @@ public:
   const std::array<double, dim> &size() const { return block; } ///< m, of the piece at rest
   const TissueMesh<dim> &mesh() const { return tables; }
   TissueOperator<dim> &forces() { return op; }
+  const RigidTools<dim> *tools() const { return op.tools(); } ///< none: nullptr
   TissueState<dim> &state() { return integrator->state; }
   const TissueState<dim> &state() const { return integrator->state; }
 

@@ -3,12 +3,10 @@
 #include "micro/cells/turgid_network.h"
 #include "micro/io/cpu_clock.h"
 #include "micro/io/number_text.h"
-
-#include <Eigen/Eigenvalues>
+#include "rve/acoustic_bound.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 namespace turgor
@@ -81,20 +79,7 @@ HydrostaticRve::HydrostaticRve(const ParenchymaParameters &cell, const Hydrostat
   bool regular = false;
   const Tensor2<2> I = Tensor2<2>::Identity();
   const Tensor4<2> affine = tangent(reference, I, Tensor2<2>::Zero(), false, scratch, regular);
-  double largest = 0.;
-  for (int i = 0; i < 180; ++i)
-    {
-      const double angle = i * std::numbers::pi / 180.;
-      const Vector<2> n(std::cos(angle), std::sin(angle));
-      Tensor2<2> acoustic = Tensor2<2>::Zero();
-      for (int a = 0; a < 2; ++a)
-        for (int c = 0; c < 2; ++c)
-          for (int b = 0; b < 2; ++b)
-            for (int d = 0; d < 2; ++d)
-              acoustic(a, c) += n[b] * affine(2 * a + b, 2 * c + d) * n[d];
-      largest = std::max(largest, Eigen::SelfAdjointEigenSolver<Tensor2<2>>(acoustic).eigenvalues().maxCoeff());
-    }
-  bound = 1.2 * largest;
+  bound = 1.2 * acoustic_bound(affine);
 }
 
 std::unique_ptr<Rve<2>::Workspace> HydrostaticRve::make_workspace() const
@@ -362,8 +347,9 @@ RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor
 
   const double J = F.determinant();
   const Tensor2<2> L = F_dot * F.inverse();
-  answer.sigma = e->virial.total() / (J * reference_volume) +
-                 viscous_stress(network.patch().parameters.fluid_viscosity, L);
+  const Tensor2<2> viscous = viscous_stress(network.patch().parameters.fluid_viscosity, L);
+  answer.sigma = e->virial.total() / (J * reference_volume) + viscous;
+  answer.heating = J * viscous.cwiseProduct(L).sum();
   answer.P = J * answer.sigma * F.inverse().transpose();
   for (const double p : e->pressure)
     answer.pressure += p;
@@ -404,7 +390,7 @@ RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor
       answer.sigma.setZero();
       answer.P.setZero();
       answer.tangent.setZero();
-      answer.energy = answer.pressure = 0.;
+      answer.energy = answer.heating = answer.pressure = 0.;
       answer.condition = {};
       answer.trial = committed;
       if (!std::isfinite(answer.diagnostics.residual))

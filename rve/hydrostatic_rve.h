@@ -52,6 +52,7 @@ public:
 
   double density() const override;
   bool has_history() const override { return settings.walls.history(); }
+  bool knows_heating() const override { return true; }
 
   /// Largest eigenvalue of the acoustic tensor of Cauchy-Born at F = I (an upper bound of the relaxed one), with
   /// a fifth more for the stiffening of walls and fluid under strain.

@@ -61,6 +61,7 @@ struct RveAnswer
   Tensor2<dim> P = Tensor2<dim>::Zero();     ///< Pa, first Piola-Kirchhoff J sigma F^-T
   Tensor4<dim> tangent = Tensor4<dim>::Zero(); ///< Pa, dP/dF at fixed F_dot; only if asked
   double energy = 0.;                        ///< J/m^3 of reference volume, elastic, 0 at F = I
+  double heating = 0.;                       ///< W/m^3 of reference volume, by viscosity; see knows_heating()
   double pressure = 0.;                      ///< Pa, mean fluid pressure
   RveCondition condition;
   RveState<dim> trial;
@@ -91,6 +92,12 @@ public:
 
   /// Whether states have a history, so that conditions are worth keeping.
   virtual bool has_history() const { return false; }
+
+  /// Whether answers know what viscosity turns into heat. Then work = energy + heating over time + what the condition has dissipated.
+  virtual bool knows_heating() const { return false; }
+
+  virtual double micro_step() const { return 0.; } ///< s, of one iteration where those are steps in time; 0 where not
+  virtual double burst() const { return 0.; }      ///< s, that the cells live through in a call; 0 where they relax or follow F
 
   virtual double density() const = 0;         ///< kg/m^3 of reference volume, fluid + walls
   virtual double stiffness_bound() const = 0; ///< Pa, upper bound of the tangent dP/dF

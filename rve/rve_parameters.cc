@@ -12,7 +12,7 @@ namespace
 {
 // Newton on one pressure per cell reaches round-off, about 1e-13. Damped particles come to about 2e-3 at moderate
 // deformations; below 1e-3 a call only spends its steps.
-constexpr double hydrostatic_tolerance = 1e-9, sph_tolerance = 1e-3, least_tolerance = 1e-13;
+constexpr double hydrostatic_tolerance = 1e-9, sph_tolerance = 1e-3;
 } // namespace
 
 double RveParameters::equilibrium_tolerance() const
@@ -67,9 +67,14 @@ void RveParameters::add_parameters(InputEntries &prm)
                     "Newton iterations after which one search for equilibrium gives up. Units: 1.",
                     Integer(1, 100000));
   prm.add_parameter("Window tau_0", window,
-                    "Time over which the virial stress is averaged (Eq. 3.17), where the rule runs dynamics. Units: s.",
+                    "Time in the middle of a constrained-runs burst over which the virial stress is averaged (Eq. 3.17), at most "
+                    "the burst; 0 takes the middle alone. Units: s.",
                     Double(0., 1.));
-  prm.add_parameter("Burst length", burst, "Time a constrained-runs burst lasts. Units: s.", Double(0., 1.));
+  prm.add_parameter("Burst length", burst, "Time a constrained-runs burst lasts, two micro steps at least. From call to call the tissue goes on by a macro step, "
+                    "the cells by Bursts * Burst length. Where that is less, what moves inside the cells (viscous relaxation, inertia) "
+                    "is slowed by the ratio: good for slow loading, not for dynamics, which bursts follow that last a macro step. Such "
+                    "bursts cost an RVE what the same cells cost in a full particle run, so with more cells in the RVEs than in the "
+                    "piece the full run (scene full_micro) is cheaper. A run tells where it stands. Units: s.", Double(0., 1.));
   prm.add_parameter("Bursts", bursts, "Bursts of one constrained-runs call. Units: 1.", Integer(1, 1000));
   prm.add_parameter("Step fraction", step_fraction,
                     "Micro time step over the stable limit that the terms state; for Fluid = sph. Units: 1.",

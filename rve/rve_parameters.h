@@ -28,6 +28,8 @@ struct RveParameters
   SphParameters sph;                        ///< used with fluid = sph only
   ParenchymaParameters cell;
 
+  static constexpr double least_tolerance = 1e-13; ///< that an entry may ask for; Newton on one pressure per cell reaches it
+
   /// Largest unbalanced force / (turgor * spacing * depth). Throws std::invalid_argument for an entry that no search
   /// can reach.
   double equilibrium_tolerance() const;

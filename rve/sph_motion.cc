@@ -147,59 +147,84 @@ void SphMotion::equilibrate(const RveState<2> &from, const Tensor2<2> &F, const 
     relax(F, F_dot, int(settings.relax_steps), diagnostics);
 }
 
-Tensor2<2> SphMotion::run_bursts(const RveState<2> &committed, const Tensor2<2> &F, const Tensor2<2> &F_dot,
-                                 RveDiagnostics &diagnostics)
+int SphMotion::half_burst(const SphRveSettings &settings, const double dt)
+{
+  return std::max(1, int(std::lround(0.5 * settings.burst / dt)));
+}
+
+double SphMotion::mean_pressure() const
+{
+  const Particles<2> &p = cells.system.particles;
+  double sum = 0.;
+  for (std::size_t c = 0; c < p.groups.size(); ++c)
+    sum += cells.fluid->mean_pressure(p, c);
+  return sum / double(p.groups.size());
+}
+
+BurstAnswer SphMotion::run_bursts(const RveState<2> &committed, const Tensor2<2> &F, const Tensor2<2> &F_dot,
+                                  RveDiagnostics &diagnostics)
 {
   ParticleSystem<2> &system = cells.system;
-  const int steps = std::max(1, int(std::lround(settings.burst / dt)));
-  const int window = std::clamp(int(std::lround(settings.window / dt)), 1, steps);
-  const double tau = steps * dt, depth = cells.patch.parameters.depth;
+  const int half = half_burst(settings, dt);
+  const int half_window = std::clamp(int(std::lround(0.5 * settings.window / dt)), 0, half);
+  const double tau = 2 * half * dt, depth = cells.patch.parameters.depth;
+  // A burst must not reach beyond what the cells can take on either side of F: a shorter way then.
+  double share = 0.5;
+  const auto off = [&](double sign) { return Tensor2<2>(F + sign * share * tau * F_dot); };
+  const auto too_far = [&](double sign) { return !(off(sign).determinant() > 0.5 * F.determinant()); };
+  while (too_far(-1.) || too_far(1.))
+    share *= 0.5;
+  const Tensor2<2> F_start = off(-1.), F_end = off(1.), rate = (F_end - F_start) / tau; // F_dot but for that case
+
   KickDriftKick<2> integrator(system);
   RveState<2> from = committed;
-  Tensor2<2> sigma = Tensor2<2>::Zero();
+  BurstAnswer answer;
+  double variance = 0.;
   for (unsigned int burst = 0; burst < settings.bursts; ++burst)
     {
       if (burst > 0)
         {
-          from.F = F;
+          from.F = F_end;
           from.F_dot = F_dot;
           from.unknowns.clear();
           store(cells, from.unknowns);
         }
-      Tensor2<2> F_start = F - tau * F_dot;
-      // A burst must not reach back beyond what the cells can take: start nearer then.
-      for (double share = 0.5; !(F_start.determinant() > 0.5 * F.determinant()); share *= 0.5)
-        F_start = F - share * tau * F_dot;
       if (!bring(from, F_start, F_dot, diagnostics))
-        return Tensor2<2>::Zero();
+        return answer;
       diagnostics.residual = 0.; // of a walk; in a burst forces do not balance
-      const Tensor2<2> rate = (F - F_start) / tau; // F_dot but for that case
       system.box.H_dot = rate * cells.patch.lattice;
       system.compute_forces();
-      // Least squares of sigma over the window, about its mean time: mean + slope * half window.
+      // The mean over the window by the trapezoidal rule, and the line through it for what is left as spread.
       Tensor2<2> mean = Tensor2<2>::Zero(), moment = Tensor2<2>::Zero(), square = Tensor2<2>::Zero();
       double time_square = 0.;
-      for (int s = 0; s < steps; ++s)
+      for (int s = 0; s <= 2 * half; ++s)
         {
-          integrator.step(dt);
-          const int k = s - (steps - window);
-          if (k >= 0)
+          if (s > 0)
+            integrator.step(dt);
+          const int t = s - half;
+          if (t == 0)
             {
-              const Tensor2<2> now = system.virial() / (system.box.volume() * depth);
-              const double t = k - 0.5 * (window - 1);
-              mean += now / window;
-              moment += t * now;
-              square += now.cwiseProduct(now) / window;
-              time_square += t * t;
+              answer.energy = system.potential_energy();
+              answer.pressure = mean_pressure();
             }
+          if (std::abs(t) > half_window)
+            continue;
+          const double weight = half_window == 0 ? 1. : (std::abs(t) == half_window ? 0.25 : 0.5) / half_window;
+          const Tensor2<2> now = system.virial() / (system.box.volume() * depth);
+          mean += weight * now;
+          moment += weight * t * now;
+          square += weight * now.cwiseProduct(now);
+          time_square += weight * t * t;
         }
-      const Tensor2<2> slope = window > 2 ? Tensor2<2>(moment / time_square) : Tensor2<2>::Zero();
-      sigma = mean + slope * (0.5 * (window - 1));
-      const Tensor2<2> variance = square - mean.cwiseProduct(mean) - slope.cwiseProduct(slope) * time_square / window;
-      diagnostics.stress_spread = std::sqrt(std::max(0., variance.sum() / 4.));
-      diagnostics.iterations += steps;
-      system.box.H = F * cells.patch.lattice; // free of the steps' round-off
+      answer.sigma += mean / settings.bursts;
+      const Tensor2<2> slope = half_window > 0 ? Tensor2<2>(moment / time_square) : Tensor2<2>::Zero();
+      const Tensor2<2> rest = square - mean.cwiseProduct(mean) - slope.cwiseProduct(slope) * time_square;
+      variance += std::max(0., rest.sum() / 4.) / settings.bursts;
+      diagnostics.iterations += 2 * half;
+      system.box.H = F_end * cells.patch.lattice; // free of the steps' round-off
     }
-  return sigma;
+  diagnostics.stress_spread = std::sqrt(variance);
+  answer.F_end = F_end;
+  return answer;
 }
 } // namespace turgor

@@ -15,6 +15,14 @@
 
 namespace turgor
 {
+/// What bursts answer.
+struct BurstAnswer
+{
+  Tensor2<2> sigma = Tensor2<2>::Zero();      ///< Pa, mean over the windows in the middle of the bursts
+  double energy = 0., pressure = 0.;          ///< J, Pa: in the middle of the last one
+  Tensor2<2> F_end = Tensor2<2>::Identity();  ///< where the last one has left the cells
+};
+
 class SphMotion
 {
 public:
@@ -47,9 +55,14 @@ public:
   /// Damped motion at F until the forces balance, then v = L x. Counts its steps and leaves the residual.
   void equilibrate(const RveState<2> &from, const Tensor2<2> &F, const Tensor2<2> &F_dot, RveDiagnostics &diagnostics);
 
-  /// Bursts that end at F, F_dot; returns the stress (Pa) at their end. Not run where diagnostics.message says why not.
-  Tensor2<2> run_bursts(const RveState<2> &from, const Tensor2<2> &F, const Tensor2<2> &F_dot,
-                        RveDiagnostics &diagnostics);
+  /// Bursts through F at F_dot, half of each before and half behind it. Not run where diagnostics.message says why not.
+  BurstAnswer run_bursts(const RveState<2> &from, const Tensor2<2> &F, const Tensor2<2> &F_dot,
+                         RveDiagnostics &diagnostics);
+
+  /// Steps of the length dt (s) in half a burst.
+  static int half_burst(const SphRveSettings &settings, double dt);
+
+  double mean_pressure() const; ///< Pa, of the cells as they are
 
 private:
   /// place(), behind a walk where F is far. False, with a message, where the cells broke on the way.

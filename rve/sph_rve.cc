@@ -4,6 +4,7 @@
 #include "micro/cells/turgid_reference.h"
 #include "micro/io/cpu_clock.h"
 #include "micro/io/number_text.h"
+#include "rve/acoustic_bound.h"
 #include "rve/sph_motion.h"
 
 #include <algorithm>
@@ -14,15 +15,6 @@ namespace turgor
 {
 namespace
 {
-HydrostaticRveSettings solid_settings(const SphRveSettings &settings)
-{
-  HydrostaticRveSettings result;
-  result.columns = settings.columns;
-  result.rows = settings.rows;
-  result.equilibrium.tolerance = 1e-6;
-  return result;
-}
-
 /// Largest velocity about the affine flow, m/s; infinite when not a number.
 double fastest(const Particles<2> &p, const Tensor2<2> &F, const Tensor2<2> &F_dot)
 {
@@ -47,7 +39,6 @@ SphRve::SphRve(const ParenchymaParameters &cell, const SphRveSettings &settings_
   : settings(settings_)
   , patch(make_parenchyma(cell, settings.columns, settings.rows, true, true))
   , reference_cell(make_turgid_reference(cell, settings.sph))
-  , solid(cell, solid_settings(settings_))
 {
   const auto cells = make_sph_patch(patch, settings.sph, reference_cell);
   ParticleSystem<2> &system = cells->system;
@@ -55,6 +46,12 @@ SphRve::SphRve(const ParenchymaParameters &cell, const SphRveSettings &settings_
   system.compute_forces();
   reference_energy = system.potential_energy();
   SphMotion::store(*cells, start.unknowns);
+  Scratch scratch;
+  scratch.cells = make_sph_patch(patch, settings.sph, reference_cell);
+  const Tensor2<2> I = Tensor2<2>::Identity(), rest = Tensor2<2>::Zero();
+  stiffness = 1.2 * acoustic_bound(affine_tangent(scratch, start, I, rest, Varied::F));
+  // Fluid particles near walls answer a rate more stiffly than Newton's fluid, whose bound this otherwise is.
+  viscosity = std::max(3. * cell.fluid_viscosity, acoustic_bound(affine_tangent(scratch, start, I, rest, Varied::F_dot)));
 }
 
 std::unique_ptr<Rve<2>::Workspace> SphRve::make_workspace() const
@@ -72,7 +69,37 @@ RveState<2> SphRve::initial_state() const
   return state;
 }
 
+double SphRve::burst() const
+{
+  return settings.rule == SphRule::constrained_runs ? 2. * SphMotion::half_burst(settings, dt) * dt * settings.bursts : 0.;
+}
+
 double SphRve::density() const { return tissue_density(patch, reference_cell); }
+
+Tensor4<2> SphRve::affine_tangent(Scratch &scratch, const RveState<2> &at, const Tensor2<2> &F, const Tensor2<2> &F_dot,
+                                  const Varied varied) const
+{
+  ParticleSystem<2> &system = scratch.cells->system;
+  SphMotion motion(*scratch.cells, settings, dt, 1);
+  const double change = varied == Varied::F ? 1e-6 : 1e3; // 1, 1/s; stress is linear in the rate
+  const auto stress = [&](const Tensor2<2> &at_F, const Tensor2<2> &at_rate) -> Tensor2<2> {
+    motion.place(at, at_F, at_rate);
+    system.compute_forces();
+    return system.virial() / (patch.lattice.determinant() * patch.parameters.depth) * at_F.inverse().transpose();
+  };
+  Tensor4<2> result;
+  for (int k = 0; k < 4; ++k)
+    {
+      Tensor2<2> step = Tensor2<2>::Zero();
+      step(k / 2, k % 2) = change;
+      const Tensor2<2> dP = varied == Varied::F ? Tensor2<2>(stress(F + step, F_dot) - stress(F - step, F_dot)) :
+                                                  Tensor2<2>(stress(F, F_dot + step) - stress(F, F_dot - step));
+      for (int a = 0; a < 2; ++a)
+        for (int b = 0; b < 2; ++b)
+          result(2 * a + b, k) = dP(a, b) / (2. * change);
+    }
+  return result;
+}
 
 RveAnswer<2> SphRve::attempt(Scratch &scratch, const RveState<2> &committed, const Tensor2<2> &F,
                              const Tensor2<2> &F_dot, const int refinement, bool &broke) const
@@ -81,7 +108,10 @@ RveAnswer<2> SphRve::attempt(Scratch &scratch, const RveState<2> &committed, con
   Particles<2> &p = system.particles;
   SphMotion motion(*scratch.cells, settings, dt, refinement);
   RveAnswer<2> answer;
+  answer.trial.F = F;
+  answer.trial.F_dot = F_dot;
   const double volume = F.determinant() * patch.lattice.determinant() * patch.parameters.depth;
+  double energy = 0.;
   switch (settings.rule)
     {
       case SphRule::cauchy_born:
@@ -94,16 +124,22 @@ RveAnswer<2> SphRve::attempt(Scratch &scratch, const RveState<2> &committed, con
         answer.sigma = system.virial() / volume;
         break;
       case SphRule::constrained_runs:
-        answer.sigma = motion.run_bursts(committed, F, F_dot, answer.diagnostics);
+      {
+        const BurstAnswer bursts = motion.run_bursts(committed, F, F_dot, answer.diagnostics);
+        answer.sigma = bursts.sigma;
+        answer.pressure = bursts.pressure;
+        energy = bursts.energy;
+        answer.trial.F = bursts.F_end;
         break;
+      }
     }
   answer.P = F.determinant() * answer.sigma * F.inverse().transpose();
-  double pressure = 0.;
-  for (std::size_t c = 0; c < p.groups.size(); ++c)
-    pressure += scratch.cells->fluid->mean_pressure(p, c) / double(p.groups.size());
-  answer.pressure = pressure;
-  answer.energy = (system.potential_energy() - reference_energy)
-                  / (patch.lattice.determinant() * patch.parameters.depth);
+  if (settings.rule != SphRule::constrained_runs)
+    {
+      answer.pressure = motion.mean_pressure();
+      energy = system.potential_energy();
+    }
+  answer.energy = (energy - reference_energy) / (patch.lattice.determinant() * patch.parameters.depth);
   const std::size_t crossed = scratch.cells->fluid->crossed();
   const double sound =
     2. * scratch.cells->fluid->equation_of_state().sound_speed(patch.parameters.fluid_density);
@@ -111,10 +147,10 @@ RveAnswer<2> SphRve::attempt(Scratch &scratch, const RveState<2> &committed, con
   broke = true;
   if (!message.empty())
     return answer; // on the way to F
-  if (!answer.sigma.allFinite() || !std::isfinite(answer.energy) || !std::isfinite(pressure))
+  if (!answer.sigma.allFinite() || !std::isfinite(answer.energy) || !std::isfinite(answer.pressure))
     message = "the micro steps diverged; use a smaller RVE/Step fraction or a shorter macro step.";
   else if (const double most = 7. * patch.parameters.fluid_modulus; answer.sigma.norm() > 10. * most
-                                                                    || !(fastest(p, F, F_dot) < sound))
+                                                                    || !(fastest(p, answer.trial.F, F_dot) < sound))
     message = "the micro steps diverged: stress " + number_text(answer.sigma.norm())
               + " Pa, where the fluid's bulk modulus is " + number_text(most)
               + " Pa; use a smaller RVE/Step fraction or a smaller change of F per call.";
@@ -162,22 +198,13 @@ RveAnswer<2> SphRve::evaluate(const RveState<2> &committed, const Tensor2<2> &F,
     }
   else
     {
-      answer.trial.F = F;
-      answer.trial.F_dot = F_dot;
       if (!affine)
         {
           answer.trial.unknowns.reserve(start.unknowns.size());
           SphMotion::store(*scratch.cells, answer.trial.unknowns);
         }
       if (request.tangent)
-        {
-          const auto solid_workspace = solid.make_workspace();
-          RveRequest tangent_request;
-          tangent_request.tangent = true;
-          const RveAnswer<2> stand_in =
-            solid.evaluate(solid.initial_state(), F, F_dot, tangent_request, *solid_workspace);
-          answer.tangent = stand_in.tangent;
-        }
+        answer.tangent = affine_tangent(scratch, affine ? start : answer.trial, F, F_dot, Varied::F);
     }
   answer.diagnostics.cpu_seconds = thread_cpu_seconds() - began;
   return answer;
