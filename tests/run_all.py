@@ -1,8 +1,11 @@
 """Runs every Boost test program of a build and every Python test, and counts single cases.
 
 The last line is "N passed, N failed"; the exit code is 0 when nothing failed.
-  run_all.py --build DIR [--fast] [NAME...]     NAME: test program (micro, rve, ...) or python
+  run_all.py --build DIR [--fast] [--disturb N] [NAME...]     NAME: test program (micro, rve, ...) or python
 --fast leaves out Boost cases labelled "slow" and is what the sanitizer build runs.
+--disturb N runs the test programs with every instruction set this processor has (TURGOR_SIMD), each of them undisturbed and with
+the start of all scenes moved by round-off in N ways (TURGOR_DISTURB, see disturbance.cc). Nothing may fail: no test asks one chaotic
+trajectory for an exact outcome.
 """
 import argparse
 import json
@@ -20,6 +23,13 @@ def programs(build):
     """(name, command) of every test CMake knows."""
     text = subprocess.run(["ctest", "--show-only=json-v1"], cwd=build, check=True, capture_output=True, text=True).stdout
     return [(test["name"], test["command"]) for test in json.loads(text)["tests"] if "command" in test]
+
+
+def instruction_sets():
+    """Values of TURGOR_SIMD that this processor can run (micro/terms/sph_sweeps.cc)."""
+    with open("/proc/cpuinfo", encoding="utf-8") as file:
+        flags = set(re.search(r"^flags\s*:(.*)$", file.read(), re.M)[1].split())
+    return ["avx512"] * ({"avx512f", "avx512dq"} <= flags) + ["avx2"]
 
 
 def run_program(name, command, fast):
@@ -66,14 +76,20 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", required=True)
     parser.add_argument("--fast", action="store_true")
+    parser.add_argument("--disturb", type=int, metavar="N")
     parser.add_argument("names", nargs="*")
     options = parser.parse_args()
     passed = failed = 0
-    for name, command in programs(options.build):
-        if not options.names or name in options.names:
-            good, bad = run_program(name, command, options.fast)
-            passed, failed = passed + good, failed + bad
-    if not options.names or "python" in options.names:
+    ways = [{}]
+    if options.disturb is not None:
+        ways = [{"TURGOR_SIMD": simd, "TURGOR_DISTURB": str(seed)} for simd in instruction_sets() for seed in range(options.disturb + 1)]
+    for way in ways:
+        os.environ.update(way)
+        for name, command in programs(options.build):
+            if not options.names or name in options.names:
+                good, bad = run_program(", ".join([name] + [f"{key}={value}" for key, value in way.items()]), command, options.fast)
+                passed, failed = passed + good, failed + bad
+    if options.disturb is None and (not options.names or "python" in options.names):
         good, bad = run_python(options.build)
         passed, failed = passed + good, failed + bad
     print(f"{passed} passed, {failed} failed")

@@ -1,6 +1,7 @@
 #include "micro/cells/brick_tissue.h"
 
 #include "micro/engine/counter_random.h"
+#include "micro/engine/start_disturbance.h"
 #include "micro/io/input_entries.h"
 
 #include <algorithm>
@@ -28,7 +29,8 @@ void BrickParameters::add_parameters(InputEntries &prm)
                     Double(0., 1e-2));
   prm.add_parameter("Tissue seed", seed, "Seed of the random displacements. Units: none.", Integer(0));
   prm.add_parameter("Contact ratio", contact_ratio,
-                    "Stiffness of the contact between walls, and with the plates, over that of one wall spring at rest. Units: none.",
+                    "Stiffness of the contact between walls, and with the plates, over that of one wall spring at rest. Where walls "
+                    "break, it is between them at least what stops a torn wall that recoils, 59 (Critical stretch - 1)^2. Units: none.",
                     Double(1e-3, 100.));
   prm.add_parameter("Yielding", yielding,
                     "Wall yielding, thesis Eq. 3.8: none; reversible: force g(lambda) F(lambda) on the way out and back; plastic: "
@@ -67,6 +69,14 @@ void BrickParameters::check(const ParenchymaParameters &cell, const SphParameter
 
 namespace
 {
+/// Contact stiffness over that of a wall spring, K, which no torn wall gets through: a wall that breaks at the stretch lambda_c recoils at
+/// (lambda_c - 1) l sqrt(K/m), its free end at twice that, and a node's energy m v^2/2 has to stay below k rho^2/2. Half as much again,
+/// because the fluid pushes too. slenderness: l/rho, bond over range.
+double ratio_that_holds_torn_walls(const double critical_stretch, const double slenderness)
+{
+  return critical_stretch > 1. ? 1.5 * std::pow(2. * (critical_stretch - 1.) * slenderness, 2) : 0.;
+}
+
 using Corner = std::tuple<int, int, int>; // 0: lower end of wall i of row j, 1: its upper end, 2, 3: middle of an outer side; j, i
 
 struct Geometry
@@ -179,6 +189,7 @@ std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, co
             particles.inverse_mass[begin + k] = 1. / (k < ring_nodes ? single.node_mass : mass[c]);
           }
       }
+  begin_at(particles.x);
   tissue->junctions.resize(cells);
   for (const auto &[corner, places] : met)
     if (places.size() > 2)
@@ -218,9 +229,10 @@ std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, co
       tissue->wall->set_flow(tissue->flow);
     }
   CellContactParameters contact;
-  contact.stiffness = brick.contact_ratio * tissue->spring_stiffness;
-  contact.surface = {std::min(p.wall_thickness, 0.2 * tissue->spacing), 0.25 * tissue->spacing};
+  contact.surface = {0.2 * tissue->spacing, 0.25 * tissue->spacing};
   contact.range = 1.6 * contact.surface.inset; // below sqrt(3): three cells that meet feel nothing
+  contact.stiffness = tissue->spring_stiffness
+                      * std::max(brick.contact_ratio, ratio_that_holds_torn_walls(brick.critical_stretch, tissue->spacing / contact.range));
   contact.fluid_range = contact.surface.inset;
   contact.skin = 0.5 * tissue->spacing;
   contact.spacing = tissue->spacing;

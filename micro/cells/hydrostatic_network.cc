@@ -1,6 +1,7 @@
 #include "micro/cells/hydrostatic_network.h"
 
 #include "micro/cells/ring_geometry.h"
+#include "micro/engine/start_disturbance.h"
 #include "micro/terms/lamella_tie.h"
 #include "micro/terms/wall_bending.h"
 
@@ -83,6 +84,8 @@ std::vector<double> HydrostaticNetwork::reference_positions() const
   x.reserve(unknowns());
   for (const Vector<2> &node : geometry.nodes)
     x.insert(x.end(), {node[0], node[1]});
+  if (disturb_start != nullptr)
+    disturb_start(0, x);
   return x;
 }
 

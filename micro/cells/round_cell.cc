@@ -2,6 +2,7 @@
 
 #include "micro/cells/geodesic_sphere.h"
 #include "micro/engine/counter_random.h"
+#include "micro/engine/start_disturbance.h"
 #include "micro/terms/thesis_fluid.h"
 
 #include <algorithm>
@@ -327,6 +328,7 @@ std::unique_ptr<RoundCell<dim>> make_round_cell(const RoundCellParameters &param
   else if (p.fluid == "pressure")
     cell->enclosed = &cell->system.add(std::make_unique<EnclosedFluid<dim>>(
       eos, std::vector<double>(1, p.fluid_density * volume), p.depth, cell->mesh));
+  begin_at(particles.x);
   return cell;
 }
 

@@ -1,6 +1,7 @@
 #include "micro/cells/sph_parenchyma.h"
 
 #include "micro/engine/counter_random.h"
+#include "micro/engine/start_disturbance.h"
 #include "micro/io/input_entries.h"
 #include "micro/terms/lamella_ties.h"
 #include "micro/terms/ring_wall.h"
@@ -135,6 +136,7 @@ std::unique_ptr<SphPatch> make_sph_patch(const ParenchymaPatch &patch, const Sph
           particles.inverse_mass[begin + k] = 1. / (k < nw ? patch.node_mass : reference.particle_mass);
         }
     }
+  begin_at(particles.x);
   system.box.H = patch.lattice;
   system.box.periodic = {patch.periodic_x, patch.periodic_y};
 

@@ -3,6 +3,7 @@
 #include "micro/engine/binary.h"
 #include "micro/engine/gathered.h"
 #include "micro/engine/parallel.h"
+#include "micro/engine/start_disturbance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,6 +102,8 @@ Overdamped::Change Overdamped::change_of(const Components &v)
 double Overdamped::step(Particles<3> &particles, const std::vector<double> &gamma, const double limit)
 {
   const std::size_t n = particles.size();
+  if (v_before[0].empty())
+    begin_at(particles.x);
   const std::vector<double> &radius = particles.field("radius");
   const double mean_radius = sum_chunks(threads, cells_of(n), parts, [&](std::size_t begin, std::size_t end) {
                                double sum = 0.;

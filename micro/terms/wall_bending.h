@@ -6,7 +6,7 @@
 // conserve momentum and angular momentum exactly, because theta depends on a and b only and
 // is invariant under rotation. theta_0 = 0 on flat sides, pi/2 at the corners of a square.
 //
-// In: positions (m), B/l (N m), theta_0 (rad). Out: energy (J), forces (N).
+// In: edges (m), B/l (N m), theta_0 (rad). Out: angle (rad), its derivatives, energy (J). RingWall makes the forces.
 #pragma once
 
 #include "micro/engine/tensor.h"
@@ -56,28 +56,6 @@ struct WallBending
     Tensor2<2> h;
     h << xy, yy, yy, -xy;
     return h;
-  }
-
-  /// dE/da and dE/db; theta = angle(b) - angle(a). Forces: f0 = dE/da, f1 = dE/db - dE/da, f2 = -dE/db.
-  /// Returns the moment dE/dtheta (N m).
-  double edge_gradients(const Vector<2> &a, const Vector<2> &b, const double theta_0, Vector<2> &dE_da,
-                        Vector<2> &dE_db) const
-  {
-    const double moment = stiffness * (angle(a, b) - theta_0);
-    dE_da = -moment * angle_gradient(a);
-    dE_db = moment * angle_gradient(b);
-    return moment;
-  }
-
-  /// Adds the forces on the three nodes.
-  void add_forces(const Vector<2> &x0, const Vector<2> &x1, const Vector<2> &x2, const double theta_0,
-                  Vector<2> &f0, Vector<2> &f1, Vector<2> &f2) const
-  {
-    Vector<2> ga, gb;
-    edge_gradients(x1 - x0, x2 - x1, theta_0, ga, gb);
-    f0 += ga;
-    f1 += gb - ga;
-    f2 -= gb;
   }
 };
 } // namespace turgor

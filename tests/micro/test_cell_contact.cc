@@ -274,6 +274,53 @@ BOOST_AUTO_TEST_CASE(lists_do_not_change_forces)
   BOOST_TEST(most > 1.);
 }
 
+BOOST_AUTO_TEST_CASE(lists_are_never_stale)
+{
+  // A cell comes from far away, is pressed against another, drawn up along it over its torn wall and away again, turning: at every
+  // moment the forces are, to the bit, those of lists that have just been built.
+  ParticleSystem<2> system;
+  Particles<2> &p = system.particles;
+  add_square(p, 0., 0., 5);
+  add_square(p, 8.3, 0.3, 5);
+  const auto damage = std::make_shared<WallDamage>(2, 20, 20);
+  const auto &contact = system.add(std::make_unique<CellContact>(law(0.1, 0.5, 0.3), damage));
+  int touched = 0, wrong = 0;
+  const int steps = 400;
+  for (int step = 0; step < steps; ++step)
+    {
+      const double vx = step < 150 ? -0.03 : step < 300 ? 0. : 0.03, vy = step < 150 ? 0. : 0.04, turn = 0.002;
+      for (std::size_t i = 20; i < 40; ++i)
+        {
+          const double x = p.x[0][i], y = p.x[1][i];
+          p.x[0][i] += vx - turn * (y - 2.);
+          p.x[1][i] += vy + turn * (x - 4.);
+        }
+      if (step == 170 || step == 171) // the right wall of the first cell, between two builds
+        {
+          damage->cells[0].bond_broken[step - 163] = 1;
+          ++damage->cells[0].broken;
+        }
+      system.compute_forces();
+      ParticleSystem<2> fresh;
+      fresh.particles.resize(p.size());
+      fresh.particles.groups = p.groups;
+      fresh.particles.inverse_mass = p.inverse_mass;
+      fresh.add(std::make_unique<CellContact>(law(0.1, 0.5, 0.3), damage));
+      fresh.particles.x = p.x;
+      fresh.compute_forces();
+      wrong += p.f != fresh.particles.f;
+      double most = 0.;
+      for (const double f : fresh.particles.f[0])
+        most = std::max(most, std::abs(f));
+      touched += most > 0.1;
+    }
+  BOOST_TEST(wrong == 0);
+  BOOST_TEST(touched > 50);
+  BOOST_TEST(touched < steps - 50);
+  BOOST_TEST(contact.list_builds() > 20u);
+  BOOST_TEST(contact.list_builds() < unsigned(steps) / 2);
+}
+
 BOOST_AUTO_TEST_CASE(overloaded_ties_break_on_both_sides)
 {
   ParticleSystem<2> system;

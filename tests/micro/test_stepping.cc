@@ -50,8 +50,10 @@ public:
     return bound;
   }
 
+  double stiffness;
+
 private:
-  double stiffness, drag;
+  double drag;
   bool is_fast;
 };
 
@@ -199,6 +201,40 @@ BOOST_AUTO_TEST_CASE(a_fast_cell_gets_a_shorter_step)
   StepControl<2> again(system, 0.9);
   again.load(in);
   BOOST_TEST(again.dt() == control.dt());
+}
+
+BOOST_AUTO_TEST_CASE(the_state_is_looked_at_again_where_particles_have_moved_by_a_spacing)
+{
+  // Springs become four times as stiff: seen, and the step halved, once a particle has moved by a spacing against the mean of its cell.
+  ParticleSystem<2> system;
+  system.particles.resize(4);
+  system.particles.groups = {{0, 2, 2}, {2, 4, 4}};
+  std::fill(system.particles.inverse_mass.begin(), system.particles.inverse_mass.end(), 1.);
+  system.particles.x[0] = {0., 1., 2., 3.};
+  system.particles.x[1] = {0., 0.5, 0., 0.5};
+  Springs &springs = system.add(std::make_unique<Springs>(100., 0., false));
+  StepControl<2> control(system, 0.9);
+  const double first = control.dt(), spacing = 0.5; // two particles in a box of 1 x 0.5
+  BOOST_TEST(first == 0.9 * 0.2, boost::test_tools::tolerance(2e-3));
+  springs.stiffness = 400.;
+  BOOST_TEST(!control.after_step(100)); // nothing has moved
+  for (int i = 0; i < 4; ++i)
+    system.particles.x[0][i] += 50.;
+  BOOST_TEST(!control.after_step(200)); // all have moved alike
+  system.particles.x[1][3] += 2. * spacing * 0.98; // one of two: half of it against their mean
+  BOOST_TEST(!control.after_step(300));
+  system.particles.x[1][3] += 2. * spacing * 0.04;
+  BOOST_TEST(!control.after_step(301)); // looked at every hundredth step only
+  BOOST_TEST(control.after_step(400));
+  BOOST_TEST(control.dt() == 0.5 * first, boost::test_tools::tolerance(5e-3));
+  springs.stiffness = 1600.;
+  BOOST_TEST(!control.after_step(500)); // has not moved since
+  system.particles.x[0][0] -= 2. * spacing * 1.02;
+  BOOST_TEST(control.after_step(600));
+  BOOST_TEST(control.dt() == 0.25 * first, boost::test_tools::tolerance(5e-3));
+  springs.stiffness = 100.;
+  system.particles.x[0][0] += 4. * spacing;
+  BOOST_TEST(!control.after_step(700)); // never longer again
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -41,11 +41,11 @@ void run_small(Scenario &scene, MemoryContext &context, const Entries &more = {}
   scene.run(context);
 }
 
-std::map<std::string, double> results_of(const Entries &more)
+std::map<std::string, double> results_of(const Entries &more, std::unique_ptr<Scenario> (*make)() = make_tissue_impact)
 {
   Disk disk;
   MemoryContext context(disk, false);
-  run_small(*make_tissue_impact(), context, more);
+  run_small(*make(), context, more);
   return context.results;
 }
 
@@ -150,19 +150,22 @@ BOOST_AUTO_TEST_CASE(same_bits_after_a_stop_and_on_two_threads)
     }
 }
 
-BOOST_AUTO_TEST_CASE(torn_tissue_keeps_its_energy)
+BOOST_AUTO_TEST_CASE(torn_tissue_keeps_its_energy_and_its_walls_apart)
 {
-  // Squeezed by a third, most cells torn: what the plates put in is where it is said to be, and no wall has passed another.
-  Disk disk;
-  MemoryContext context(disk, false);
-  run_small(*make_tissue_failure(), context,
-            {{"End strain", "0.35"}, {"Critical stretch", "1.07"}, {"Lamella strength", "2e6"}, {"Samples", "400"}});
-  const auto &results = context.results;
-  BOOST_TEST(results.at("failed_share") > 0.3);
-  BOOST_TEST(std::abs(results.at("energy_balance_error")) < 0.02); // heat is sampled
-  BOOST_TEST(results.at("energy_created_by_breaking") < 0.005 * results.at("plate_work"));
-  BOOST_TEST(results.at("heat") > 0.);
-  BOOST_TEST(results.at("crossed_bonds") == 0.);
+  // Squeezed by a quarter, most cells torn, in three fluids: what the plates put in is where it is said to be, and no wall, recoiling as
+  // it tears, has passed another. What breaks when is chaotic: counted is the mean. The energy's error falls with the square of the step.
+  double failed = 0.;
+  for (const std::string seed : {"1", "5", "9"})
+    {
+      const auto results = results_of({{"End strain", "0.25"}, {"Critical stretch", "1.07"}, {"Lamella strength", "2e6"},
+                                       {"Samples", "400"}, {"Step fraction", "0.5"}, {"SPH/Seed", seed}}, make_tissue_failure);
+      failed += results.at("failed_share") / 3.;
+      BOOST_TEST(std::abs(results.at("energy_balance_error")) < 0.01);
+      BOOST_TEST(results.at("energy_created_by_breaking") < 0.005 * results.at("plate_work"));
+      BOOST_TEST(results.at("heat") > 0.);
+      BOOST_TEST(results.at("crossed_bonds") == 0.);
+    }
+  BOOST_TEST(failed > 0.3);
 }
 
 BOOST_AUTO_TEST_CASE(walls_that_flow_take_what_is_missing)
