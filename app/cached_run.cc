@@ -1,11 +1,9 @@
 #include "app/cached_run.h"
 
 #include "app/child_process.h"
-#include "micro/io/atomic_file.h"
+#include "app/json_file.h"
 #include "micro/io/checksum.h"
 #include "micro/io/number_text.h"
-
-#include <nlohmann/json.hpp>
 
 namespace turgor
 {
@@ -27,12 +25,17 @@ bool read_summary(CachedRun &run)
   const std::filesystem::path file = run.directory / "summary.json";
   if (!std::filesystem::exists(file))
     return false;
-  const auto json = nlohmann::json::parse(read_whole(file), nullptr, false);
-  if (json.is_discarded())
-    return false;
-  run.status = json.value("status", "failed");
-  run.message = json.value("message", "");
-  run.use = {json.value("wall_time_s", 0.), json.value("cpu_time_s", 0.), json.value("peak_memory_bytes", std::uint64_t(0))};
+  try
+    {
+      const nlohmann::json json = read_json(file);
+      run.use = {json.value("wall_time_s", 0.), json.value("cpu_time_s", 0.), json.value("peak_memory_bytes", std::uint64_t(0))};
+      run.message = json.value("message", "");
+      run.status = json.value("status", "failed");
+    }
+  catch (const std::exception &) // no summary of ours
+    {
+      return false;
+    }
   return run.status == "finished";
 }
 

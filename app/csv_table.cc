@@ -1,11 +1,8 @@
 #include "app/csv_table.h"
 
-#include "micro/io/prm_text.h"
-#include "micro/io/number_text.h"
+#include "micro/io/csv_text.h"
 
 #include <algorithm>
-#include <charconv>
-#include <fstream>
 #include <stdexcept>
 
 namespace turgor
@@ -20,34 +17,17 @@ const std::vector<double> &CsvTable::column(const std::string &name) const
 
 CsvTable read_csv(const std::filesystem::path &file)
 {
-  std::ifstream in(file);
-  std::string line;
-  if (!in || !std::getline(in, line))
-    throw std::runtime_error(file.string() + " is missing or empty.");
+  const CsvText text(file);
   CsvTable table;
   table.file = file;
-  for (const std::string &name : split_trimmed(line, ','))
+  for (const std::string &name : text.header.fields)
     table.names.push_back(name.substr(0, name.find(" [")));
   table.columns.resize(table.names.size());
-  for (unsigned int number = 2; std::getline(in, line); ++number)
+  for (const CsvRow &row : text.rows)
     {
-      if (trimmed(line).empty())
-        continue;
-      const std::vector<std::string> words = split_trimmed(line, ',');
-      const auto refuse = [&] {
-        throw std::runtime_error(file.string() + ", line " + number_text(number) + ": '" + line + "' is not a row of " +
-                                 number_text(table.names.size()) + " numbers.");
-      };
-      if (words.size() != table.names.size())
-        refuse();
-      for (std::size_t i = 0; i < words.size(); ++i)
-        {
-          double value = 0.;
-          const auto [end, error] = std::from_chars(words[i].data(), words[i].data() + words[i].size(), value);
-          if (error != std::errc() || end != words[i].data() + words[i].size())
-            refuse();
-          table.columns[i].push_back(value);
-        }
+      text.require_fields(row, table.names.size());
+      for (std::size_t i = 0; i < row.fields.size(); ++i)
+        table.columns[i].push_back(text.number(row, i));
     }
   return table;
 }

@@ -19,7 +19,7 @@ struct CsvTable
   std::filesystem::path file;
 };
 
-/// Throws std::runtime_error with file and line for what is not a number.
+/// Throws InputError with file, line and column for what is not a number.
 CsvTable read_csv(const std::filesystem::path &file);
 
 /// Quoted where a CSV needs it.

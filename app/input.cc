@@ -53,7 +53,7 @@ void check_section(const PrmSection &section, const std::vector<InputEntry> &kno
 std::string refusal(const PrmSetting &setting, const InputEntry &entry)
 {
   const std::string near = nearest_name(setting.value, entry.pattern.choices);
-  return setting.where + ": '" + setting.path() + "' = '" + setting.value + "' is not allowed; allowed: " +
+  return setting.where + ": '" + setting.path() + "' = '" + shortened(setting.value) + "' is not allowed; allowed: " +
          entry.pattern.in_words() + "." + (near.empty() ? "" : " Did you mean '" + near + "'?") +
          (entry.documentation.empty() ? "" : " (" + entry.documentation + ")");
 }

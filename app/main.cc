@@ -5,6 +5,7 @@
 #include "app/plot_command.h"
 #include "app/ranks.h"
 #include "app/run_command.h"
+#include "app/run_ending.h"
 #include "app/study_runner.h"
 #include "app/validate_command.h"
 #include "micro/io/number_text.h"
@@ -13,6 +14,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -20,6 +24,15 @@
 namespace
 {
 using namespace turgor;
+
+/// Where a descriptor of input, output or messages is closed, the next file to be opened would take its place, and messages end
+/// up in a table.
+void open_standard_streams()
+{
+  for (int number = STDIN_FILENO; number <= STDERR_FILENO; ++number)
+    if (::fcntl(number, F_GETFD) == -1)
+      ::open("/dev/null", number == STDIN_FILENO ? O_RDONLY : O_WRONLY); // takes the lowest number that is free: this one
+}
 
 int list_command(const ScenarioRegistry &registry)
 {
@@ -108,7 +121,6 @@ int dispatch(int argc, char **argv)
                              " does not share its work over ranks; use --threads N.");
           return run_ranks(run.ranks, {argv + 1, argv + argc});
         }
-      install_stop_handler(); // before MPI starts up: a wish to stop must not find its default action, death
       std::unique_ptr<MpiSession> mpi;
       if (under_mpi)
         mpi = std::make_unique<MpiSession>(argc, argv);
@@ -136,6 +148,8 @@ int dispatch(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
+  open_standard_streams();
+  install_stop_handler(); // before all else: a wish to stop must not find its default action, death
   try
     {
       return dispatch(argc, argv);
@@ -147,7 +161,7 @@ int main(int argc, char **argv)
     }
   catch (const std::exception &problem)
     {
-      std::cerr << "turgor: " << problem.what() << std::endl;
+      std::cerr << "turgor: " << words_of(problem) << std::endl;
       return 1;
     }
 }

@@ -43,7 +43,8 @@ bool draw_run(const std::filesystem::path &directory, const std::filesystem::pat
 
 int plot_command(const std::filesystem::path &directory, const std::filesystem::path &data)
 {
-  if (!std::filesystem::is_directory(directory))
+  std::error_code problem;
+  if (!std::filesystem::is_directory(directory, problem))
     throw InputError("There is no directory " + directory.string() + " to plot.");
   if (!std::filesystem::exists(directory / "input.prm") && !std::filesystem::exists(directory / "summary.json"))
     throw InputError(directory.string() + " holds no run (neither summary.json nor input.prm is there).");

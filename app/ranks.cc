@@ -5,13 +5,14 @@
 #include "micro/io/run_context.h"
 #include "micro/io/stop_flag.h"
 
-#include <mpi.h>
-
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <iostream>
 #include <stdexcept>
+#include <thread>
 
 namespace turgor
 {
@@ -25,11 +26,14 @@ int run_ranks(const unsigned int ranks, const std::vector<std::string> &argument
   words.push_back(this_program());
   words.push_back("--under-mpi");
   words.insert(words.end(), arguments.begin(), arguments.end());
-  install_stop_handler();
   try
     {
       const int code = run_child(words, "", SIGUSR1).code;
-      return stop_was_requested() && (code == 0 || code == 128 + SIGUSR1) ? 130 : code;
+      if (!stop_was_requested() || (code != 0 && code != 128 + SIGUSR1))
+        return code;
+      if (code != 0)
+        std::cerr << "turgor: stopped while the ranks were started." << std::endl;
+      return 130;
     }
   catch (const std::runtime_error &problem)
     {
@@ -41,10 +45,12 @@ MpiSession::MpiSession(int &argc, char **&argv)
 {
   int provided = 0;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_SERIALIZED, &provided);
+  MPI_Comm_dup(MPI_COMM_WORLD, &at_end);
 }
 
 MpiSession::~MpiSession()
 {
+  MPI_Comm_free(&at_end);
   MPI_Finalize();
 }
 
@@ -67,6 +73,35 @@ bool MpiSession::any(const bool wish) const
   int flag = wish ? 1 : 0;
   MPI_Allreduce(MPI_IN_PLACE, &flag, 1, MPI_INT, MPI_LOR, MPI_COMM_WORLD);
   return flag != 0;
+}
+
+std::optional<MpiSession::Worst> MpiSession::worst_at_end(const int severity, const double patience) const
+{
+  static int mine[2], worst[2]; // they outlive a request that is given up
+  mine[0] = severity;
+  mine[1] = static_cast<int>(rank());
+  MPI_Request request;
+  MPI_Iallreduce(mine, worst, 1, MPI_2INT, MPI_MAXLOC, at_end, &request);
+  const auto start = std::chrono::steady_clock::now();
+  for (int done = 0;;)
+    {
+      MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+      if (done != 0)
+        return Worst{worst[0], static_cast<unsigned int>(worst[1])};
+      if (std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > patience)
+        return {};
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+}
+
+std::string MpiSession::told_by(const unsigned int from, const std::string &words) const
+{
+  unsigned long long length = words.size();
+  MPI_Bcast(&length, 1, MPI_UNSIGNED_LONG_LONG, static_cast<int>(from), at_end);
+  std::string told = words;
+  told.resize(length);
+  MPI_Bcast(told.data(), static_cast<int>(length), MPI_CHAR, static_cast<int>(from), at_end);
+  return told;
 }
 
 void MpiSession::abort(const int code)

@@ -2,6 +2,9 @@
 // only the ranks initialise MPI. A serial run never touches it.
 #pragma once
 
+#include <mpi.h>
+
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,5 +27,17 @@ public:
   unsigned int size() const;
   bool any(bool wish) const;         ///< collective
   [[noreturn]] void abort(int code); ///< ends all ranks, when one cannot go on
+
+  struct Worst
+  {
+    int severity;
+    unsigned int rank; ///< the lowest of those with it
+  };
+  /// Collective, apart from all that the scene itself sends: nothing when the other ranks do not call it within `patience` seconds.
+  std::optional<Worst> worst_at_end(int severity, double patience) const;
+  std::string told_by(unsigned int rank, const std::string &words) const; ///< collective, after worst_at_end(): that rank's words
+
+private:
+  MPI_Comm at_end; ///< what is sent at the end never meets what a scene on another rank still sends
 };
 } // namespace turgor

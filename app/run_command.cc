@@ -2,6 +2,8 @@
 
 #include "app/plot_command.h"
 #include "app/ranks.h"
+#include "app/run_ending.h"
+#include "micro/io/field_output.h"
 #include "micro/io/number_text.h"
 #include "micro/io/resource_use.h"
 #include "micro/io/run_directory.h"
@@ -17,18 +19,13 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <memory>
 #include <thread>
 
 namespace turgor
 {
 namespace
 {
-struct Ending
-{
-  int code;
-  std::string status, message;
-};
-
 std::filesystem::path default_directory(const std::filesystem::path &file)
 {
   return std::filesystem::path("runs") / file.stem();
@@ -45,50 +42,20 @@ void keep_within_memory()
   setrlimit(RLIMIT_DATA, &limit);
 }
 
-/// The scene's own ending; an InputError passes through while nothing has been written.
-Ending run_scene(Scenario &scenario, RunDirectory &directory)
+/// What a run needs before its scene begins. Nothing has been written when it is there.
+struct Start
 {
-  try
-    {
-      scenario.run(directory);
-      return {0, "finished", ""};
-    }
-  catch (const RunStopped &why)
-    {
-      return {130, "stopped", why.what()};
-    }
-  catch (const InputError &why)
-    {
-      if (!directory.has_written())
-        throw;
-      return {2, "failed", why.what()};
-    }
-  catch (const std::invalid_argument &why)
-    {
-      if (!directory.has_written())
-        throw InputError(why.what());
-      return {1, "failed", why.what()};
-    }
-  catch (const std::bad_alloc &)
-    {
-      return {1, "failed", "There is not enough memory for this run: take fewer cells, particles or elements."};
-    }
-  catch (const std::exception &why)
-    {
-      return {1, "failed", why.what()};
-    }
-}
-} // namespace
+  Input input;
+  RunSettings settings;
+  std::unique_ptr<RunDirectory> directory;
+  std::unique_ptr<tbb::global_control> limit; ///< of threads
 
-std::string program_version()
-{
-  return TURGOR_VERSION;
-}
+  Start(const RunOptions &options, const ScenarioRegistry &registry, MpiSession *mpi);
+};
 
-int run_command(const RunOptions &options, const ScenarioRegistry &registry, MpiSession *mpi)
+Start::Start(const RunOptions &options, const ScenarioRegistry &registry, MpiSession *mpi)
+  : input(load_input(options.file, options.overrides, registry))
 {
-  keep_within_memory();
-  const Input input = load_input(options.file, options.overrides, registry);
   const unsigned int ranks = mpi != nullptr ? mpi->size() : 1;
   if (ranks > 1 && !input.scenario->uses_ranks())
     throw InputError("--ranks " + number_text(ranks) + ": the scenario " + input.scenario_name +
@@ -102,10 +69,8 @@ int run_command(const RunOptions &options, const ScenarioRegistry &registry, Mpi
   // --threads. TBB's own limit below is what counts.
   ::unsetenv("DEAL_II_NUM_THREADS");
   dealii::MultithreadInfo::set_thread_limit(std::max(2u, threads));
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-  install_stop_handler();
+  limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, threads);
 
-  RunSettings settings;
   settings.directory = options.directory.empty() ? default_directory(options.file) : options.directory;
   settings.scenario = input.scenario_name;
   settings.version = program_version();
@@ -118,26 +83,102 @@ int run_command(const RunOptions &options, const ScenarioRegistry &registry, Mpi
   settings.writer = mpi == nullptr || mpi->rank() == 0;
   if (mpi != nullptr)
     settings.agree = [mpi](const bool wish) { return mpi->any(wish); };
+  directory = std::make_unique<RunDirectory>(settings);
+  if (stop_was_requested())
+    throw RunStopped("stopped before the run began; nothing was written.");
+}
 
-  RunDirectory directory(settings);
-  const Ending ending = run_scene(*input.scenario, directory);
-  directory.finish(ending.status, ending.message);
-  const std::string place = settings.directory.string();
+Ending run_scene(Scenario &scenario, RunDirectory &directory)
+{
+  return ending_of([&] {
+    try
+      {
+        scenario.run(directory);
+      }
+    catch (const std::invalid_argument &why) // what a law says of numbers it cannot take
+      {
+        if (directory.has_written())
+          throw;
+        throw InputError(why.what());
+      }
+  });
+}
+
+/// Writes the summary. What goes wrong with that is added to the ending, never put in the place of what was wrong before.
+void write_ending(Ending &ending, RunDirectory &directory, const std::filesystem::path &place)
+{
+  const Ending written = ending_of([&] { directory.finish(ending.status, ending.message); });
+  std::error_code problem;
+  const bool is_gone = directory.has_written() && !std::filesystem::is_directory(place, problem);
+  if (written.code == 0 && !(is_gone && ending.code == 1))
+    return;
+  std::string why = ending.code == 1 ? ending.message : "";
+  if (why.find(written.message) == std::string::npos)
+    why += (why.empty() ? "" : " Besides: ") + written.message;
+  if (is_gone)
+    why = "The output directory " + place.string() + " was removed or renamed while the run was writing into it (" + why + ").";
+  ending = {1, "failed", why, true};
+}
+
+/// To whoever started the run, after everything is on disk.
+void tell(const Ending &ending, RunDirectory &directory, const std::string &place, const bool quiet)
+{
   if (ending.code == 0)
     {
       directory.say("Finished; results are in " + place + ".");
       // Pictures are a service: the run has its results whether or not they can be drawn.
-      if (settings.writer && !options.quiet && !draw_run(place))
+      if (!quiet && !draw_run(place))
         directory.say("The pictures could not be drawn; try: turgor plot " + place);
+      return;
     }
-  else if (settings.writer)
-    std::cerr << "turgor: " << ending.message << "\n"
-              << (ending.code != 130              ? "The run has failed. " :
-                  directory.has_checkpoint() ? "Stopped; continue with --resume. " :
-                                                    "Stopped before there was a checkpoint; run it again. ")
-              << "What there is, is in " << place << "." << std::endl;
-  // Another rank may wait for this one for ever.
-  if (mpi != nullptr && ranks > 1 && ending.code == 1)
+  std::string end = "The run has failed. ";
+  if (ending.code == 130)
+    end = directory.has_checkpoint() ? "Stopped; continue with --resume. " : "Stopped before there was a checkpoint; run it again. ";
+  else if (ending.output_failed && directory.has_checkpoint())
+    end += "Once it can be written, --resume continues from the last checkpoint. ";
+  std::cerr << "turgor: " << ending.message << "\n" << end;
+  std::error_code problem;
+  if (std::filesystem::exists(place, problem))
+    std::cerr << "What there is, is in " << place << ".";
+  for (const auto &entry : std::filesystem::directory_iterator(place, problem))
+    if (entry.path().string().ends_with(FieldOutput::look_ending))
+      std::cerr << "\nThe last state that was in order and the one that failed are in " << entry.path().string() << ", to look at in ParaView.";
+  std::cerr << std::endl;
+}
+} // namespace
+
+std::string program_version()
+{
+  return TURGOR_VERSION;
+}
+
+int run_command(const RunOptions &options, const ScenarioRegistry &registry, MpiSession *mpi)
+{
+  keep_within_memory();
+  std::unique_ptr<Start> start;
+  Ending ending = ending_of([&] { start = std::make_unique<Start>(options, registry, mpi); });
+  bool together = agree_on_ending(ending, mpi);
+  const bool is_begun = together && ending.code == 0, is_writer = mpi == nullptr || mpi->rank() == 0;
+  if (is_begun)
+    {
+      ending = run_scene(*start->input.scenario, *start->directory);
+      together = agree_on_ending(ending, mpi);
+    }
+  if (!is_begun || (together && ending.code == 2 && !start->directory->has_written()))
+    {
+      if (mpi == nullptr && ending.code == 2)
+        throw InputError(ending.message);
+      if (is_writer || !together)
+        std::cerr << "turgor: " << ending.message << std::endl;
+    }
+  else if (is_writer || !together)
+    {
+      if (!is_writer)
+        start->directory->take_over(); // the rank that writes waits inside the scene and is not coming
+      write_ending(ending, *start->directory, start->settings.directory);
+      tell(ending, *start->directory, start->settings.directory.string(), options.quiet);
+    }
+  if (!together)
     mpi->abort(ending.code);
   return ending.code;
 }

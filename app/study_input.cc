@@ -99,7 +99,7 @@ StudyInput load_study(const std::filesystem::path &file)
     throw InputError(file.string() + ": 'Reference' is missing; it names a run or a directory. (A study of results has 'Picture' instead.)" + suggestion("", labels));
   if (std::find(labels.begin(), labels.end(), reference) != labels.end())
     study.reference = reference;
-  else if (std::filesystem::exists(base / reference / "probe.csv"))
+  else if (std::error_code problem; std::filesystem::exists(base / reference / "probe.csv", problem))
     study.reference_directory = base / reference;
   else
     throw InputError(file.string() + ": 'Reference' = '" + reference + "' is neither a run of this study nor a directory with a probe.csv." +

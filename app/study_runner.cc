@@ -1,6 +1,7 @@
 #include "app/study_runner.h"
 
 #include "app/cached_run.h"
+#include "app/json_file.h"
 #include "app/plot_command.h"
 #include "app/run_command.h"
 #include "app/study_errors.h"
@@ -11,8 +12,6 @@
 #include "micro/io/progress_bar.h"
 #include "micro/io/run_context.h"
 #include "micro/io/stop_flag.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -107,7 +106,7 @@ void write_results(const std::vector<Row> &rows, const std::filesystem::path &di
     {
       results.emplace_back(nlohmann::json::object());
       if (row.status == "finished")
-        results.back() = nlohmann::json::parse(read_whole(row.directory / "summary.json")).value("results", nlohmann::json::object());
+        results.back() = read_json(row.directory / "summary.json").value("results", nlohmann::json::object());
       for (const auto &item : results.back().items())
         if (std::find(names.begin(), names.end(), item.key()) == names.end())
           names.push_back(item.key());
@@ -168,7 +167,6 @@ int study_command(const StudyOptions &options, const ScenarioRegistry &registry)
         std::printf("%-28s %-10s %s\n", row.run.label.c_str(), row.status.c_str(), row.directory.c_str());
       return 0;
     }
-  install_stop_handler();
   const std::filesystem::path directory =
     options.directory.empty() ? std::filesystem::path("runs") / options.file.stem() : options.directory;
   // The reference first: then every later line of the table has its error at once.

@@ -213,7 +213,6 @@ int validate_command(const ValidateOptions &options, const ScenarioRegistry &reg
       return 0;
     }
 
-  install_stop_handler();
   const std::filesystem::path table_file = root / "doc" / "results" / "validation.csv", document = root / "doc" / "validation.md";
   std::vector<ValidationResult> table = read_results(table_file);
   const std::map<std::string, double> costs = expected_costs(validations, table);

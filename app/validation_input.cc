@@ -1,13 +1,12 @@
 #include "app/validation_input.h"
 
+#include "app/json_file.h"
 #include "app/nearest_name.h"
-#include "micro/io/atomic_file.h"
 #include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace turgor
@@ -37,10 +36,11 @@ RunRequest run_of(const Json &json, const std::filesystem::path &base, const std
   require_keys(json, {"input", "overrides", "threads", "each"}, where);
   RunRequest run;
   run.input = base / text_of(json, "input", where);
-  run.overrides = json.value("overrides", std::vector<std::string>());
-  run.threads = json.value("threads", 1u);
-  if (run.threads < 1 || run.threads > 1024)
-    throw InputError(where + ": 'threads' has to be a number from 1 to 1024.");
+  run.overrides = json_entry(json, "overrides", std::vector<std::string>(), where, "a list of texts, 'Section/Name=value'");
+  const double threads = json_entry(json, "threads", 1., where, "a whole number from 1 to 1024");
+  if (!(threads >= 1. && threads <= 1024. && threads == std::floor(threads)))
+    throw InputError(where + ": 'threads' has to be a whole number from 1 to 1024.");
+  run.threads = static_cast<unsigned int>(threads);
   return run;
 }
 
@@ -64,17 +64,17 @@ ValidationRow row_of(const Json &json, const std::string &where)
   ValidationRow row;
   row.quantity = text_of(json, "quantity", where);
   row.source = text_of(json, "source", where);
-  row.thesis = json.value("thesis", "");
+  row.thesis = json_entry(json, "thesis", std::string(), where, "a text");
   row.result = text_of(json, "result", where);
   if (json.contains("relative_to"))
     row.relative_to = json["relative_to"].is_string() ? json["relative_to"].get<std::string>() : json["relative_to"].dump();
   if (!row.relative_to.empty() && (json.contains("scale") || json.contains("unit")))
     throw InputError(where + ": a row with 'relative_to' is in %; it has neither 'scale' nor 'unit'.");
-  row.scale = json.value("scale", 1.);
-  row.unit = row.relative_to.empty() ? json.value("unit", "") : "%";
+  row.scale = json_entry(json, "scale", 1., where, "a number");
+  row.unit = row.relative_to.empty() ? json_entry(json, "unit", std::string(), where, "a text") : "%";
   for (const auto &[key, place] : {std::pair{"least", &row.least}, std::pair{"most", &row.most}})
     if (json.contains(key))
-      *place = json[key].get<double>();
+      *place = json_entry(json, key, 0., where, "a number");
   if (row.least && row.most && *row.least > *row.most)
     throw InputError(where + ": 'least' is larger than 'most'.");
   return row;
@@ -83,7 +83,8 @@ ValidationRow row_of(const Json &json, const std::string &where)
 
 std::vector<Validation> load_validations(const std::filesystem::path &directory)
 {
-  if (!std::filesystem::is_directory(directory))
+  std::error_code problem;
+  if (!std::filesystem::is_directory(directory, problem))
     throw InputError("There is no directory " + directory.string() + " of validations.");
   std::vector<std::filesystem::path> files;
   for (const auto &entry : std::filesystem::directory_iterator(directory))
@@ -96,41 +97,34 @@ std::vector<Validation> load_validations(const std::filesystem::path &directory)
     {
       Validation &validation = validations.emplace_back();
       validation.name = file.stem().string();
-      try
+      const Json json = read_json(file);
+      require_keys(json, {"runs", "rows"}, file.string());
+      const Json runs = json.value("runs", Json::object()), rows = json.value("rows", Json::array());
+      for (const auto &item : runs.items())
         {
-          const Json json = Json::parse(read_whole(file));
-          require_keys(json, {"runs", "rows"}, file.string());
-          const Json runs = json.value("runs", Json::object()), rows = json.value("rows", Json::array());
-          for (const auto &item : runs.items())
+          const std::string where = file.string() + ", run '" + item.key() + "'";
+          const RunRequest run = run_of(item.value(), directory, where);
+          if (!item.value().contains("each"))
             {
-              const std::string where = file.string() + ", run '" + item.key() + "'";
-              const RunRequest run = run_of(item.value(), directory, where);
-              if (!item.value().contains("each"))
-                {
-                  validation.runs[item.key()] = run;
-                  continue;
-                }
-              for (const std::string &override : each_of(text_of(item.value(), "each", where), where))
-                {
-                  std::vector<std::string> &labels = validation.means[item.key()];
-                  labels.push_back(item.key() + " " + number_text(labels.size() + 1));
-                  validation.runs[labels.back()] = run;
-                  validation.runs[labels.back()].overrides.push_back(override);
-                }
+              validation.runs[item.key()] = run;
+              continue;
             }
-          for (const Json &row : rows)
+          for (const std::string &override : each_of(text_of(item.value(), "each", where), where))
             {
-              const std::string where = file.string() + ", row " + number_text(validation.rows.size() + 1);
-              const ValidationRow next = row_of(row, where);
-              for (const ValidationRow &other : validation.rows) // a result is found again by its quantity
-                if (other.quantity == next.quantity)
-                  throw InputError(where + ": there is a row '" + next.quantity + "' before it; a quantity needs a name of its own.");
-              validation.rows.push_back(next);
+              std::vector<std::string> &labels = validation.means[item.key()];
+              labels.push_back(item.key() + " " + number_text(labels.size() + 1));
+              validation.runs[labels.back()] = run;
+              validation.runs[labels.back()].overrides.push_back(override);
             }
         }
-      catch (const Json::exception &problem)
+      for (const Json &row : rows)
         {
-          throw InputError(file.string() + ": " + problem.what());
+          const std::string where = file.string() + ", row " + number_text(validation.rows.size() + 1);
+          const ValidationRow next = row_of(row, where);
+          for (const ValidationRow &other : validation.rows) // a result is found again by its quantity
+            if (other.quantity == next.quantity)
+              throw InputError(where + ": there is a row '" + next.quantity + "' before it; a quantity needs a name of its own.");
+          validation.rows.push_back(next);
         }
       if (validation.runs.empty() || validation.rows.empty())
         throw InputError(file.string() + ": it needs at least one of 'runs' and one of 'rows'.");

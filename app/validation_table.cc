@@ -1,12 +1,12 @@
 #include "app/validation_table.h"
 
 #include "app/csv_table.h"
+#include "app/json_file.h"
 #include "micro/io/atomic_file.h"
+#include "micro/io/csv_text.h"
 #include "micro/io/number_text.h"
+#include "micro/io/user_text.h"
 
-#include <nlohmann/json.hpp>
-
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -33,7 +33,7 @@ double result_of(const std::string &label, const std::string &name, const Direct
   const auto found = directories.find(label);
   if (found == directories.end())
     throw std::runtime_error("'" + name + "': no finished run with the label '" + label + "'.");
-  const auto json = nlohmann::json::parse(read_whole(found->second / "summary.json"));
+  const auto json = read_json(found->second / "summary.json");
   if (!json.contains("results") || !json["results"].contains(name))
     throw std::runtime_error("'" + name + "' is no result of " + (found->second / "summary.json").string() + ".");
   return json["results"][name]["value"];
@@ -42,10 +42,8 @@ double result_of(const std::string &label, const std::string &name, const Direct
 /// A result by NAME or LABEL:NAME, the mean where the label has several runs, or the number itself.
 Measured look_up(const std::string &reference, const Directories &directories, const std::map<std::string, std::vector<std::string>> &means)
 {
-  double number = 0.;
-  const auto [end, problem] = std::from_chars(reference.data(), reference.data() + reference.size(), number);
-  if (problem == std::errc() && end == reference.data() + reference.size())
-    return {number, 0.};
+  if (const auto number = read_number(reference))
+    return {*number, 0.};
   const std::size_t colon = reference.find(':');
   const std::string label = colon == std::string::npos ? "" : reference.substr(0, colon);
   const std::string name = colon == std::string::npos ? reference : reference.substr(colon + 1);
@@ -63,23 +61,6 @@ Measured look_up(const std::string &reference, const Directories &directories, c
     mean.error += (value - mean.value) * (value - mean.value) / (n * (n - 1.));
   mean.error = std::sqrt(mean.error);
   return mean;
-}
-
-/// One line of a CSV whose fields may be quoted.
-std::vector<std::string> fields_of(const std::string &line)
-{
-  std::vector<std::string> fields(1);
-  bool quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i)
-    if (line[i] == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"')
-      fields.back() += line[i++];
-    else if (line[i] == '"')
-      quoted = !quoted;
-    else if (line[i] == ',' && !quoted)
-      fields.emplace_back();
-    else
-      fields.back() += line[i];
-  return fields;
 }
 
 std::string in_cell(const std::string &text)
@@ -147,14 +128,11 @@ std::vector<ValidationResult> read_results(const std::filesystem::path &file)
   std::vector<ValidationResult> results;
   if (!std::filesystem::exists(file))
     return results;
-  std::istringstream in(read_whole(file));
-  std::string line;
-  std::getline(in, line);
-  for (unsigned int number = 2; std::getline(in, line); ++number)
+  const CsvText text(file);
+  for (const CsvRow &row : text.rows)
     {
-      const std::vector<std::string> f = fields_of(line);
-      if (f.size() != 6)
-        throw std::runtime_error(file.string() + ", line " + number_text(number) + ": six fields are needed.");
+      text.require_fields(row, 6);
+      const std::vector<std::string> &f = row.fields;
       results.push_back({f[0], f[1], f[2], f[3], f[4], f[5]});
     }
   return results;

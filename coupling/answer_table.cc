@@ -76,6 +76,15 @@ void AnswerTable<dim>::gather(const PointShares &shares)
 }
 
 template <int dim>
+bool AnswerTable<dim>::any_failed() const
+{
+  bool any = false;
+  for (std::size_t point = 0; point * width < table.size(); ++point)
+    any = any || failed(point);
+  return any;
+}
+
+template <int dim>
 bool AnswerTable<dim>::failed(const std::size_t point) const
 {
   return table[point * width + Row<dim>::failed] != 0.;

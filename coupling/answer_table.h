@@ -26,6 +26,7 @@ public:
   void gather(const PointShares &shares);
 
   bool failed(std::size_t point) const;
+  bool any_failed() const;
   double pressure(std::size_t point) const;
   Tensor2<dim> sigma(std::size_t point) const;
   RveCondition condition(std::size_t point) const; ///< only if the table has conditions

@@ -4,6 +4,8 @@
 #include "coupling/state_bytes.h"
 #include "coupling/tensor_conversion.h"
 #include "micro/io/number_text.h"
+#include "micro/io/run_context.h"
+#include "micro/io/stop_flag.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -216,6 +218,8 @@ void RveLaw<dim>::evaluate(const std::vector<dealii::Tensor<2, dim>> &F,
   const std::vector<std::size_t> &mine = m.shares.mine();
   const auto one = [&](std::size_t k) {
     const std::size_t p = mine[k];
+    if (stop_was_requested()) // the rest of the batch would be thrown away
+      return table.put_failed(p);
     reasons[p] = m.call(p, to_eigen<dim>(F[p]), to_eigen<dim>(F_dot[p]), rve_request, table);
   };
   if (m.settings.threads <= 1)
@@ -225,6 +229,9 @@ void RveLaw<dim>::evaluate(const std::vector<dealii::Tensor<2, dim>> &F,
     m.arena.execute([&] { tbb::parallel_for(std::size_t{0}, mine.size(), one, tbb::simple_partitioner()); });
 
   table.gather(m.shares);
+  // The table is equal on all ranks: all come here, or none. Whoever catches this has the committed states as they were.
+  if (table.any_failed() && m.shares.any(stop_was_requested()))
+    throw RunStopped("stopped inside a step of the tissue");
   m.count(table);
 
   answer.P.resize(n);

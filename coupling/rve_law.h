@@ -6,7 +6,7 @@
 //
 // The Rve is shared and const; a point owns a committed RveState and the trial of the last
 // evaluate(). An RVE that fails, or throws, is a FailedPoint with place and reason; nothing
-// is thrown out of a batch. Points are shared out over MPI ranks (point_shares.h) and, inside a rank,
+// is thrown out of a batch but RunStopped, on all ranks, after the wish to stop: committed states are as they were. Points are shared out over MPI ranks (point_shares.h) and, inside a rank,
 // over threads; a point's answer depends on its own state and input only, sums run in the
 // order of the points: the same bits on any number of threads and ranks.
 //

@@ -47,6 +47,36 @@ FieldFrame tissue_frame(const Tissue<2> &tissue, const RveLaw<2> &law)
   return frame;
 }
 
+FieldFrame failing_tissue_frame(const Tissue<2> &tissue)
+{
+  const TissueOperator<2> &op = tissue.forces();
+  const std::vector<double> &u = op.failed_displacement();
+  FieldFrame frame;
+  if (u.empty())
+    return frame;
+  TissueFields fields = tissue.fields();
+  const TissueMesh<2> &mesh = tissue.mesh();
+  frame.time = op.failed_time();
+  frame.points = fields.points;
+  for (std::size_t i = 0; i < mesh.picture_node.size(); ++i)
+    for (std::size_t c = 0; c < 2; ++c)
+    {
+      fields.displacement[3 * i + c] = u[std::size_t(mesh.picture_node[i]) * 2 + c];
+      frame.points[3 * i + c] += fields.displacement[3 * i + c];
+    }
+  frame.cells = std::move(fields.cells);
+  frame.nodes_per_cell = fields.nodes_per_cell;
+  std::vector<double> failed(mesh.cells, 0.);
+  failed[op.failure().element] = 1.;
+  for (const FailedPoint &point : op.answer().failed)
+    failed[point.point / mesh.gauss_points] = 1.;
+  NamedField marks{"a point failed [1]", 1, {}, true};
+  for (const unsigned int element : mesh.picture_element)
+    marks.values.push_back(failed[element]);
+  frame.fields = {{"displacement [m]", 3, std::move(fields.displacement), false}, std::move(marks)};
+  return frame;
+}
+
 void write_cell_displacement(RunContext &context, const Tissue<2> &tissue, unsigned int cells, double period,
                              unsigned int samples)
 {

@@ -17,6 +17,10 @@ namespace turgor
 /// stretch of the walls, per element.
 FieldFrame tissue_frame(const Tissue<2> &tissue, const RveLaw<2> &law);
 
+/// The mesh in the last trial in which a point failed, displacement (m), and per element whether one of its points did; no points
+/// where none has.
+FieldFrame failing_tissue_frame(const Tissue<2> &tissue);
+
 /// cell_displacement.csv: the displacement averaged over each of the cells x cells squares of side `period` (m),
 /// by samples x samples points each. The square piece is [0, cells period]^2.
 void write_cell_displacement(RunContext &context, const Tissue<2> &tissue, unsigned int cells, double period,

@@ -5,7 +5,9 @@
 #include "macro/binary.h"
 #include "macro/tissue.h"
 #include "micro/io/cpu_clock.h"
+#include "micro/io/field_output.h"
 #include "micro/io/number_text.h"
+#include "micro/io/stop_flag.h"
 
 #include <chrono>
 #include <cmath>
@@ -43,7 +45,10 @@ public:
     , law(rve_, settings_.law)
     , tissue(settings_.tissue, law)
     , observer(observer_)
-  {}
+  {
+    if (law.shares().ranks() == 1) // several are asked together, batch by batch
+      tissue.forces().ask = [] { stop_here("inside a step of the tissue"); };
+  }
 
   void go();
 
@@ -56,7 +61,7 @@ private:
   TissueObserver &observer;
   Memory memory;
   std::unique_ptr<Series> energy_series, cost_series;
-  std::optional<FieldFile> fields;
+  std::optional<FieldOutput> fields;
   std::optional<RveOutlines> outlines;
   RveLawStatistics before; // at the last row of cost.csv
   const Clock::time_point started = Clock::now();
@@ -108,7 +113,7 @@ void Run::row()
 void Run::frame()
 {
   if (fields)
-    fields->write(tissue_frame(tissue, law));
+    fields->write();
   outlines->write(tissue, law, rve);
   observer.frame(tissue, law);
   ++memory.frames;
@@ -214,8 +219,7 @@ void Run::go()
       observer.load(in);
       tissue.load(in);
     });
-    if (context.is_writer())
-      fields.emplace(context.directory(), "tissue", resumed);
+    fields.emplace(context, "tissue", resumed, [this] { return tissue_frame(tissue, law); }, [this] { return failing_tissue_frame(tissue); });
     if (resumed)
     {
       before = law.statistics();
@@ -232,7 +236,15 @@ void Run::go()
     while (tissue.time() < end)
     {
       // Steps end on the times of the frames, also after a resume: the same limits, the same bits.
-      tissue.step(frame_time(memory.frames));
+      try
+      {
+        tissue.step(frame_time(memory.frames));
+      }
+      catch (const RunStopped &)
+      {
+        checkpoint(); // the step is not taken; it is what a resumed run begins with
+        throw RunStopped("Stopped at t = " + number_text(tissue.time() * 1e3) + " ms.");
+      }
       row();
       if (tissue.time() >= frame_time(memory.frames))
         frame();

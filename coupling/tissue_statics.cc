@@ -4,6 +4,7 @@
 #include "coupling/tissue_output.h"
 #include "coupling/tissue_size.h"
 #include "macro/tissue.h"
+#include "micro/io/field_output.h"
 #include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
 #include "rve/make_rve.h"
@@ -99,10 +100,11 @@ void TissueStatics::run(RunContext &context)
   RveLaw<2> law(rve, shares);
   Tissue<2> body(piece, law);
 
+  FieldOutput fields(context, "tissue", false, [&] { return tissue_frame(body, law); }, [&] { return failing_tissue_frame(body); });
   context.progress(0.1, "Newton's method");
   StaticAnswer<2> answer;
   StaticSettings settings = newton;
-  settings.each_iteration = [&] {
+  settings.each_evaluation = [&] {
     if (context.stop_requested()) // agreed by all ranks, which iterate alike
       throw RunStopped("stopped before the full load was carried");
   };
@@ -145,9 +147,7 @@ void TissueStatics::run(RunContext &context)
   context.result("body_force", piece.body_force.norm(), "N/kg");
   context.result("solve_time", std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count(), "s");
   write_cell_displacement(context, body, cells, period, cell_samples);
-  const FieldFrame frame = tissue_frame(body, law);
-  if (context.is_writer())
-    FieldFile(context.directory(), "tissue", false).write(frame);
+  fields.write();
 }
 
 std::unique_ptr<Scenario> make_tissue_statics()

@@ -151,6 +151,7 @@ void DormandPrince<dim>::step(double limit)
   Sundials &s = *sundials;
   const std::size_t n = free_entries.size();
   const double largest = stable_step();
+  const auto before = this->counters;
   double tried = next_step > 0. ? std::min(next_step, largest) : largest;
   for (unsigned int halvings = 0;; ++halvings)
     {
@@ -170,7 +171,10 @@ void DormandPrince<dim>::step(double limit)
       check(ARKStepSetStopTime(s.arkode, limit), "ARKStepSetStopTime");
       const int flag = ARKStepEvolve(s.arkode, limit, s.y, &reached, ARK_ONE_STEP);
       if (thrown)
-        std::rethrow_exception(thrown);
+        {
+          this->counters = before; // this step has not been
+          std::rethrow_exception(thrown);
+        }
       long int attempts = 1;
       check(ARKStepGetNumStepAttempts(s.arkode, &attempts), "ARKStepGetNumStepAttempts");
       this->counters.rejected += static_cast<unsigned long>(std::max(0l, attempts - (flag >= 0 ? 1 : 0)));

@@ -47,6 +47,8 @@ double StableStep<dim>::power_iteration(const std::vector<double> &matrices, uns
   double eigenvalue = 0.;
   for (unsigned int iteration = 0; iteration < 2000; ++iteration)
     {
+      if (op.ask)
+        op.ask();
       std::fill(y.begin(), y.end(), 0.);
       for (unsigned int cell = 0; cell < mesh.cells; ++cell)
         for (unsigned int i = 0; i < n; ++i)

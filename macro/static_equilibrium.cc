@@ -57,6 +57,8 @@ public:
   /// Relative residual at u under a part of the load; negative: a point failed.
   double evaluate(const std::vector<double> &u, double part)
   {
+    if (settings.each_evaluation)
+      settings.each_evaluation();
     if (!op.evaluate(0., 0., u, std::vector<double>(op.size(), 0.), true))
       return -1.;
     op.internal_forces(residual);
@@ -113,8 +115,6 @@ public:
           return true;
         if (iteration == settings.most_iterations)
           return false;
-        if (settings.each_iteration)
-          settings.each_iteration();
         const dealii::Vector<double> change = update();
         ++answer.iterations;
         // full steps when they can be evaluated and do not blow up: a nearly incompressible body's residual rises

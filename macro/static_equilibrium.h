@@ -17,7 +17,7 @@ struct StaticSettings
   double tolerance = 1e-9;         ///< residual / largest external force norm
   unsigned int most_iterations = 25;
   unsigned int most_halvings = 8;  ///< of the load increment
-  std::function<void()> each_iteration; ///< called before each; what it throws ends the search
+  std::function<void()> each_evaluation; ///< called before each of all points; what it throws ends the search
 };
 
 template <int dim>
@@ -31,7 +31,7 @@ struct StaticAnswer
 };
 
 /// Starts from u (m), e.g. zero. Throws TissueFailed if a point fails in every increment, std::runtime_error if the law
-/// gives no tangents or Newton does not converge, and whatever settings.each_iteration throws.
+/// gives no tangents or Newton does not converge, and whatever settings.each_evaluation throws.
 template <int dim>
 StaticAnswer<dim> static_equilibrium(TissueOperator<dim> &op, const std::vector<double> &start,
                                      const StaticSettings &settings = StaticSettings());

@@ -75,6 +75,7 @@ public:
   const TissueMesh<dim> &mesh() const { return tables; }
   TissueOperator<dim> &forces() { return op; }
   const RigidTools<dim> *tools() const { return op.tools(); } ///< none: nullptr
+  const TissueOperator<dim> &forces() const { return op; }
   TissueState<dim> &state() { return integrator->state; }
   const TissueState<dim> &state() const { return integrator->state; }
 

@@ -54,6 +54,8 @@ bool TissueOperator<dim>::evaluate(double time, double since_commit, const std::
       failed.position[d] = tables.gauss_position[point][d];
     failed.reason = reason;
     failed.others = others;
+    failed_u = u;
+    time_of_failure = time;
     return false;
   };
 

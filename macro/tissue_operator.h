@@ -31,6 +31,12 @@ public:
   bool evaluate(double time, double since_commit, const std::vector<double> &u, const std::vector<double> &v,
                 bool tangents = false);
   const TissueFailure &failure() const { return failed; }
+  /// The displacement (m) and time (s) of the last evaluate() that failed; empty: none has.
+  const std::vector<double> &failed_displacement() const { return failed_u; }
+  double failed_time() const { return time_of_failure; }
+
+  /// Called in long loops between evaluations; what it throws ends them. May be empty.
+  std::function<void()> ask;
 
   /// From the last evaluate(): nodal forces (N), acceleration (m/s^2) with zero at clamped nodes.
   void internal_forces(std::vector<double> &force);
@@ -68,6 +74,8 @@ private:
   TissueFailure failed;
   std::vector<double> nodal_mass, external, local_u, local_v;
   std::optional<RigidTools<dim>> rigid;
+  std::vector<double> failed_u;
+  double time_of_failure = 0.;
   std::vector<double> last_u; ///< of the last evaluate(), with tools only
   dealii::Tensor<1, dim> held;
   double last_time = 0.;

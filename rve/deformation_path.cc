@@ -1,61 +1,19 @@
 #include "rve/deformation_path.h"
 
+#include "micro/engine/tensor_text.h"
 #include "micro/io/run_context.h"
-
-#include <cmath>
-#include <sstream>
+#include "micro/io/user_text.h"
 
 namespace turgor
 {
-namespace
-{
-std::vector<std::string> split(const std::string &text, const char separator)
-{
-  std::vector<std::string> parts(1);
-  for (const char c : text)
-    if (c == separator)
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  return parts;
-}
-
-double parse_number(const std::string &text, const std::string &entry)
-{
-  std::istringstream in(text);
-  double value;
-  std::string rest;
-  if (!(in >> value) || (in >> rest) || !std::isfinite(value))
-    throw InputError(entry + " holds '" + text + "' where a finite number is expected.");
-  return value;
-}
-} // namespace
-
-Tensor2<2> parse_tensor(const std::string &text, const std::string &entry)
-{
-  const std::vector<std::string> rows = split(text, ';');
-  Tensor2<2> result;
-  if (rows.size() != 2)
-    throw InputError(entry + " is '" + text + "', but a matrix is written as: xx, xy; yx, yy");
-  for (int a = 0; a < 2; ++a)
-    {
-      const std::vector<std::string> columns = split(rows[a], ',');
-      if (columns.size() != 2)
-        throw InputError(entry + " is '" + text + "', but a matrix is written as: xx, xy; yx, yy");
-      for (int b = 0; b < 2; ++b)
-        result(a, b) = parse_number(columns[b], entry);
-    }
-  return result;
-}
-
 DeformationPath::DeformationPath(const std::string &text, const std::string &entry)
 {
-  for (const std::string &keyframe : split(text, '|'))
+  for (const std::string &keyframe : split_trimmed(text + "|", '|'))
     {
-      const std::vector<std::string> parts = split(keyframe, ':');
+      const std::vector<std::string> parts = split_trimmed(keyframe + ":", ':');
       if (parts.size() != 2)
         throw InputError(entry + " has the keyframe '" + keyframe + "', but one is written as: time : xx, xy; yx, yy");
-      times.push_back(parse_number(parts[0], entry));
+      times.push_back(read_numbers(parts[0], 1, entry, "time : xx, xy; yx, yy")[0]);
       keyframes.push_back(parse_tensor(parts[1], entry));
       if (times.size() > 1 && !(times.back() > times[times.size() - 2]))
         throw InputError(entry + " has the keyframe '" + keyframe + "', but times have to rise.");

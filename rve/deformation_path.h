@@ -12,9 +12,6 @@
 
 namespace turgor
 {
-/// "a, b; c, d" as a matrix. Throws InputError naming the entry.
-Tensor2<2> parse_tensor(const std::string &text, const std::string &entry);
-
 class DeformationPath
 {
 public:

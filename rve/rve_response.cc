@@ -1,5 +1,6 @@
 #include "rve/rve_response.h"
 
+#include "micro/engine/tensor_text.h"
 #include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
 #include "micro/io/run_context.h"

@@ -2,6 +2,7 @@
 
 #include "micro/engine/kick_drift_kick.h"
 #include "micro/io/number_text.h"
+#include "micro/io/stop_flag.h"
 #include "rve/stretch_path.h"
 
 #include <algorithm>
@@ -120,6 +121,7 @@ void SphMotion::relax(const Tensor2<2> &F, const Tensor2<2> &F_dot, const int fu
                       && steps < full_steps * refinement;
        steps += 10)
     {
+      stop_here("while an RVE came to rest");
       for (int k = 0; k < 10; ++k)
         integrator.step(dt, 2. / crossing);
       diagnostics.iterations += 10;
@@ -199,6 +201,8 @@ BurstAnswer SphMotion::run_bursts(const RveState<2> &committed, const Tensor2<2>
       double time_square = 0.;
       for (int s = 0; s <= 2 * half; ++s)
         {
+          if (s % 16 == 0)
+            stop_here("in the burst of an RVE");
           if (s > 0)
             integrator.step(dt);
           const int t = s - half;

@@ -4,6 +4,7 @@
 #include "micro/cells/turgid_reference.h"
 #include "micro/io/cpu_clock.h"
 #include "micro/io/number_text.h"
+#include "micro/io/stop_flag.h"
 #include "rve/acoustic_bound.h"
 #include "rve/sph_motion.h"
 
@@ -38,7 +39,7 @@ struct SphRve::Scratch final : Rve<2>::Workspace
 SphRve::SphRve(const ParenchymaParameters &cell, const SphRveSettings &settings_)
   : settings(settings_)
   , patch(make_parenchyma(cell, settings.columns, settings.rows, true, true))
-  , reference_cell(make_turgid_reference(cell, settings.sph))
+  , reference_cell(make_turgid_reference(cell, settings.sph, [](double) { stop_here("while the reference cell was annealed"); }))
 {
   const auto cells = make_sph_patch(patch, settings.sph, reference_cell);
   ParticleSystem<2> &system = cells->system;

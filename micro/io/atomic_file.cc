@@ -1,6 +1,9 @@
 #include "micro/io/atomic_file.h"
 
+#include "micro/io/output_failed.h"
+
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -13,11 +16,6 @@ namespace turgor
 {
 namespace
 {
-[[noreturn]] void refuse(const std::filesystem::path &path, const char *what)
-{
-  throw std::runtime_error("cannot " + std::string(what) + " " + path.string() + ": " + std::strerror(errno) + ".");
-}
-
 class Descriptor
 {
 public:
@@ -38,10 +36,16 @@ public:
 void write_atomically(const std::filesystem::path &path, const std::string_view bytes)
 {
   const std::filesystem::path temporary = path.string() + ".part";
+  const auto refuse = [&](const std::filesystem::path &file) {
+    const OutputFailed failure(file); // first: it reads errno
+    if (struct stat there = {}; ::lstat(temporary.c_str(), &there) == 0 && S_ISREG(there.st_mode))
+      ::unlink(temporary.c_str());
+    throw failure;
+  };
   {
     const Descriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
     if (file.number < 0)
-      refuse(path, "write");
+      refuse(temporary);
     std::size_t done = 0;
     while (done < bytes.size())
       {
@@ -49,14 +53,14 @@ void write_atomically(const std::filesystem::path &path, const std::string_view 
         if (count < 0 && errno == EINTR)
           continue;
         if (count < 0)
-          refuse(path, "write");
+          refuse(path);
         done += static_cast<std::size_t>(count);
       }
     if (::fsync(file.number) != 0)
-      refuse(path, "write");
+      refuse(path);
   }
   if (::rename(temporary.c_str(), path.c_str()) != 0)
-    refuse(path, "replace");
+    refuse(path);
   // The new name itself is only safe once the directory is on disk.
   const std::filesystem::path parent = path.has_parent_path() ? path.parent_path() : ".";
   const Descriptor directory(parent, O_RDONLY | O_DIRECTORY);
@@ -66,12 +70,13 @@ void write_atomically(const std::filesystem::path &path, const std::string_view 
 
 std::string read_whole(const std::filesystem::path &path)
 {
-  errno = 0;
-  if (std::filesystem::is_directory(path))
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
     throw std::runtime_error("cannot read " + path.string() + ": it is a directory.");
+  errno = 0;
   std::ifstream in(path, std::ios::binary);
   if (!in)
-    refuse(path, "read");
+    throw std::runtime_error("cannot read " + path.string() + ": " + std::strerror(errno) + ".");
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 } // namespace turgor

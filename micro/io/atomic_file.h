@@ -8,7 +8,7 @@
 
 namespace turgor
 {
-/// Throws std::runtime_error naming the file and the system's reason.
+/// Throws OutputFailed naming the file and the system's reason; what was there before stays.
 void write_atomically(const std::filesystem::path &path, std::string_view bytes);
 
 /// The whole file; throws std::runtime_error naming it when it cannot be read.

@@ -68,7 +68,7 @@ void CheckpointStore::write(const nlohmann::json &record, const std::string_view
   const std::uint64_t generation = last_generation + 1;
   const nlohmann::json full = {
     {"generation", generation}, {"version", program_version}, {"input_hash", input_hash}, {"record", record}};
-  const std::string text = full.dump();
+  const std::string text = full.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); // a file's name may be any bytes
   std::string body;
   body.reserve(8 + text.size() + payload.size());
   append<std::uint64_t>(body, text.size());

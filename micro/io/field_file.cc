@@ -4,6 +4,7 @@
 #include "micro/io/hdf5_file.h"
 #include "micro/io/manifest.h"
 #include "micro/io/number_text.h"
+#include "micro/io/output_failed.h"
 #include "micro/io/run_context.h"
 #include "micro/io/xdmf_text.h"
 
@@ -83,8 +84,11 @@ struct FieldFile::Impl
 
   void remove_frames_from(const std::size_t first) const
   {
-    for (std::size_t index = first; std::filesystem::remove(folder / frame_name(index)); ++index)
+    std::error_code problem;
+    for (std::size_t index = first; std::filesystem::remove(folder / frame_name(index), problem); ++index)
       {}
+    if (problem)
+      throw OutputFailed("cannot remove old frames in " + folder.string() + ": " + problem.message() + ".");
   }
 };
 
@@ -98,11 +102,16 @@ FieldFile::FieldFile(const std::filesystem::path &directory, const std::string &
   std::error_code problem;
   std::filesystem::create_directories(impl->folder, problem);
   if (problem)
-    throw std::runtime_error("cannot make " + impl->folder.string() + ": " + problem.message() + ".");
+    throw OutputFailed("cannot make " + impl->folder.string() + ": " + problem.message() + ".");
   record_made(directory, name + ".frames");
   record_made(directory, name + ".xdmf");
   if (append && std::filesystem::exists(impl->xdmf))
     impl->grids = parse_xdmf(read_whole(impl->xdmf));
+  const std::size_t count = impl->grids.size();
+  for (std::size_t index = 0; append && (index < count || index == 0); ++index)
+    if (std::filesystem::exists(impl->folder / frame_name(index)) != (index < count))
+      throw InputError((index < count ? impl->folder / frame_name(index) : impl->xdmf).string() +
+                       " is gone; the checkpoint continues it. Put it back, or run without --resume to start again.");
   // Killed between a frame and its entry in the XDMF: the frame was never announced.
   impl->remove_frames_from(impl->grids.size());
 }
@@ -150,7 +159,10 @@ void FieldFile::write(const FieldFrame &frame)
       }
     h5.close();
   }
-  std::filesystem::rename(temporary, path);
+  std::error_code problem;
+  std::filesystem::rename(temporary, path, problem);
+  if (problem)
+    throw OutputFailed("cannot write " + path.string() + ": " + problem.message() + ".");
   grids.push_back(xdmf_grid(frame, relative, names));
   write_atomically(impl->xdmf, xdmf_document(grids));
 }

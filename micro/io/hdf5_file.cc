@@ -1,15 +1,15 @@
 #include "micro/io/hdf5_file.h"
 
-#include <hdf5.h>
+#include "micro/io/output_failed.h"
 
-#include <stdexcept>
+#include <hdf5.h>
 
 namespace turgor
 {
 std::int64_t Hdf5Writer::checked(const std::int64_t result) const
 {
   if (result < 0)
-    throw std::runtime_error("cannot write " + path.string() + ": HDF5 refused (disk full, or no permission).");
+    throw OutputFailed("cannot write " + path.string() + ": HDF5 refused (disk full, no permission, or its place is taken).");
   return result;
 }
 

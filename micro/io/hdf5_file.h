@@ -1,5 +1,5 @@
 // One HDF5 file being written: datasets of doubles or indices, and attributes. Thin cover
-// of the C API: every failure is a std::runtime_error that names the file.
+// of the C API: every failure is an OutputFailed that names the file.
 #pragma once
 
 #include <cstdint>

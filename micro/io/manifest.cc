@@ -1,8 +1,9 @@
 #include "micro/io/manifest.h"
 
+#include "micro/io/output_failed.h"
+
 #include <algorithm>
 #include <fstream>
-#include <stdexcept>
 #include <vector>
 
 namespace turgor
@@ -33,10 +34,11 @@ void record_made(const std::filesystem::path &directory, const std::string &rela
   const std::vector<std::string> names = recorded(directory);
   if (std::find(names.begin(), names.end(), relative_path) != names.end())
     return;
+  errno = 0;
   std::ofstream out(directory / manifest_name, std::ios::app);
   out << relative_path << '\n' << std::flush;
   if (!out)
-    throw std::runtime_error("cannot write " + (directory / manifest_name).string() + ".");
+    throw OutputFailed(directory / manifest_name);
 }
 
 std::size_t remove_made(const std::filesystem::path &directory)

@@ -1,6 +1,5 @@
 #include "micro/io/prm_text.h"
 
-#include "micro/io/atomic_file.h"
 #include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 
@@ -8,21 +7,6 @@
 
 namespace turgor
 {
-std::string trimmed(const std::string &text)
-{
-  const auto first = text.find_first_not_of(" \t\r\n");
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
-
-std::vector<std::string> split_trimmed(const std::string &text, const char separator)
-{
-  std::vector<std::string> parts;
-  std::istringstream in(text);
-  for (std::string part; std::getline(in, part, separator);)
-    parts.push_back(trimmed(part));
-  return parts;
-}
-
 std::string join_path(const std::vector<std::string> &section, const std::string &name)
 {
   std::string path;
@@ -38,6 +22,9 @@ std::string PrmSetting::path() const
 
 namespace
 {
+constexpr std::size_t deepest = 16;               // subsections within each other; scenes have three
+constexpr std::uint64_t largest_input = 16000000; // bytes
+
 /// "set x" -> true and rest = "x" for the word "set".
 bool starts_with_word(const std::string &line, const std::string &word, std::string &rest)
 {
@@ -82,6 +69,9 @@ PrmText parse_prm(const std::string &text, const std::string &file_name)
         {
           if (rest.empty())
             throw InputError(where + ": a subsection needs a name; write 'subsection NAME'.");
+          if (section.size() == deepest)
+            throw InputError(where + ": subsections are nested more than " + number_text(deepest) + " deep; no scene has that many. "
+                             "Is an 'end' missing?");
           section.push_back(rest);
           opened.push_back(first_number);
           result.sections.push_back({section, where});
@@ -107,24 +97,16 @@ PrmText parse_prm(const std::string &text, const std::string &file_name)
 
 PrmText read_prm(const std::filesystem::path &file)
 {
-  if (!std::filesystem::exists(file))
+  std::error_code problem;
+  if (!std::filesystem::exists(file, problem) && problem == std::error_code())
     throw InputError("There is no input file " + file.string() + ".");
-  std::string text;
-  try
-    {
-      text = read_whole(file);
-    }
-  catch (const std::runtime_error &problem)
-    {
-      throw InputError(problem.what());
-    }
-  if (text.find('\0') != std::string::npos)
-    throw InputError(file.string() + " is not a text file; an input file is a .prm text.");
-  return parse_prm(text, file.string());
+  return parse_prm(read_text(file, largest_input), file.string());
 }
 
 PrmSetting parse_override(const std::string &text)
 {
+  if (line_that_is_not_utf8(text) > 0)
+    throw InputError("--set: the name or the value is not text in UTF-8.");
   const auto equals = text.find('=');
   if (equals == std::string::npos || trimmed(text.substr(0, equals)).empty())
     throw InputError("--set '" + text + "' is not understood; write --set 'Section/Name=value'.");

@@ -5,6 +5,8 @@
 // without its neighbours' names, and takes an entry set twice in silence.
 #pragma once
 
+#include "micro/io/user_text.h"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -32,16 +34,15 @@ struct PrmText
   std::vector<PrmSection> sections; ///< every `subsection` line, also of empty ones
 };
 
-/// Throws InputError with file and line for a line that is none of the above and for unbalanced subsections.
+/// Throws InputError with file and line for a line that is none of the above, for unbalanced subsections and for those that are
+/// nested deeper than any scene's.
 PrmText parse_prm(const std::string &text, const std::string &file_name);
 
-/// Reads the file; throws InputError when it is missing, a directory or not text.
+/// Reads the file; throws InputError when it is missing, a directory or not text in UTF-8.
 PrmText read_prm(const std::filesystem::path &file);
 
 /// "Section/Name=value" of --set.
 PrmSetting parse_override(const std::string &text);
 
 std::string join_path(const std::vector<std::string> &section, const std::string &name);
-std::string trimmed(const std::string &text);
-std::vector<std::string> split_trimmed(const std::string &text, char separator);
 } // namespace turgor

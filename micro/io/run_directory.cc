@@ -3,6 +3,7 @@
 #include "micro/io/atomic_file.h"
 #include "micro/io/manifest.h"
 #include "micro/io/number_text.h"
+#include "micro/io/output_failed.h"
 #include "micro/io/series_file.h"
 #include "micro/io/stop_flag.h"
 
@@ -67,15 +68,15 @@ void put(std::vector<std::pair<std::string, Value>> &list, const std::string &na
 /// By trying, because permission bits do not tell for root, for /proc or for a read-only disk. Leaves no trace.
 void require_writable(const std::filesystem::path &directory)
 {
-  if (std::filesystem::exists(directory) && !std::filesystem::is_directory(directory))
+  std::error_code problem;
+  if (std::filesystem::exists(directory, problem) && !std::filesystem::is_directory(directory, problem))
     throw InputError("The output directory " + directory.string() + " is a file. Choose another with -o DIR.");
   std::filesystem::path place = std::filesystem::absolute(directory).lexically_normal(), topmost_made;
-  while (!std::filesystem::exists(place) && place != place.parent_path())
+  while (!std::filesystem::exists(place, problem) && place != place.parent_path())
     {
       topmost_made = place;
       place = place.parent_path();
     }
-  std::error_code problem;
   std::filesystem::create_directories(directory, problem);
   std::string reason = problem.message();
   if (!problem)
@@ -144,7 +145,10 @@ void RunDirectory::prepare() const
     return;
   prepared = true;
   const auto &directory = settings.directory;
-  std::filesystem::create_directories(directory);
+  std::error_code problem;
+  std::filesystem::create_directories(directory, problem);
+  if (problem)
+    throw OutputFailed("cannot make " + directory.string() + ": " + problem.message() + ".");
   if (!resumed)
     {
       const std::size_t count = remove_made(directory);
@@ -158,7 +162,8 @@ void RunDirectory::prepare() const
     }
   for (const char *name : {"summary.json", "input.prm", CheckpointStore::file_names[0], CheckpointStore::file_names[1]})
     record_made(directory, name);
-  std::filesystem::remove(directory / "summary.json"); // a run that is killed must not leave an older one's
+  if (!std::filesystem::remove(directory / "summary.json", problem) && problem) // a run that is killed must not leave an older one's
+    throw OutputFailed("cannot replace " + (directory / "summary.json").string() + ": " + problem.message() + ".");
   write_atomically(directory / "input.prm", settings.input_text);
 }
 
@@ -191,7 +196,8 @@ std::unique_ptr<Series> RunDirectory::series(const std::string &name, const std:
   if (!settings.writer)
     return std::make_unique<UnwrittenSeries>(name, columns);
   prepare();
-  auto &file = open_series[name];
+  const auto there = open_series.find(name);
+  std::shared_ptr<SeriesFile> file = there != open_series.end() ? there->second : nullptr;
   if (file && file->header() != SeriesFile::header_of(columns))
     throw std::logic_error("Series " + name + " was opened twice with other columns.");
   if (!file)
@@ -202,6 +208,7 @@ std::unique_ptr<Series> RunDirectory::series(const std::string &name, const std:
       const auto length = resumed_lengths.find(name);
       file = length != resumed_lengths.end() ? std::make_shared<SeriesFile>(path, name, columns, length->second) :
                                                std::make_shared<SeriesFile>(path, name, columns);
+      open_series[name] = file; // only a file that could be opened
     }
   return std::make_unique<SeriesHandle>(file);
 }
@@ -287,8 +294,16 @@ void RunDirectory::finish(const std::string &status, const std::string &message)
   if (!settings.writer)
     return;
   prepare();
+  std::string trouble;
   for (const auto &[name, file] : open_series)
-    file->synchronise();
+    try
+      {
+        file->synchronise();
+      }
+    catch (const OutputFailed &why)
+      {
+        trouble += (trouble.empty() ? "" : " ") + std::string(why.what());
+      }
   const ResourceUse use = meter.now();
   auto result_map = nlohmann::ordered_json::object(), note_map = nlohmann::ordered_json::object();
   for (const auto &[name, result] : results)
@@ -298,9 +313,9 @@ void RunDirectory::finish(const std::string &status, const std::string &message)
   nlohmann::ordered_json summary;
   summary["scenario"] = settings.scenario;
   summary["version"] = settings.version;
-  summary["status"] = status;
-  if (!message.empty())
-    summary["message"] = message;
+  summary["status"] = trouble.empty() ? status : "failed";
+  if (!message.empty() || !trouble.empty())
+    summary["message"] = message.empty() || message == trouble ? trouble : trouble.empty() ? message : message + " " + trouble;
   summary["wall_time_s"] = use.wall_time;
   summary["cpu_time_s"] = use.cpu_time;
   summary["peak_memory_bytes"] = use.peak_memory;
@@ -311,6 +326,8 @@ void RunDirectory::finish(const std::string &status, const std::string &message)
   summary["fields"] = active_fields;
   summary["results"] = result_map;
   summary["notes"] = note_map;
-  write_atomically(settings.directory / "summary.json", summary.dump(2) + "\n");
+  write_atomically(settings.directory / "summary.json", summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  if (!trouble.empty())
+    throw OutputFailed(trouble);
 }
 } // namespace turgor

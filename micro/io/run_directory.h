@@ -59,7 +59,8 @@ public:
   void save_checkpoint(const std::function<void(std::ostream &)> &write) override;
   bool load_checkpoint(const std::function<void(std::istream &)> &read) override;
 
-  /// Writes summary.json. status: finished, failed or stopped; message: why, may be empty.
+  /// Writes summary.json. status: finished, failed or stopped; message: why, may be empty. Throws OutputFailed when that or a
+  /// series cannot be written; the summary then says "failed" if it can be written itself.
   void finish(const std::string &status, const std::string &message);
 
   /// True if --resume would go on from somewhere.
@@ -67,6 +68,9 @@ public:
 
   /// True once anything was written into the directory.
   bool has_written() const { return prepared; }
+
+  /// A rank that has written nothing writes the summary, because the one that should is not coming.
+  void take_over() { settings.writer = prepared = true; }
 
 private:
   struct Result

@@ -1,13 +1,14 @@
 #include "micro/io/series_file.h"
 
 #include "micro/io/number_text.h"
+#include "micro/io/output_failed.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 
 namespace turgor
@@ -40,10 +41,9 @@ void SeriesFile::check_row(const std::string &name, const std::vector<Column> &c
 SeriesFile::SeriesFile(std::filesystem::path path_, std::string name_, const std::vector<Column> &columns_)
   : path(std::move(path_)), name(std::move(name_)), columns(columns_), header_line(header_of(columns_))
 {
-  file = std::fopen(path.c_str(), "w");
-  if (file == nullptr)
-    throw std::runtime_error("cannot write " + path.string() + ": " + std::strerror(errno) + ".");
+  open("w");
   put(header_line + "\n");
+  flush();
 }
 
 SeriesFile::SeriesFile(std::filesystem::path path_, std::string name_, const std::vector<Column> &columns_,
@@ -51,6 +51,9 @@ SeriesFile::SeriesFile(std::filesystem::path path_, std::string name_, const std
   : path(std::move(path_)), name(std::move(name_)), columns(columns_), header_line(header_of(columns_))
 {
   std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))
+    throw InputError(path.string() + (std::filesystem::exists(path, error) ? " is no file" : " is gone") +
+                     "; the checkpoint continues it. Put it back, or run without --resume to start again.");
   const std::uintmax_t there = std::filesystem::file_size(path, error);
   if (error || there < length)
     throw InputError(path.string() + " is shorter than when the checkpoint was written; it cannot be continued. "
@@ -60,22 +63,32 @@ SeriesFile::SeriesFile(std::filesystem::path path_, std::string name_, const std
   if (first != header_line)
     throw InputError(path.string() + " has the columns '" + first + "', this program writes '" + header_line +
                      "'. Run without --resume to start again.");
-  std::filesystem::resize_file(path, length);
-  file = std::fopen(path.c_str(), "a");
-  if (file == nullptr)
-    throw std::runtime_error("cannot write " + path.string() + ": " + std::strerror(errno) + ".");
+  open("a"); // before anything is cut: a table that cannot be continued stays whole
+  if (::ftruncate(::fileno(file.get()), static_cast<off_t>(length)) != 0)
+    throw OutputFailed(path);
 }
 
-SeriesFile::~SeriesFile()
+void SeriesFile::open(const char *mode)
 {
-  if (file != nullptr)
-    std::fclose(file);
+  file.reset(std::fopen(path.c_str(), mode));
+  if (!file)
+    throw OutputFailed(path);
 }
 
 void SeriesFile::put(const std::string &text)
 {
-  if (std::fwrite(text.data(), 1, text.size(), file) != text.size())
-    throw RunFailed("cannot write " + path.string() + ": " + std::strerror(errno) + ".");
+  if (std::fwrite(text.data(), 1, text.size(), file.get()) != text.size())
+    throw OutputFailed(path);
+}
+
+void SeriesFile::flush()
+{
+  if (std::fflush(file.get()) != 0)
+    throw OutputFailed(path);
+  struct stat now = {};
+  if (::fstat(::fileno(file.get()), &now) == 0 && now.st_nlink == 0)
+    throw OutputFailed(path.string() + " was removed while the run was writing it.");
+  last_flush = std::chrono::steady_clock::now();
 }
 
 void SeriesFile::add_row(const std::vector<double> &values)
@@ -90,19 +103,17 @@ void SeriesFile::add_row(const std::vector<double> &values)
     }
   put(line + "\n");
   // Often enough for a person who watches the file, seldom enough to cost nothing.
-  const auto now = std::chrono::steady_clock::now();
-  if (now - last_flush > std::chrono::seconds(1))
-    {
-      if (std::fflush(file) != 0)
-        throw RunFailed("cannot write " + path.string() + ": " + std::strerror(errno) + ".");
-      last_flush = now;
-    }
+  if (std::chrono::steady_clock::now() - last_flush > std::chrono::seconds(1))
+    flush();
 }
 
 std::uint64_t SeriesFile::synchronise()
 {
-  if (std::fflush(file) != 0 || ::fsync(::fileno(file)) != 0)
-    throw RunFailed("cannot write " + path.string() + ": " + std::strerror(errno) + ".");
-  return static_cast<std::uint64_t>(std::filesystem::file_size(path));
+  flush();
+  struct stat now = {};
+  // A device or a pipe in the file's place keeps nothing, so it has nothing to be brought to the disk (EINVAL).
+  if ((::fsync(::fileno(file.get())) != 0 && errno != EINVAL) || ::fstat(::fileno(file.get()), &now) != 0)
+    throw OutputFailed(path);
+  return static_cast<std::uint64_t>(now.st_size);
 }
 } // namespace turgor

@@ -1,9 +1,12 @@
 #include "micro/io/stop_flag.h"
 
+#include "micro/io/run_context.h"
+
 #include <unistd.h>
 
 #include <csignal>
 #include <ctime>
+#include <initializer_list>
 
 namespace turgor
 {
@@ -46,9 +49,15 @@ void install_stop_handler(const int patience)
   action.sa_handler = turgor_stop_handler;
   sigemptyset(&action.sa_mask);
   action.sa_flags = SA_RESTART;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-  sigaction(SIGUSR1, &action, nullptr); // what mpirun hands on to its ranks
+  for (const int wish : {SIGINT, SIGTERM, SIGXCPU, SIGUSR1})
+    sigaction(wish, &action, nullptr);
+  struct sigaction before = {};
+  if (sigaction(SIGHUP, nullptr, &before) == 0 && before.sa_handler != SIG_IGN) // nohup wants to go on without its terminal
+    sigaction(SIGHUP, &action, nullptr);
+  // A file that has come to its limit and a reader who has gone are errors of the write, with a sentence, not death.
+  action.sa_handler = SIG_IGN;
+  sigaction(SIGXFSZ, &action, nullptr);
+  sigaction(SIGPIPE, &action, nullptr);
   if (owner == ::getpid())
     return;
   action.sa_handler = turgor_patience_handler;
@@ -71,5 +80,11 @@ bool stop_was_requested()
 void request_stop(const bool wish)
 {
   requested = wish ? 1 : 0;
+}
+
+void stop_here(const char *where)
+{
+  if (requested != 0)
+    throw RunStopped("stopped " + std::string(where));
 }
 } // namespace turgor

@@ -1,5 +1,6 @@
 #include "micro/scenarios/balloon_model.h"
 
+#include "micro/io/stop_flag.h"
 #include "micro/terms/wall_bending.h"
 
 #include <algorithm>
@@ -142,6 +143,7 @@ struct Quadrant
       u[2 * i + 1] = H;
     for (int iteration = 0; iteration < 40; ++iteration)
       {
+        stop_here("while the model of a balloon was solved");
         Sums s = assemble(u);
         double worst = 0.;
         std::vector<Eigen::Triplet<double>> entries;

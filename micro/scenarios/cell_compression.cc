@@ -106,6 +106,10 @@ private:
           {
             points = balloon.compress(deformation);
           }
+        catch (const RunStopped &)
+          {
+            throw;
+          }
         catch (const std::runtime_error &error)
           {
             context.note("balloon_model", error.what());

@@ -124,10 +124,9 @@ void CellCulture::sort()
   gather_others(source);
 }
 
-void CellCulture::advance(const double end)
+void CellCulture::begin_interval()
 {
   sort();
-  const double until = std::min(end, t + h);
   contact_forces();
   life.advance(cells, contacts, surroundings, until - t, threads,
                [this](const std::vector<std::uint32_t> &source) { gather_others(source); });
@@ -137,22 +136,36 @@ void CellCulture::advance(const double end)
   const std::uint64_t seed = parameters.life.variability.seed;
   if (migrates() && steps == 0)
     advance_polarity(cells.particles, cells.id, parameters.migration, HUGE_VAL, seed, ~std::uint64_t(0), directions());
+}
+
+bool CellCulture::advance(const double end, const std::function<bool()> &stop)
+{
+  if (!(t < until))
+    {
+      until = std::min(end, t + h);
+      begin_interval();
+    }
   const double longest = migrates() ? 0.25 * parameters.migration.persistence : HUGE_VAL;
   while (t < until)
     {
       const double dt = motion.step(cells.particles, gamma, std::min(until - t, longest));
       if (migrates())
-        advance_polarity(cells.particles, cells.id, parameters.migration, dt, seed, steps, directions());
+        advance_polarity(cells.particles, cells.id, parameters.migration, dt, parameters.life.variability.seed, steps, directions());
       for (const auto &around : surroundings)
         around->advance(cells.particles, dt);
       t = until - t > dt ? t + dt : until;
       ++steps;
+      if (stop && t < until && stop())
+        return false;
     }
+  return true;
 }
 
 void CellCulture::save(std::ostream &out) const
 {
   write_binary(out, t);
+  write_binary(out, until);
+  write_binary(out, gamma);
   write_binary(out, steps);
   write_binary(out, sorted_size);
   for (const std::uint64_t number : {life.divisions, life.deaths, life.removed})
@@ -169,6 +182,8 @@ void CellCulture::save(std::ostream &out) const
 void CellCulture::load(std::istream &in)
 {
   read_binary(in, t);
+  read_binary(in, until);
+  read_binary(in, gamma);
   read_binary(in, steps);
   read_binary(in, sorted_size);
   for (std::uint64_t *number : {&life.divisions, &life.deaths, &life.removed})

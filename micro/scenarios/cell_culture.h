@@ -17,6 +17,7 @@
 #include "micro/processes/cell_life.h"
 #include "micro/processes/cell_motility.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -48,15 +49,16 @@ class CellCulture
 public:
   CellCulture(const CultureParameters &parameters, std::vector<std::unique_ptr<Surroundings>> surroundings, unsigned int threads);
 
-  /// One interval, or what is left of it until `end` (s).
-  void advance(double end);
+  /// One interval, or what is left of it until `end` (s). With `stop`, which is asked after every step: false if it said so inside
+  /// the interval; saved there or not, the next call goes on as if nothing had been.
+  bool advance(double end, const std::function<bool()> &stop = {});
 
   /// Pa, of all cells, at the present positions.
   const std::vector<double> &pressures();
 
   double time() const { return t; }
   double interval() const { return h; } ///< s
-  void restart_clock() { t = 0.; }
+  void restart_clock() { t = until = 0.; }
 
   CellPopulation cells;
   CellLife life;
@@ -74,6 +76,7 @@ public:
 
 private:
   void contact_forces(); ///< contacts at the present positions
+  void begin_interval();
   void set_friction();
   /// Cells near in space near in memory; now and then, as the population grows.
   void sort();
@@ -88,6 +91,7 @@ private:
   Overdamped motion;
   std::vector<double> gamma;
   double t = 0., h;
+  double until = 0.; ///< s, end of the interval that was begun
   std::uint64_t sorted_size = 0; ///< cells when they were last sorted
 };
 } // namespace turgor

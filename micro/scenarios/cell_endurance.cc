@@ -3,6 +3,7 @@
 #include "micro/cells/sph_cell_entries.h"
 #include "micro/engine/binary.h"
 #include "micro/engine/counter_random.h"
+#include "micro/engine/tensor_text.h"
 #include "micro/engine/watched_steps.h"
 #include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
@@ -18,17 +19,6 @@ namespace turgor
 {
 namespace
 {
-/// xx, xy; yx, yy; the pattern of the entry has been checked.
-Tensor2<2> matrix_from(std::string text)
-{
-  std::replace(text.begin(), text.end(), ';', ' ');
-  std::replace(text.begin(), text.end(), ',', ' ');
-  std::istringstream in(text);
-  Tensor2<2> matrix;
-  in >> matrix(0, 0) >> matrix(0, 1) >> matrix(1, 0) >> matrix(1, 1);
-  return matrix;
-}
-
 /// N m, what crosses the period: the virial without its part from inside the cell, -sum f (x) x.
 Tensor2<2> image_virial(const ParticleSystem<2> &system)
 {
@@ -148,7 +138,7 @@ void CellEndurance::run(RunContext &context)
   Progress at;
   at.dt = integrator.safe_step();
   const std::uint64_t last = std::uint64_t(steps);
-  const Tensor2<2> rate = matrix_from(F_dot);
+  const Tensor2<2> rate = parse_tensor(F_dot, "F_dot");
   for (int k = 0; k <= 100; ++k)
     if (!((Tensor2<2>::Identity() + 0.01 * k * double(last) * at.dt * rate).determinant() > 0.))
       throw InputError("F_dot = " + F_dot + " over " + number_text(double(last) * at.dt)

@@ -57,6 +57,10 @@ protected:
         if (first_deformation > 0.)
           context.result("break_deformation_over_balloon", 100. * (first_deformation / first.deformation - 1.), "%");
       }
+    catch (const RunStopped &)
+      {
+        throw;
+      }
     catch (const std::runtime_error &error)
       {
         context.note("balloon_model", error.what());

@@ -4,6 +4,7 @@
 #include "micro/io/cpu_clock.h"
 #include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
+#include "micro/io/stop_flag.h"
 
 #include <algorithm>
 #include <array>
@@ -116,8 +117,15 @@ CellSteps::Outcome CellSteps::relax(const OverdampedMethod method, const double 
   try
     {
       for (double t = 0.; t < duration * (1. - 1e-12); ++result.steps)
-        t += motion.step(result.cells, gamma, duration - t);
+        {
+          t += motion.step(result.cells, gamma, duration - t);
+          stop_here("during one of the runs");
+        }
       result.ended = true;
+    }
+  catch (const RunStopped &)
+    {
+      throw;
     }
   catch (const std::runtime_error &failure)
     {

@@ -4,7 +4,7 @@
 #include "micro/engine/binary.h"
 #include "micro/engine/watched_steps.h"
 #include "micro/io/cpu_clock.h"
-#include "micro/io/field_file.h"
+#include "micro/io/field_output.h"
 #include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
 #include "micro/processes/osmosis.h"
@@ -210,9 +210,9 @@ void FullMicro::run(RunContext &context)
   const auto probe = context.series("probe", {{"time", "s"}, {"displacement_x", "m"}, {"displacement_y", "m"}});
   const auto energy = context.series("energy", {{"time", "s"}, {"potential", "J"}, {"kinetic", "J"},
                                                 {"dissipated", "J"}, {"mean_pressure", "Pa"}, {"crossed", ""}});
-  std::unique_ptr<FieldFile> fields;
-  if (frames > 0 && context.is_writer())
-    fields = std::make_unique<FieldFile>(context.directory(), "cells", resumed);
+  std::unique_ptr<FieldOutput> fields;
+  if (frames > 0)
+    fields = std::make_unique<FieldOutput>(context, "cells", resumed, [&] { return frame_of(particles, at.x0, at.time()); });
 
   const std::uint64_t sample_every = steps_between(at.steps, samples), frame_every = steps_between(at.steps, frames);
   const auto save = [&] {
@@ -235,12 +235,14 @@ void FullMicro::run(RunContext &context)
       pressure += block.cells->fluid->mean_pressure(particles, c);
     energy->add_row({at.time(), potential, kinetic, at.start_energy - potential - kinetic,
                      pressure / double(particles.groups.size()), double(block.cells->fluid->crossed())});
+    if (fields)
+      fields->accept();
   };
   if (!resumed)
     {
       record();
       if (fields)
-        fields->write(frame_of(particles, at.x0, 0.));
+        fields->write();
     }
 
   const auto wall_start = std::chrono::steady_clock::now();
@@ -253,7 +255,7 @@ void FullMicro::run(RunContext &context)
       if (at.step % sample_every == 0)
         record();
       if (fields && at.step % frame_every == 0)
-        fields->write(frame_of(particles, at.x0, at.time()));
+        fields->write();
       if (at.step % 16 == 0)
         context.progress(double(at.step) / double(last), "full run");
       keep.after_step(at.step);

@@ -103,8 +103,7 @@ void Laplace::run_in(RunContext &context) const
       context.result("mean_neighbours", round.fluid->mean_neighbours(round.system.particles), "");
       context.result("crossed", double(round.fluid->crossed()), "");
     }
-  RoundCellFields<dim> fields(context, false);
-  fields.write(round, 0.);
+  RoundCellFields<dim>(context, false, round, [] { return 0.; }).write();
 }
 
 std::unique_ptr<Scenario> make_laplace() { return std::make_unique<Laplace>(); }

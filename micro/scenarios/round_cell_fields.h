@@ -3,11 +3,11 @@
 #pragma once
 
 #include "micro/cells/round_cell.h"
-#include "micro/io/field_file.h"
+#include "micro/io/field_output.h"
 #include "micro/io/run_context.h"
 
 #include <algorithm>
-#include <memory>
+#include <functional>
 
 namespace turgor
 {
@@ -15,31 +15,44 @@ template <int dim>
 class RoundCellFields
 {
 public:
-  RoundCellFields(const RunContext &context, const bool append)
-    : writes(context.is_writer())
+  /// time: s, of the present state. Cell and time must outlive this.
+  RoundCellFields(const RunContext &context, const bool append, const RoundCell<dim> &cell_, std::function<double()> time_)
+    : cell(cell_)
+    , time(std::move(time_))
+    , wall(context, "wall", append, [this] { return wall_frame(); })
+    , fluid(context, "fluid", append, [this] { return fluid_frame(); })
+  {}
+
+  void write()
   {
-    if (writes)
-      {
-        wall = std::make_unique<FieldFile>(context.directory(), "wall", append);
-        fluid = std::make_unique<FieldFile>(context.directory(), "fluid", append);
-      }
+    wall.write();
+    if (cell.group().fluid_count() > 0)
+      fluid.write();
   }
 
-  void write(const RoundCell<dim> &cell, const double time)
+  void accept()
   {
-    if (!writes)
-      return;
+    wall.accept();
+    if (cell.group().fluid_count() > 0)
+      fluid.accept();
+  }
+
+private:
+  static std::vector<double> points(const std::uint32_t from, const std::uint32_t to, const typename Particles<dim>::Components &values)
+  {
+    std::vector<double> out;
+    for (std::uint32_t i = from; i < to; ++i)
+      for (int d = 0; d < 3; ++d)
+        out.push_back(d < dim ? values[d][i] : 0.);
+    return out;
+  }
+
+  FieldFrame wall_frame() const
+  {
     const Particles<dim> &p = cell.system.particles;
     const Group &g = cell.group();
-    const auto points = [&](const std::uint32_t from, const std::uint32_t to, const auto &values) {
-      std::vector<double> out;
-      for (std::uint32_t i = from; i < to; ++i)
-        for (int d = 0; d < 3; ++d)
-          out.push_back(d < dim ? values[d][i] : 0.);
-      return out;
-    };
     FieldFrame frame;
-    frame.time = time;
+    frame.time = time();
     frame.points = points(g.begin, g.fluid, p.x);
     std::vector<double> stretch(g.wall_count(), 0.), broken(g.wall_count(), 0.);
     for (std::size_t k = 0; k < cell.bonds(); ++k)
@@ -68,20 +81,26 @@ public:
             frame.cells.insert(frame.cells.end(), {cell.ends(k).first, cell.ends(k).second});
       }
     frame.fields = {{"stretch [1]", 1, stretch, false}, {"broken [1]", 1, broken, false}};
-    wall->write(frame);
-    if (g.fluid_count() == 0)
-      return;
+    return frame;
+  }
+
+  FieldFrame fluid_frame() const
+  {
+    const Particles<dim> &p = cell.system.particles;
+    const Group &g = cell.group();
     FieldFrame drops;
-    drops.time = time;
+    if (g.fluid_count() == 0)
+      return drops;
+    drops.time = time();
     drops.points = points(g.fluid, g.end, p.x);
     const std::vector<double> &pressure = p.field("pressure");
     drops.fields = {{"pressure [Pa]", 1, {pressure.begin() + g.fluid, pressure.begin() + g.end}, false},
                     {"velocity [m/s]", 3, points(g.fluid, g.end, p.v), false}};
-    fluid->write(drops);
+    return drops;
   }
 
-private:
-  bool writes;
-  std::unique_ptr<FieldFile> wall, fluid;
+  const RoundCell<dim> &cell;
+  std::function<double()> time;
+  FieldOutput wall, fluid;
 };
 } // namespace turgor

@@ -3,12 +3,21 @@
 #include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
+#include "micro/io/user_text.h"
 
 #include <cmath>
-#include <cstdio>
 
 namespace turgor
 {
+namespace
+{
+Vector<3> vector_of(const std::string &text, const std::string &entry)
+{
+  const std::vector<double> values = read_numbers(text, 3, entry, "x, y, z");
+  return {values[0], values[1], values[2]};
+}
+} // namespace
+
 void CultureEntries::declare(InputEntries &prm)
 {
   using namespace Patterns;
@@ -109,6 +118,10 @@ void CultureEntries::check() const
     {
       parameters();
     }
+  catch (const InputError &error)
+    {
+      throw InputError("Contact/Local stiffness: " + std::string(error.what()));
+    }
   catch (const std::invalid_argument &error)
     {
       throw InputError("Contact/Local stiffness is " + stiffness + ": " + error.what());
@@ -141,9 +154,8 @@ CultureParameters CultureEntries::parameters() const
                             direction == "random_in_plane" ? DivisionDirection::random_in_plane :
                             direction == "given"           ? DivisionDirection::given :
                                                              DivisionDirection::least_stress;
-  std::sscanf(axis.c_str(), "%lf , %lf , %lf", &life.division.axis[0], &life.division.axis[1], &life.division.axis[2]);
-  Vector<3> &P_0 = result.migration.preferred;
-  std::sscanf(preferred.c_str(), "%lf , %lf , %lf", &P_0[0], &P_0[1], &P_0[2]);
+  life.division.axis = vector_of(axis, "Division/Axis");
+  result.migration.preferred = vector_of(preferred, "Motion/Preferred direction");
   result.in_plane = in_plane;
   life.division.least_energy = distance == "least_energy";
   life.division.seed = life.variability.seed = std::uint64_t(seed);

@@ -2,6 +2,7 @@
 
 #include "micro/io/input_entries.h"
 #include "micro/io/run_context.h"
+#include "micro/io/stop_flag.h"
 
 #include <cmath>
 
@@ -39,7 +40,10 @@ void SpheroidRelaxation::seed(CellCulture &culture) const
 {
   SpheroidScene::seed(culture);
   while (culture.time() < settling)
-    culture.advance(settling);
+    culture.advance(settling, [] {
+      stop_here("while the first cluster settled");
+      return false;
+    });
   CellPopulation &cells = culture.cells;
   Particles<3> &p = cells.particles;
   for (int d = 0; d < 3; ++d)
@@ -57,6 +61,7 @@ void SpheroidRelaxation::seed(CellCulture &culture) const
   double change = 1.;
   for (int k = 0; k < 500 && change > 1e-8; ++k)
     {
+      stop_here("while the compressed spheroid was laid out");
       const std::vector<double> &pressure = culture.pressures();
       change = 0.;
       for (std::size_t i = 0; i < cells.size(); ++i)

@@ -4,7 +4,7 @@
 #include "micro/engine/binary.h"
 #include "micro/engine/counter_random.h"
 #include "micro/engine/gathered.h"
-#include "micro/io/field_file.h"
+#include "micro/io/field_output.h"
 #include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
@@ -139,7 +139,7 @@ std::vector<double> SpheroidScene::row_of(CellCulture &culture) const
   return row;
 }
 
-void SpheroidScene::write_frame(FieldFile &file, CellCulture &culture) const
+FieldFrame SpheroidScene::frame_of(CellCulture &culture)
 {
   const CellPopulation &cells = culture.cells;
   const Particles<3> &p = cells.particles;
@@ -163,7 +163,7 @@ void SpheroidScene::write_frame(FieldFile &file, CellCulture &culture) const
                   {"strain", 1, gathered(p.field("strain"), by_id)},
                   {"phase", 1, gathered(p.field("phase"), by_id)},
                   {"state", 1, state}};
-  file.write(frame);
+  return frame;
 }
 
 void SpheroidScene::run(RunContext &context)
@@ -203,9 +203,9 @@ void SpheroidScene::run(RunContext &context)
   for (const Column &column : columns)
     table.names.push_back(column.name);
   const auto file = context.series("growth", columns);
-  std::unique_ptr<FieldFile> fields;
-  if (frames > 0 && context.is_writer())
-    fields = std::make_unique<FieldFile>(context.directory(), "cells", resumed);
+  std::unique_ptr<FieldOutput> fields;
+  if (frames > 0)
+    fields = std::make_unique<FieldOutput>(context, "cells", resumed, [&] { return frame_of(culture); });
 
   std::string good; // the state at the last row, or where it was resumed: what a run that fails leaves
   const auto remember = [&] {
@@ -217,6 +217,8 @@ void SpheroidScene::run(RunContext &context)
     table.rows.push_back(row_of(culture));
     file->add_row(table.rows.back());
     remember();
+    if (fields)
+      fields->accept();
   };
   if (resumed)
     remember();
@@ -224,7 +226,7 @@ void SpheroidScene::run(RunContext &context)
     {
       record();
       if (fields)
-        write_frame(*fields, culture);
+        fields->write();
     }
   const std::uint64_t last = std::uint64_t(std::ceil(duration / culture.interval()));
   const std::uint64_t sample_every = steps_between(last, samples), frame_every = steps_between(last, frames);
@@ -234,10 +236,11 @@ void SpheroidScene::run(RunContext &context)
   bool full = finished(table);
   while (culture.time() < duration && !full)
     {
+      bool is_whole = false;
       try
         {
           before_interval(culture);
-          culture.advance(duration);
+          is_whole = culture.advance(duration, [&] { return context.stop_requested(); });
         }
       catch (const std::runtime_error &error)
         {
@@ -245,6 +248,8 @@ void SpheroidScene::run(RunContext &context)
           throw RunFailed("at t = " + number_text(culture.time() / 3600.) + " h with " + number_text(culture.cells.size())
                           + " cells " + error.what() + " The checkpoint holds the last good state.");
         }
+      if (!is_whole)
+        keep.stop();
       ++done;
       full = most_cells > 0. && double(culture.cells.size()) >= most_cells;
       const bool end = full || culture.time() >= duration;
@@ -254,7 +259,7 @@ void SpheroidScene::run(RunContext &context)
           full = full || finished(table);
         }
       if (fields && (end || full || (frame_every > 0 && done % frame_every == 0)))
-        write_frame(*fields, culture);
+        fields->write();
       context.progress(culture.time() / duration, number_text(culture.cells.size()) + " cells");
       if (!end && !full)
         keep.after_step(done);

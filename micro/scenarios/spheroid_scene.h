@@ -64,7 +64,7 @@ protected:
 
 private:
   std::vector<double> row_of(CellCulture &culture) const;
-  void write_frame(class FieldFile &file, CellCulture &culture) const;
+  static struct FieldFrame frame_of(CellCulture &culture);
   void report_growth(RunContext &context, const GrowthTable &table, CellCulture &culture) const;
 };
 } // namespace turgor

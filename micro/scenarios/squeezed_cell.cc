@@ -205,7 +205,7 @@ void SqueezedCell::run_in(RunContext &context)
                                               {"broken", ""}});
   std::unique_ptr<RoundCellFields<dim>> fields;
   if (frames > 0)
-    fields = std::make_unique<RoundCellFields<dim>>(context, resumed);
+    fields = std::make_unique<RoundCellFields<dim>>(context, resumed, round, [&] { return double(at_step.step) * at_step.dt; });
 
   const auto diverged = [&](const std::string &how) {
     return RunFailed(how + " before t = " + number_text(1e6 * double(at_step.step) * at_step.dt) + " us (step "
@@ -240,12 +240,14 @@ void SqueezedCell::run_in(RunContext &context)
                     row.pressure, row.volume, row.contact_upper, row.contact_lower, row.largest_upper, row.largest_lower,
                     row.mean_upper, row.mean_lower, row.height_share, row.largest, row.largest_angle, row.largest_tilt, row.kinetic,
                     row.energy, row.work, row.broken});
+    if (fields)
+      fields->accept();
   };
   if (!resumed)
     {
       record();
       if (fields)
-        fields->write(round, 0.);
+        fields->write();
     }
 
   const StepCheckpoints keep(
@@ -289,7 +291,7 @@ void SqueezedCell::run_in(RunContext &context)
       if (at_step.step % sample_every == 0 || at_step.step == last)
         record();
       if (fields && at_step.step % frame_every == 0)
-        fields->write(round, double(at_step.step) * at_step.dt);
+        fields->write();
       if (at_step.step % 64 == 0)
         context.progress(0.2 + 0.8 * double(at_step.step) / double(last), "squeezing");
       keep.after_step(at_step.step);

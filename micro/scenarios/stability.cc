@@ -5,6 +5,7 @@
 #include "micro/engine/measured_step.h"
 #include "micro/engine/step_control.h"
 #include "micro/engine/stepper.h"
+#include "micro/engine/tensor_text.h"
 #include "micro/io/cpu_clock.h"
 #include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
@@ -23,16 +24,6 @@ namespace turgor
 namespace
 {
 constexpr double allowed_gain = 1e-3;
-
-Tensor2<2> matrix_from(std::string text)
-{
-  std::replace(text.begin(), text.end(), ';', ' ');
-  std::replace(text.begin(), text.end(), ',', ' ');
-  std::istringstream in(text);
-  Tensor2<2> matrix;
-  in >> matrix(0, 0) >> matrix(0, 1) >> matrix(1, 0) >> matrix(1, 1);
-  return matrix;
-}
 
 bool finite(const ParticleSystem<2> &system)
 {
@@ -71,7 +62,7 @@ void Stability::declare_parameters(InputEntries &prm)
 void Stability::check() const
 {
   check_sph_cell(cell, sph);
-  if (!(matrix_from(F_text).determinant() > 0.))
+  if (!(parse_tensor(F_text, "F").determinant() > 0.))
     throw InputError("F = " + F_text + " has no positive determinant; the cell would be inside out.");
   check_substeps(substeps, sph);
 }
@@ -80,7 +71,7 @@ void Stability::check() const
 void Stability::deform(RunContext &context, SphPatch &wet) const
 {
   ParticleSystem<2> &system = wet.system;
-  const Tensor2<2> F = matrix_from(F_text), G = F - Tensor2<2>::Identity();
+  const Tensor2<2> F = parse_tensor(F_text, "F"), G = F - Tensor2<2>::Identity();
   const Tensor2<2> H0 = wet.patch.lattice;
   KickDriftKick<2> integrator(system);
   const double size = G.cwiseAbs().maxCoeff();

@@ -1,7 +1,7 @@
 #include "micro/scenarios/static_lattice.h"
 
 #include "micro/cells/turgid_network.h"
-#include "micro/io/field_file.h"
+#include "micro/io/field_output.h"
 #include "micro/io/input_entries.h"
 #include "micro/scenarios/shared_entries.h"
 
@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 namespace turgor
@@ -126,6 +127,7 @@ LatticeEffort LatticeBlock::load(const double pressure, const EquilibriumSetting
             after(reached);
           continue;
         }
+      failed = there;
       increment *= 0.5;
       if (increment < 1. / 256.)
         {
@@ -229,30 +231,32 @@ void StaticLattice::check() const
   make_parenchyma(cell, 1, 1, true, true);
 }
 
-void StaticLattice::write(RunContext &context, const LatticeBlock &block) const
+/// Wall nodes at the positions x (m), with displacement from the relaxed state, pressure and cell.
+FieldFrame StaticLattice::frame_of(const LatticeBlock &block, const std::vector<double> &x, const double share_of_load)
+{
+  FieldFrame frame;
+  frame.time = share_of_load;
+  NamedField u{"displacement [m]", 3, {}, false}, pressure{"pressure [Pa]", 1, {}, false}, cells{"cell [-]", 1, {}, false};
+  const std::vector<WallRing> &rings = block.network->patch().rings;
+  for (std::size_t c = 0; c < rings.size() && !x.empty(); ++c)
+    for (std::size_t i = rings[c].first; i < rings[c].first + rings[c].count; ++i)
+      {
+        frame.points.insert(frame.points.end(), {x[2 * i], x[2 * i + 1], 0.});
+        u.values.insert(u.values.end(), {x[2 * i] - block.relaxed[2 * i], x[2 * i + 1] - block.relaxed[2 * i + 1], 0.});
+        pressure.values.push_back(block.pressure()[c]);
+        cells.values.push_back(double(c));
+      }
+  frame.fields = {u, pressure, cells};
+  return frame;
+}
+
+void StaticLattice::write_cells(RunContext &context, const LatticeBlock &block) const
 {
   const auto table = context.series("cell_displacement", {{"cell_x", ""}, {"cell_y", ""}, {"displacement_x", "m"},
                                                           {"displacement_y", "m"}});
   const std::vector<Vector<2>> displacement = block.cell_displacement();
   for (std::size_t c = 0; c < displacement.size(); ++c)
     table->add_row({double(c % columns), double(c / columns), displacement[c][0], displacement[c][1]});
-  if (!fields || !context.is_writer())
-    return;
-  FieldFrame frame;
-  frame.time = 0.;
-  NamedField u{"displacement [m]", 3, {}, false}, pressure{"pressure [Pa]", 1, {}, false}, cells{"cell [-]", 1, {}, false};
-  const std::vector<WallRing> &rings = block.network->patch().rings;
-  for (std::size_t c = 0; c < rings.size(); ++c)
-    for (std::size_t i = rings[c].first; i < rings[c].first + rings[c].count; ++i)
-      {
-        frame.points.insert(frame.points.end(), {block.x[2 * i], block.x[2 * i + 1], 0.});
-        u.values.insert(u.values.end(),
-                        {block.x[2 * i] - block.relaxed[2 * i], block.x[2 * i + 1] - block.relaxed[2 * i + 1], 0.});
-        pressure.values.push_back(block.pressure()[c]);
-        cells.values.push_back(double(c));
-      }
-  frame.fields = {u, pressure, cells};
-  FieldFile(context.directory(), "lattice", false).write(frame);
 }
 
 void StaticLattice::run(RunContext &context)
@@ -275,6 +279,10 @@ void StaticLattice::run(RunContext &context)
   for (std::size_t i = 0; i < flat.size(); ++i)
     bulge = std::max(bulge, std::abs(block.relaxed[i] - flat[i]));
   const double relaxed_pressure = *std::min_element(block.pressure().begin(), block.pressure().end());
+  std::optional<FieldOutput> output;
+  if (fields)
+    output.emplace(context, "lattice", false, [&] { return frame_of(block, block.x, 0.); },
+                   [&] { return frame_of(block, block.failed, 1.); });
   const LatticeEffort loading = block.load(
     load, settings, [&](const double reached) { context.progress(0.2 + 0.8 * reached, "loading"); });
 
@@ -299,7 +307,9 @@ void StaticLattice::run(RunContext &context)
   context.result("density", block.density, "kg/m^3");
   context.result("body_force", block.acceleration, "m/s^2");
   context.result("solve_time", seconds(), "s");
-  write(context, block);
+  write_cells(context, block);
+  if (output)
+    output->write();
 }
 
 std::unique_ptr<Scenario> make_static_lattice() { return std::make_unique<StaticLattice>(); }

@@ -55,6 +55,7 @@ public:
   std::unique_ptr<HydrostaticNetwork> network;
   std::vector<std::uint32_t> clamped, probe; ///< nodes
   std::vector<double> relaxed, x;            ///< m, node positions before and under the load
+  std::vector<double> failed;                ///< m, where the last search that found nothing has ended
   double width = 0.;                         ///< m
   double density = 0.;                       ///< kg/m^3 of the reference
   double acceleration = 0.;                  ///< m/s^2, as loaded
@@ -78,7 +79,8 @@ public:
   void run(RunContext &context) override;
 
 private:
-  void write(RunContext &context, const LatticeBlock &block) const;
+  static struct FieldFrame frame_of(const LatticeBlock &block, const std::vector<double> &x, double share_of_load);
+  void write_cells(RunContext &context, const LatticeBlock &block) const;
 
   ParenchymaParameters cell;
   unsigned int columns = 16, rows = 16;

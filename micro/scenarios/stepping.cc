@@ -35,10 +35,15 @@ StepCheckpoints::StepCheckpoints(RunContext &context_, const std::uint64_t last_
 
 void StepCheckpoints::after_step(const std::uint64_t step) const
 {
-  const bool stop = context.stop_requested();
-  if (stop || (every > 0 && step % every == 0 && step < last))
+  if (context.stop_requested())
+    stop();
+  if (every > 0 && step % every == 0 && step < last)
     save();
-  if (stop)
-    throw RunStopped("stopped " + reached() + "; --resume goes on from there");
+}
+
+void StepCheckpoints::stop() const
+{
+  save();
+  throw RunStopped("stopped " + reached() + "; --resume goes on from there");
 }
 } // namespace turgor

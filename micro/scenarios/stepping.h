@@ -29,6 +29,9 @@ public:
   /// To be called at the end of every step. Throws RunStopped, once all is saved.
   void after_step(std::uint64_t step) const;
 
+  /// Saves and throws RunStopped.
+  [[noreturn]] void stop() const;
+
 private:
   RunContext &context;
   std::uint64_t last, every;

@@ -190,21 +190,23 @@ void TissueLoading::Run::step_once()
 void TissueLoading::Run::squeeze(const bool resumed)
 {
   open_series();
-  std::unique_ptr<FieldFile> fields;
-  if (scene.frames > 0 && context.is_writer())
-    fields = std::make_unique<FieldFile>(context.directory(), "cells", resumed);
+  std::unique_ptr<FieldOutput> fields;
+  if (scene.frames > 0)
+    fields = std::make_unique<FieldOutput>(context, "cells", resumed, [this] { return frame(); });
   const std::uint64_t sample_every = steps_between(load_steps, scene.samples), frame_every = steps_between(load_steps, scene.frames);
   const auto where = [this] { return "at a strain of " + number_text(strain()); };
   const auto sample = [&] {
     require_finite(where());
     require_energy(where());
     record();
+    if (fields)
+      fields->accept();
   };
   if (step == 0)
     {
       sample();
       if (fields)
-        fields->write(frame());
+        fields->write();
     }
   if (split && !resumed)
     split->compute_forces();
@@ -215,7 +217,7 @@ void TissueLoading::Run::squeeze(const bool resumed)
       if (step % sample_every == 0)
         sample();
       if (fields && step % frame_every == 0)
-        fields->write(frame());
+        fields->write();
       if (step % 16 == 0)
         context.progress(double(step) / double(load_steps), "squeezing the tissue");
       keep.after_step(step);

@@ -7,7 +7,7 @@
 
 #include "micro/engine/respa.h"
 #include "micro/engine/watched_steps.h"
-#include "micro/io/field_file.h"
+#include "micro/io/field_output.h"
 #include "micro/processes/failure.h"
 #include "micro/processes/wall_yielding.h"
 #include "micro/scenarios/tissue_loading.h"

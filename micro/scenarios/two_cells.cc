@@ -2,6 +2,7 @@
 
 #include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
+#include "micro/io/stop_flag.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,6 +91,7 @@ bool TwoCells::holds(const double force) const
   for (int step = 0; step < 1000000; ++step)
     {
       motion.step(p, medium, HUGE_VAL);
+      stop_here("during the search for the pull-off force");
       const double speed = p.v[0][1] - p.v[0][0], gap = p.x[0][1] - p.x[0][0];
       if (gap > 2.2 * radius)
         return false;

@@ -1,10 +1,11 @@
 #include "micro/terms/local_stiffness.h"
 
+#include "micro/io/csv_text.h"
 #include "micro/io/number_text.h"
+#include "micro/io/run_context.h"
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
@@ -112,44 +113,39 @@ LocalStiffness LocalStiffness::closest_packing(const double modulus, const doubl
 
 LocalStiffness LocalStiffness::from_file(const std::string &path)
 {
-  std::ifstream file(path);
-  std::string line;
-  if (!file || !std::getline(file, line))
-    throw std::invalid_argument("contact stiffness: cannot read '" + path + "'.");
-  const bool polynomial = line.rfind("power,coefficient", 0) == 0;
-  if (!polynomial && line.rfind("compression,modulus", 0) != 0)
-    throw std::invalid_argument("contact stiffness: '" + path
-                                + "' has to begin with the line 'compression,modulus' or 'power,coefficient'.");
+  const CsvText text(path);
+  const bool polynomial = text.header.fields[0] == "power";
+  const std::vector<std::string> heads = {polynomial ? "power" : "compression", polynomial ? "coefficient" : "modulus"};
+  if (text.header.fields != heads)
+    text.refuse(text.header, "a contact stiffness has to begin with the line 'compression,modulus' or 'power,coefficient'");
   double offset = 0., largest = HUGE_VAL;
   std::vector<double> powers;
   std::vector<std::pair<double, double>> rows;
-  for (unsigned int count = 2; std::getline(file, line); ++count)
+  for (const CsvRow &row : text.rows)
     {
-      if (line.empty() || line[0] == '#')
-        continue;
-      const std::size_t comma = line.find(',');
-      const std::string name = line.substr(0, comma);
-      char *stop = nullptr;
-      const std::string text = comma == std::string::npos ? "" : line.substr(comma + 1);
-      const double value = std::strtod(text.c_str(), &stop);
-      const bool is_number = stop != text.c_str() && std::isfinite(value);
-      char *name_stop = nullptr;
-      const double key = std::strtod(name.c_str(), &name_stop);
-      const bool key_is_number = name_stop != name.c_str() && *name_stop == '\0';
-      if (is_number && polynomial && name == "offset")
+      text.require_fields(row, 2);
+      const std::string &name = row.fields[0];
+      const double value = text.number(row, 1);
+      if (!polynomial)
+        rows.push_back({text.number(row, 0), value});
+      else if (name == "offset")
         offset = value;
-      else if (is_number && polynomial && name == "largest")
+      else if (name == "largest")
         largest = value;
-      else if (is_number && polynomial && key_is_number && key == double(powers.size()))
+      else if (text.number(row, 0) == double(powers.size()))
         powers.push_back(value);
-      else if (is_number && !polynomial && key_is_number)
-        rows.push_back({key, value});
       else
-        throw std::invalid_argument("contact stiffness: line " + number_text(count) + " of '" + path + "' is '" + line
-                                    + "'; expected " + (polynomial ? "'offset,', 'largest,' or the next power, " : "a compression, ")
-                                    + "and a number.");
+        text.refuse(row, "column 1 (power) is '" + name + "', but 'offset', 'largest' or the next power, " + number_text(powers.size())
+                           + ", is expected");
     }
-  return polynomial ? LocalStiffness(offset, powers, largest) : LocalStiffness(rows);
+  try
+    {
+      return polynomial ? LocalStiffness(offset, powers, largest) : LocalStiffness(rows);
+    }
+  catch (const std::invalid_argument &problem)
+    {
+      throw InputError(path + ": " + problem.what());
+    }
 }
 
 std::vector<double> LocalStiffness::kinks() const

@@ -40,7 +40,7 @@ public:
   /// E (Pa) and nu of the contacts; K_0 (Pa) of the volumes, hardening by C.2 or not.
   static LocalStiffness closest_packing(double modulus, double poisson, double bulk_modulus, bool hardening);
   /// CSV with the head "compression,modulus" (a table) or "power,coefficient" (a polynomial, with lines "offset,d_0" and
-  /// "largest,E" before the powers). Throws std::invalid_argument naming file and line.
+  /// "largest,E" before the powers). Throws InputError naming file, line and column.
   static LocalStiffness from_file(const std::string &path);
 
   Value operator()(const double d) const

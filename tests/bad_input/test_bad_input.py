@@ -45,6 +45,22 @@ def general():
         ("not_a_setting", head + "period: 3\n", RUN, ["line 2: 'period: 3' is not understood"]),
         ("set_twice", head + head, RUN, ["line 2: 'Scenario' is set a second time"]),
         ("not_text", "\0\0\0", RUN, ["is not a text file"]),
+        ("not_utf8", (head + "set Name = \xff\n").encode("latin-1"), RUN, ["IN, line 2: it is not text in UTF-8"]),
+        ("not_utf8_in_a_value", head, RUN + ["--set", b"Steps=\xff"], ["not text in UTF-8"]),
+        ("nested_20000_deep", head + "subsection A\n" * 20000, RUN, ["IN, line 18: subsections are nested more than 16 deep"]),
+        ("a_name_of_300_letters", head + "set " + "n" * 300 + " = 1\n", RUN, ["there is no entry 'nnn"]),
+        ("a_scenario_of_300_letters", "set Scenario = " + "n" * 300 + "\n", RUN, ["there is no scenario 'nnn"]),
+        ("an_output_of_300_letters", head, ["run", "IN", "-o", "n" * 300], ["nnn cannot be written", "too long"]),
+        ("an_input_of_300_letters", None, ["run", "n" * 300, "-o", "OUT"], ["nnn", "too long"]),
+        ("a_study_of_300_letters", None, ["study", "n" * 300], ["nnn", "too long"]),
+        ("a_plot_of_300_letters", None, ["plot", "n" * 300], ["There is no directory nnn"]),
+        ("a_validation_nested_300000_deep", None, ["validate", "--root", "R"],
+         ["R/inputs/validation/a.json, line 2: brackets are nested more than 64 deep"],
+         [("R/inputs/validation/a.json", '{"runs":\n' + "[" * 300000)]),
+        ("a_validation_that_is_no_json", None, ["validate", "--root", "R"], ["R/inputs/validation/a.json, line 3: this is not JSON"],
+         [("R/inputs/validation/a.json", '{"runs": {},\n "rows": []\n,}')]),
+        ("a_validation_with_a_text_for_a_number", None, ["validate", "--root", "R"], ["run 'a': 'threads' has to be a whole number"],
+         [("R/inputs/validation/a.json", '{"runs": {"a": {"input": "x.prm", "threads": "two"}}, "rows": [{}]}')]),
         ("override_without_value", head, RUN + ["--set", "Rate"], ["write --set 'Section/Name=value'"]),
         ("plot_without_a_run", None, ["plot", "nowhere"], ["There is no directory nowhere"]),
         ("parameters_of_unknown_scene", None, ["parameters", "nonsense"], ["There is no scenario 'nonsense'"]),
@@ -81,7 +97,7 @@ def of_every_scene(scene):
     if numbers:
         path, name = numbers[0]
         where = "/".join(path + (name,))
-        for value in ("nan", "-inf", "1e999", "three", "1 mm") if scene == SCENES[0] else ("nan",):
+        for value in ("nan", "-inf", "1e999", "three", "1 mm", "1e5abc", "3,5", "0x10", "1 2") if scene == SCENES[0] else ("nan",):
             cases.append((f"number_{value}", head, RUN + ["--set", f"{where}={value}"],
                           [f"'{where}' = '{value}' is not allowed; allowed: a finite number"]))
         cases.append(("misspelt_entry", head, RUN + ["--set", f"{where}q=1"], [f"Did you mean '{name}'?"]))
@@ -152,7 +168,8 @@ BY_SCENE = {
         ("Cell/Seed", "0.5", ["whole number"]),
         ("Death/Rim", "dead", ["one of"]),
     ],
-    "monolayer": [("Division/Direction", "least_stress", ["divide in its plane"]),
+    "monolayer": [("Division/Axis", "0, 0, 1e5abc", ["a list, each entry a finite number"]),
+                  ("Division/Direction", "least_stress", ["divide in its plane"]),
                   ("Motion/Preferred direction", "0, 0, 1", ["crawl in its plane"])],
     "spheroid_relaxation": [("Compressed size", "1.2", ["from 0.5 to 0.999"])],
     "cell_endurance": [NO_TURGOR, ("Steps", "2.5", ["whole number"])],
@@ -175,8 +192,8 @@ class BadInput(unittest.TestCase):
                 with open(os.path.join(directory, name), "w", encoding="utf-8") as file:
                     file.write(content)
             if text is not None:
-                with open(os.path.join(directory, "in.prm"), "w", encoding="utf-8") as file:
-                    file.write(text)
+                with open(os.path.join(directory, "in.prm"), "wb") as file:
+                    file.write(text if isinstance(text, bytes) else text.encode())
             place = {"IN": "in.prm", "OUT": "out"}
             before = tree(directory)
             done = program([place.get(a, a) for a in arguments], directory)
@@ -185,6 +202,8 @@ class BadInput(unittest.TestCase):
                 self.assertIn(fragment.replace("IN", "in.prm"), said)
             self.assertEqual(done.returncode, 2, said)
             self.assertEqual(tree(directory), before, "something was written")
+            for words in ("json.exception", "filesystem error", "terminate"):
+                self.assertNotIn(words, said)
 
 
 def add(name, case):
@@ -206,6 +225,14 @@ add("a_tissue_larger_than_the_machine", ["set Scenario = tissue_bruise\n",
 add("a_tool_on_held_nodes_only", ["set Scenario = tissue_bruise\n",
     RUN + ["--set", "Impact/Tool=plate", "--set", "Tissue/Elements y=1", "--set", "Tissue/Lateral sides=clamped"],
     ["every node that the tool touches is held", "take more elements or other lateral sides"]])
+CSV = "compression,modulus\n0.1,400\n"
+for case_name, rows, parts in (("a_unit", "0.2,3000 Pa\n", "line 3: column 2 (modulus) holds '3000 Pa'"),
+                               ("letters", "0.2,1e5abc\n", "line 3: column 2 (modulus) holds '1e5abc'"),
+                               ("decimal_commas", "0,2,3,5\n", "line 3: it has 4 fields where 2 are needed"),
+                               ("a_quoted_decimal_comma", '0.2,"3,5"\n', "holds '3,5'")):
+    add("a_stiffness_with_" + case_name, ["set Scenario = spheroid_free\n", RUN + ["--set", "Contact/Local stiffness=s.csv"],
+                                          ["s.csv, " + parts], [("s.csv", CSV + rows)]])
+add("a_stiffness_of_300_letters", ["set Scenario = spheroid_free\n", RUN + ["--set", "Contact/Local stiffness=" + "n" * 300], ["too long"]])
 for case_name, *rest in general():
     add(case_name, rest)
 for scene_name in SCENES:

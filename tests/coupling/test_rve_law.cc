@@ -1,4 +1,6 @@
 #include "coupling/rve_law.h"
+#include "micro/io/run_context.h"
+#include "micro/io/stop_flag.h"
 #include "tests/coupling/fake_rve.h"
 
 #include <boost/test/unit_test.hpp>
@@ -259,6 +261,26 @@ BOOST_AUTO_TEST_CASE(damaged_checkpoints_are_refused)
   BOOST_CHECK_EXCEPTION(other.load(in), std::runtime_error, [](const std::runtime_error &e) {
     return std::string(e.what()) == "The checkpoint holds 4 RVEs, the tissue has 3.";
   });
+}
+
+// A batch may last for minutes: the wish to stop ends it between two RVEs, and nothing of it stays.
+BOOST_AUTO_TEST_CASE(a_wish_to_stop_ends_a_batch)
+{
+  RveLaw<2> law(std::make_shared<FakeRve<2>>(), {});
+  const Batch<2> batch(7);
+  law.set_points(batch.points);
+  LawAnswer<2> answer;
+  law.evaluate(batch.F, batch.F_dot, {}, answer);
+  law.commit();
+  const std::string before = saved(law);
+  const std::uint64_t calls = law.statistics().calls;
+  request_stop();
+  BOOST_CHECK_THROW(law.evaluate(batch.F, batch.F_dot, {}, answer), RunStopped);
+  request_stop(false);
+  BOOST_TEST(law.statistics().calls == calls);
+  BOOST_TEST(saved(law) == before);
+  law.evaluate(batch.F, batch.F_dot, {}, answer);
+  BOOST_TEST(answer.failed.empty());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

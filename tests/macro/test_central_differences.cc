@@ -25,7 +25,7 @@ std::vector<double> run(double cfl, double time, double eta, double *drift = nul
   double worst = 0.;
   tissue.advance_to(time, [&](double, unsigned long) {
     const TissueEnergies e = tissue.energies();
-    worst = std::max(worst, std::abs(e.balance()) / std::max(1e-30, e.kinetic + e.internal));
+    worst = std::max(worst, std::abs(e.dissipated()) / std::max(1e-30, e.kinetic + e.stored));
     return true;
   });
   if (drift)

@@ -138,7 +138,7 @@ BOOST_AUTO_TEST_CASE(energy_and_momentum_of_an_impact)
             momentum += mass[i] * tissue.state().v[i];
           BOOST_TEST(work > 0.);
           BOOST_TEST(std::abs(momentum - impulse) < 1e-9 * std::abs(impulse), "momentum " << momentum << ", impulse " << impulse);
-          error[level] = std::abs(tissue.energies().balance()) / work;
+          error[level] = std::abs(tissue.energies().dissipated()) / work;
         }
       BOOST_TEST(error[1] < 0.01, shape << ": energy error " << error[1]);
       BOOST_TEST(error[1] < 0.5 * error[0] + 1e-6, shape << ": " << error[0] << ", " << error[1]);
@@ -163,8 +163,8 @@ BOOST_AUTO_TEST_CASE(stable_step_knows_the_contact)
       tissue.advance_to(1e-3);
       // Undamped, the contacts open and close for hundreds of steps. The energy they make must stay small beside the work.
       BOOST_TEST(tissue.steps() > 100u);
-      BOOST_TEST(std::abs(tissue.energies().balance()) < 0.2 * tissue.state().tool_work,
-                 "balance " << tissue.energies().balance() << " of " << tissue.state().tool_work << " J/m after " << tissue.steps());
+      BOOST_TEST(std::abs(tissue.energies().dissipated()) < 0.2 * tissue.state().tool_work,
+                 "balance " << tissue.energies().dissipated() << " of " << tissue.state().tool_work << " J/m after " << tissue.steps());
     }
   BOOST_TEST(steps[1] < 0.3 * steps[0]);
 }

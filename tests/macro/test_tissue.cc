@@ -232,7 +232,7 @@ BOOST_AUTO_TEST_CASE(stable_step_from_tangents_is_sharp)
       {
         tissue.step(1.);
         const TissueEnergies e = tissue.energies();
-        worst = std::max(worst, std::abs(e.balance()) / std::max(1e-30, std::abs(e.external_work)));
+        worst = std::max(worst, std::abs(e.dissipated()) / std::max(1e-30, std::abs(e.work)));
       }
     return worst;
   };

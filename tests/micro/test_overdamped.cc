@@ -21,7 +21,7 @@ const auto methods = boost::unit_test::data::make({OverdampedMethod::euler, Over
 /// Two equal Hertz spheres that push each other apart, with friction between them in the contact area a^2 pi = pi R delta/2:
 /// (gamma + 2 f a^2 pi) v = F each, delta' = -2 v, so
 ///   t = gamma/K (delta^-1/2 - delta_0^-1/2) + f pi R/K (delta_0^1/2 - delta^1/2),   F = K delta^3/2.
-struct Pair
+struct SpherePair
 {
   Particles<3> p;
   SphereContacts contacts{HertzContact(), 1e-6};
@@ -29,7 +29,7 @@ struct Pair
   Overdamped motion;
   const std::vector<double> gamma{gamma_0, gamma_0};
 
-  explicit Pair(const OverdampedParameters &parameters)
+  explicit SpherePair(const OverdampedParameters &parameters)
     : motion(parameters, contacts, friction, {}, 1)
   {
     p.resize(2);
@@ -80,11 +80,11 @@ BOOST_DATA_TEST_CASE(order_in_the_step, methods, method)
   for (int fine = 0; fine < 3; ++fine)
     {
       const double h = 20. / (1 << fine);
-      Pair pair({.method = method, .tolerance = 1e9, .first_step = h, .longest_step = h});
+      SpherePair pair({.method = method, .tolerance = 1e9, .first_step = h, .longest_step = h});
       const int steps = int(std::lround(end / h));
       for (int k = 0; k < steps; ++k)
         BOOST_TEST(pair.motion.step(pair.p, pair.gamma, 1e9) == h);
-      error[fine] = std::abs(pair.overlap() - Pair::exact(delta_0, end)) / delta_0;
+      error[fine] = std::abs(pair.overlap() - SpherePair::exact(delta_0, end)) / delta_0;
     }
   const double order = method == OverdampedMethod::heun ? 2. : 1.;
   BOOST_TEST_MESSAGE("errors " << error[0] << ", " << error[1] << ", " << error[2]);
@@ -101,7 +101,7 @@ BOOST_DATA_TEST_CASE(error_of_a_step_is_what_is_allowed, methods, method)
   for (const double tolerance : {1e-4, 1e-3})
     for (const bool mean : {false, true})
       {
-        Pair pair({.method = method, .tolerance = tolerance, .first_step = 1e-2, .mean_error = mean});
+        SpherePair pair({.method = method, .tolerance = tolerance, .first_step = 1e-2, .mean_error = mean});
         double t = 0., least = HUGE_VAL, most = 0., own = 0.;
         int counted = 0;
         while (t < 600.)
@@ -109,8 +109,8 @@ BOOST_DATA_TEST_CASE(error_of_a_step_is_what_is_allowed, methods, method)
             const double from = pair.overlap(), h = pair.motion.step(pair.p, pair.gamma, 1e9);
             t += h;
             // of one cell; half of what the distance errs
-            const double exact = Pair::exact(from, h), error = 0.5 * std::abs(pair.overlap() - exact) / (tolerance * R),
-                         of_euler = 0.5 * std::abs(Pair::euler(from, h) - exact) / (tolerance * R);
+            const double exact = SpherePair::exact(from, h), error = 0.5 * std::abs(pair.overlap() - exact) / (tolerance * R),
+                         of_euler = 0.5 * std::abs(SpherePair::euler(from, h) - exact) / (tolerance * R);
             own = std::max(own, error);
             if (t < 50.) // until then the step is still doubled from its first one
               continue;
