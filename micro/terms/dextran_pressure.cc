@@ -102,16 +102,24 @@ std::vector<Surroundings::Value> DextranPressure::values(const CellPopulation &)
   return {{"unit_force", "N", F_0}, {"outer_cells", "1", exposed}};
 }
 
-// Checkpoints are taken between intervals, and every interval begins with update(): F_0 is all that lasts.
+// A checkpoint may be taken within an interval: the cells that are pressed are those found at its beginning or since.
 void DextranPressure::save(std::ostream &out) const
 {
-  write_binary(out, F_0);
+  for (const double number : {F_0, now, softened, exposed, centre[0], centre[1], centre[2]})
+    write_binary(out, number);
   write_binary(out, whole);
+  write_binary(out, cells);
+  write_binary(out, found_at);
+  write_binary(out, share);
 }
 
 void DextranPressure::load(std::istream &in)
 {
-  read_binary(in, F_0);
+  for (double *number : {&F_0, &now, &softened, &exposed, &centre[0], &centre[1], &centre[2]})
+    read_binary(in, *number);
   read_binary(in, whole);
+  read_binary(in, cells);
+  read_binary(in, found_at);
+  read_binary(in, share);
 }
 } // namespace turgor

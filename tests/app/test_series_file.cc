@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(continuing_refuses_what_does_not_fit)
   const TemporaryDirectory directory;
   set_content(directory / "a.csv", "time [s],tip [m],steps\n");
   BOOST_CHECK_EXCEPTION(SeriesFile(directory / "a.csv", "a", columns, 1000), InputError, Says{"shorter than when"});
-  BOOST_CHECK_EXCEPTION(SeriesFile(directory / "b.csv", "b", columns, 0), InputError, Says{"shorter than when"});
+  BOOST_CHECK_EXCEPTION(SeriesFile(directory / "b.csv", "b", columns, 0), InputError, Says{"is gone"});
   BOOST_CHECK_EXCEPTION(SeriesFile(directory / "a.csv", "a", {{"time", "s"}}, 5), InputError, Says{"has the columns"});
 }
 

@@ -104,8 +104,8 @@ BOOST_AUTO_TEST_CASE(field_error_by_hand)
 BOOST_AUTO_TEST_CASE(csv_mistakes)
 {
   const TemporaryDirectory directory;
-  BOOST_CHECK_EXCEPTION(table(directory, header + "1,2\n"), std::runtime_error, Says{"line 2: '1,2' is not a row of 3 numbers"});
-  BOOST_CHECK_EXCEPTION(table(directory, header + "1,2,x\n"), std::runtime_error, Says{"is not a row"});
+  BOOST_CHECK_EXCEPTION(table(directory, header + "1,2\n"), std::runtime_error, Says{"line 2: it has 2 fields where 3 are needed"});
+  BOOST_CHECK_EXCEPTION(table(directory, header + "1,2,x\n"), std::runtime_error, Says{"holds 'x' where a finite number is expected"});
   BOOST_CHECK_EXCEPTION(table(directory, header).column("tip"), std::runtime_error, Says{"has no column 'tip'"});
   BOOST_TEST(csv_field("a, \"b\"") == "\"a, \"\"b\"\"\"");
 }
