@@ -166,4 +166,18 @@ std::string parameters_text(const std::string &scenario_name, const ScenarioRegi
   declare_all(prm, *scenario, scenario_name, registry);
   return "# " + scenario->description() + "\n" + prm_of(prm.entries(), true, true);
 }
+
+std::string unit_of_entry(const std::string &scenario_name, const std::string &path, const ScenarioRegistry &registry)
+{
+  const std::unique_ptr<Scenario> scenario = registry.make(scenario_name);
+  InputEntries prm;
+  declare_all(prm, *scenario, scenario_name, registry);
+  for (const InputEntry &entry : prm.entries())
+    if (const std::size_t units = entry.documentation.rfind("Units: "); units != std::string::npos && entry.path() == path)
+      {
+        const std::string unit = entry.documentation.substr(units + 7, entry.documentation.find_last_not_of(". \n") - units - 6);
+        return unit == "none" ? "" : unit;
+      }
+  return "";
+}
 } // namespace turgor

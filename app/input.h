@@ -42,4 +42,7 @@ std::string parameters_text(const std::string &scenario_name, const ScenarioRegi
 
 /// Sets everything in `text` in prm; entries and sections have to be declared. Used for study files as well.
 void apply(const PrmText &text, InputEntries &prm);
+
+/// The unit that the documentation of a scene's entry "Section/Name" states ("... Units: Pa."); empty for "none" and for no such entry.
+std::string unit_of_entry(const std::string &scenario_name, const std::string &path, const ScenarioRegistry &registry);
 } // namespace turgor

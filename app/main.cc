@@ -6,6 +6,7 @@
 #include "app/ranks.h"
 #include "app/run_command.h"
 #include "app/run_ending.h"
+#include "app/study_input.h"
 #include "app/study_runner.h"
 #include "app/validate_command.h"
 #include "micro/io/number_text.h"
@@ -66,22 +67,26 @@ int dispatch(int argc, char **argv)
   CLI::App *list_app = app.add_subcommand("list", "All scenes");
   std::string scenario;
   CLI::App *parameters_app = app.add_subcommand("parameters", "A commented input file of a scene's entries with defaults");
-  parameters_app->add_option("SCENARIO", scenario, "Name of the scene")->required();
+  parameters_app->add_option("SCENARIO", scenario, "Name of the scene; 'study' for the entries of a study")->required();
   CLI::App *check_app = app.add_subcommand("check", "Parse and check an input file without running it");
   input_options(check_app);
 
 
   StudyOptions study;
-  CLI::App *study_app = app.add_subcommand("study", "Run many variants: error against run time");
+  CLI::App *study_app = app.add_subcommand("study", "Run many variants of any scene: results over swept entries, error against run time");
+  study_app->footer("`turgor parameters study` prints all entries of a study file; inputs/studies holds ready-made ones.");
   study_app->add_option("FILE", study.file, "Study file (.prm)")->required();
   study_app->add_option("-o,--output", study.directory, "Output directory (default runs/<name of the file>)");
   study_app->add_flag("--list", study.list_only, "Only print the runs and what is cached");
   study_app->add_flag("--fresh", study.fresh, "Compute every run again");
+  study_app->add_option("--jobs", study.jobs, "Runs beside each other (default 1; run times are the most honest alone)")->check(CLI::Range(1u, 1024u));
   study_app->add_option("--only", study.only, "Only the run with this label; may be repeated")->allow_extra_args(false);
 
   ValidateOptions validate;
-  CLI::App *validate_app = app.add_subcommand("validate", "Run the validation scenes and write the table of doc/validation.md");
+  CLI::App *validate_app = app.add_subcommand("validate", "Run the validation scenes; exit code 1 when a row misses its target");
   validate_app->add_option("NAME", validate.names, "Names of inputs/validation/NAME.json (default: all)");
+  validate_app->add_option("-o,--output", validate.directory, "Directory of the table (default runs/validation)");
+  validate_app->add_flag("--update-doc", validate.update_doc, "Also rewrite doc/validation.md and doc/results/validation.csv of the source");
   validate_app->add_option("--root", validate.root, "Directory that holds inputs/validation and doc (default: this program's source)");
   validate_app->add_flag("--list", validate.list_only, "Only print the runs and what is cached");
   validate_app->add_flag("--fresh", validate.fresh, "Compute every run again");
@@ -131,7 +136,7 @@ int dispatch(int argc, char **argv)
     return list_command(registry);
   if (parameters_app->parsed())
     {
-      std::cout << parameters_text(scenario, registry);
+      std::cout << (scenario == "study" ? study_parameters_text() : parameters_text(scenario, registry));
       return 0;
     }
   if (check_app->parsed())

@@ -1,219 +1,230 @@
 #include "app/study_runner.h"
 
 #include "app/cached_run.h"
-#include "app/json_file.h"
+#include "app/nearest_name.h"
 #include "app/plot_command.h"
 #include "app/run_command.h"
-#include "app/study_errors.h"
 #include "app/study_input.h"
-#include "app/swing.h"
-#include "micro/io/atomic_file.h"
+#include "app/study_measure.h"
+#include "app/study_tables.h"
 #include "micro/io/number_text.h"
 #include "micro/io/progress_bar.h"
 #include "micro/io/run_context.h"
 #include "micro/io/stop_flag.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
+#include <exception>
+#include <functional>
 #include <iostream>
-#include <optional>
-#include <sstream>
+#include <mutex>
+#include <thread>
 
 namespace turgor
 {
 namespace
 {
-/// One line of the table, and what is known about it so far.
-struct Row : CachedRun
+std::vector<StudyRow> planned(const StudyInput &study, const StudyOptions &options, const ScenarioRegistry &registry)
 {
-  StudyRun run;
-  std::optional<double> error_history, error_field;
-  std::optional<Swing> swing, reference_swing;
-};
-
-std::string number(const std::optional<double> &value)
-{
-  if (!value)
-    return "";
-  char digits[40];
-  std::snprintf(digits, sizeof(digits), "%.6g", *value);
-  return digits;
-}
-
-void measure(Row &row, const std::filesystem::path &reference)
-{
-  if (row.status != "finished" || reference.empty())
-    return;
-  const auto attempt = [&](auto &&compute_error) {
-    try
-      {
-        compute_error();
-      }
-    catch (const std::exception &problem)
-      {
-        row.message += (row.message.empty() ? "" : " ") + std::string(problem.what());
-      }
-  };
-  attempt([&] { row.error_history = history_error(read_csv(row.directory / "probe.csv"), read_csv(reference / "probe.csv")); });
-  attempt([&] {
-    row.swing = first_swing(read_csv(row.directory / "probe.csv"));
-    row.reference_swing = first_swing(read_csv(reference / "probe.csv"));
-  });
-  attempt([&] {
-    row.error_field = field_error(read_csv(row.directory / "cell_displacement.csv"), read_csv(reference / "cell_displacement.csv"));
-  });
-}
-
-void write_tables(const std::vector<Row> &rows, const std::filesystem::path &directory)
-{
-  std::ostringstream table, runs, swings;
-  table << "method,settings,error_history,error_field,cpu_time_s,wall_time_s,peak_memory_bytes\n";
-  swings << "method,settings,amplitude [m],time_of_largest [s],period [s],amplitude_error,period_error\n";
-  runs << "label,method,settings,status,threads,directory,message\n";
-  for (const Row &row : rows)
-    {
-      const bool costed = row.use.wall_time > 0.;
-      table << csv_field(row.run.method) << ',' << csv_field(row.run.settings) << ',' << number(row.error_history) << ','
-            << number(row.error_field) << ',' << (costed ? number(row.use.cpu_time) : "") << ','
-            << (costed ? number(row.use.wall_time) : "") << ',' << (costed ? number_text(row.use.peak_memory) : "") << '\n';
-      if (row.swing && row.reference_swing)
-        {
-          const Swing &swing = *row.swing, &expected = *row.reference_swing;
-          std::optional<double> late;
-          if (swing.period && expected.period)
-            late = *swing.period / *expected.period - 1.;
-          swings << csv_field(row.run.method) << ',' << csv_field(row.run.settings) << ',' << number(swing.amplitude) << ','
-                 << number(swing.time_of_largest) << ',' << number(swing.period) << ','
-                 << number(swing.amplitude / expected.amplitude - 1.) << ',' << number(late) << '\n';
-        }
-      runs << csv_field(row.run.label) << ',' << csv_field(row.run.method) << ',' << csv_field(row.run.settings) << ','
-           << row.status << ',' << row.run.threads << ',' << csv_field(row.directory.string()) << ','
-           << csv_field(row.message) << '\n';
-    }
-  std::filesystem::create_directories(directory);
-  write_atomically(directory / "error_vs_time.csv", table.str());
-  write_atomically(directory / "runs.csv", runs.str());
-  if (std::any_of(rows.begin(), rows.end(), [](const Row &row) { return row.swing.has_value(); }))
-    write_atomically(directory / "swing.csv", swings.str());
-}
-
-/// Of a study without reference: everything the runs say of themselves.
-void write_results(const std::vector<Row> &rows, const std::filesystem::path &directory)
-{
-  std::vector<std::string> names;
-  std::vector<nlohmann::json> results;
-  for (const Row &row : rows)
-    {
-      results.emplace_back(nlohmann::json::object());
-      if (row.status == "finished")
-        results.back() = read_json(row.directory / "summary.json").value("results", nlohmann::json::object());
-      for (const auto &item : results.back().items())
-        if (std::find(names.begin(), names.end(), item.key()) == names.end())
-          names.push_back(item.key());
-    }
-  std::ostringstream table;
-  table << "label,method,settings,status,cpu_time_s,message";
-  for (const std::string &name : names)
-    table << ',' << csv_field(name);
-  table << '\n';
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    {
-      const Row &row = rows[i];
-      table << csv_field(row.run.label) << ',' << csv_field(row.run.method) << ',' << csv_field(row.run.settings) << ','
-            << row.status << ',' << number(row.use.cpu_time) << ',' << csv_field(row.message);
-      for (const std::string &name : names)
-        table << ',' << (results[i].contains(name) ? number(results[i][name].value("value", 0.)) : "");
-      table << '\n';
-    }
-  std::filesystem::create_directories(directory);
-  write_atomically(directory / "results.csv", table.str());
-}
-
-void print(const std::vector<Row> &rows)
-{
-  std::printf("%-28s %-10s %12s %12s %12s %12s\n", "run", "status", "err history", "err field", "CPU s", "wall s");
-  for (const Row &row : rows)
-    std::printf("%-28s %-10s %12s %12s %12.4g %12.4g%s%s\n", row.run.label.c_str(), row.status.c_str(),
-                number(row.error_history).c_str(), number(row.error_field).c_str(), row.use.cpu_time, row.use.wall_time,
-                row.message.empty() ? "" : "\n    ", row.message.c_str());
-}
-
-std::vector<Row> planned(const StudyInput &study, const StudyOptions &options, const ScenarioRegistry &registry)
-{
-  std::vector<Row> rows;
+  std::vector<StudyRow> rows;
+  std::string refused; // all of them: a sweep is mended at once
   for (const StudyRun &run : study.runs)
     {
-      // All inputs are checked before the first run starts.
-      const Input input = load_input(run.input, run.overrides, registry);
-      const std::string key = input.hash + " " + program_version() + " " + number_text(run.threads);
-      Row &row = rows.emplace_back();
-      static_cast<CachedRun &>(row) = cached_run(run.input.stem().string(), key, options.fresh);
+      StudyRow &row = rows.emplace_back();
       row.run = run;
+      row.measured.resize(study.measures.size());
+      try
+        {
+          const Input input = load_input(run.input, run.overrides, registry);
+          const std::string key = input.hash + " " + program_version() + " " + number_text(run.threads);
+          static_cast<CachedRun &>(row) = cached_run(run.input.stem().string(), key, options.fresh);
+          for (const auto &point : run.swept)
+            row.units[point.first] = unit_of_entry(input.scenario_name, point.first, registry);
+        }
+      catch (const InputError &problem)
+        {
+          refused += (refused.empty() ? "" : "\n        ") + ("run '" + run.label + "': ") + problem.what();
+        }
     }
+  if (!refused.empty())
+    throw InputError(options.file.string() + ", " + refused);
   for (const std::string &label : options.only)
-    if (std::none_of(rows.begin(), rows.end(), [&](const Row &row) { return row.run.label == label; }))
+    if (std::none_of(rows.begin(), rows.end(), [&](const StudyRow &row) { return row.run.label == label; }))
       throw InputError("--only " + label + ": the study has no run with this label.");
   return rows;
+}
+
+/// Value and error of every measure; what is wrong goes into the row's message.
+void measure_row(const StudyInput &study, StudyRow &row, const std::vector<StudyRow> &rows)
+{
+  if (row.status != "finished")
+    return;
+  row.message.clear();
+  for (std::size_t k = 0; k < study.measures.size(); ++k)
+    {
+      const StudyMeasure &one = study.measures[k];
+      const auto reference = std::find_if(rows.begin(), rows.end(), [&](const StudyRow &other) { return other.run.label == one.reference.text; });
+      const bool of_run = one.reference.kind == StudyReference::Kind::run;
+      if (of_run && reference->status != "finished")
+        continue;
+      try
+        {
+          row.measured[k] = measure(one, row.directory, of_run ? reference->directory : std::filesystem::path());
+        }
+      catch (const std::exception &problem)
+        {
+          row.message += (row.message.empty() ? "" : " ") + std::string(problem.what());
+        }
+    }
+}
+
+/// The finished runs that lie in directories and that measures name as their reference: rows with their cost.
+std::vector<StudyRow> committed(const StudyInput &study)
+{
+  std::vector<StudyRow> rows;
+  for (const StudyMeasure &one : study.measures)
+    {
+      const bool there = std::any_of(rows.begin(), rows.end(), [&](const StudyRow &row) { return row.directory == one.reference.path; });
+      if (one.reference.kind != StudyReference::Kind::directory || there || !std::filesystem::exists(one.reference.path / "summary.json"))
+        continue;
+      StudyRow &row = rows.emplace_back();
+      row.run.label = row.run.method = "reference";
+      row.run.settings = one.reference.path.filename().string();
+      row.directory = one.reference.path;
+      row.measured.resize(study.measures.size());
+      read_summary(row);
+    }
+  return rows;
+}
+
+/// A sentence where 'Draw' names what the finished run does not have and the others, of the same scene, will not have either.
+std::string wrong_drawing(const StudyInput &study, const StudyRow &row)
+{
+  if (row.status != "finished" || std::any_of(study.runs.begin(), study.runs.end(), [&](const StudyRun &run) { return run.input != row.run.input; }))
+    return "";
+  std::vector<std::string> known = {"cpu_time_s"};
+  for (const auto &result : results_of(row.directory))
+    known.push_back(result.first);
+  for (const StudyMeasure &one : study.measures)
+    known.insert(known.end(), {one.name, "error_" + one.name});
+  for (const auto &panel : study.draw)
+    for (const std::string &name : panel)
+      if (std::find(known.begin(), known.end(), name) == known.end())
+        return "'Draw' names '" + name + "', which is no result of the runs." + suggestion(name, known);
+  return "";
+}
+
+void say(const std::string &line, std::mutex &turn)
+{
+  const std::lock_guard<std::mutex> lock(turn);
+  std::cout << line << std::endl;
+}
+
+/// Calls work(0) to work(count - 1), at_once of them beside each other. What one throws is thrown here, when those that were begun have ended.
+void side_by_side(const std::size_t count, const unsigned int at_once, const std::function<void(std::size_t)> &work)
+{
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr problem;
+  std::mutex turn;
+  const auto worker = [&] {
+    for (std::size_t k = next++; k < count; k = next++)
+      try
+        {
+          work(k);
+        }
+      catch (...)
+        {
+          const std::lock_guard<std::mutex> lock(turn);
+          problem = problem ? problem : std::current_exception();
+          next = count;
+        }
+  };
+  std::vector<std::jthread> workers;
+  for (unsigned int k = 1; k < at_once; ++k)
+    workers.emplace_back(worker);
+  worker();
+  workers.clear();
+  if (problem)
+    std::rethrow_exception(problem);
+}
+
+bool has_measure(const StudyRow &row)
+{
+  return std::any_of(row.measured.begin(), row.measured.end(), [](const auto &one) { return one.has_value(); });
+}
+
+bool is_reference(const StudyInput &study, const StudyRow &row)
+{
+  return std::any_of(study.measures.begin(), study.measures.end(), [&](const StudyMeasure &one) {
+    return one.reference.kind == StudyReference::Kind::run && one.reference.text == row.run.label;
+  });
 }
 } // namespace
 
 int study_command(const StudyOptions &options, const ScenarioRegistry &registry)
 {
   const StudyInput study = load_study(options.file);
-  std::vector<Row> rows = planned(study, options, registry);
+  std::vector<StudyRow> rows = planned(study, options, registry);
   if (options.list_only)
     {
-      for (const Row &row : rows)
+      for (const StudyRow &row : rows)
         std::printf("%-28s %-10s %s\n", row.run.label.c_str(), row.status.c_str(), row.directory.c_str());
       return 0;
     }
   const std::filesystem::path directory =
     options.directory.empty() ? std::filesystem::path("runs") / options.file.stem() : options.directory;
-  // The reference first: then every later line of the table has its error at once.
-  std::stable_partition(rows.begin(), rows.end(), [&](const Row &row) { return row.run.label == study.reference; });
-  std::filesystem::path reference = study.reference_directory;
-  if (!reference.empty() && std::filesystem::exists(reference / "summary.json"))
-    {
-      Row committed;
-      committed.run.label = committed.run.method = "reference";
-      committed.run.settings = reference.filename().string();
-      committed.directory = reference;
-      read_summary(committed);
-      rows.insert(rows.begin(), committed);
-    }
+  const std::vector<StudyRow> before = committed(study);
+  rows.insert(rows.begin(), before.begin(), before.end());
 
+  std::mutex turn; // of the table and the terminal
   bool failed = false;
-  for (Row &row : rows)
-    {
-      const bool wanted = options.only.empty() || row.run.label == study.reference ||
-                          std::find(options.only.begin(), options.only.end(), row.run.label) != options.only.end();
-      if (row.status != "finished" && wanted && !row.run.input.empty() && !stop_was_requested())
-        {
-          std::cout << "Running " << row.run.label << " (" << row.run.threads << " threads) ..." << std::endl;
-          compute(row, {row.run.input, row.run.overrides, row.run.threads}, options.fresh);
-          std::cout << "  " << row.status << " after " << ProgressBar::in_words(row.use.wall_time)
-                    << (row.message.empty() ? "" : ": " + row.message) << std::endl;
-          failed = failed || row.status != "finished";
-        }
-      if (row.run.label == study.reference && row.status == "finished")
-        reference = row.directory;
-      if (study.of_errors())
-        {
-          measure(row, reference);
-          write_tables(rows, directory);
-        }
-      else
-        write_results(rows, directory);
-    }
-  print(rows);
+  const auto take = [&](StudyRow &row) {
+    const bool wanted = options.only.empty() || is_reference(study, row) ||
+                        std::find(options.only.begin(), options.only.end(), row.run.label) != options.only.end();
+    if (row.status != "finished" && wanted && !row.run.input.empty() && !stop_was_requested())
+      {
+        CachedRun run = row;
+        say("Running " + row.run.label + " (" + number_text(row.run.threads) + " threads) ...", turn);
+        compute(run, {row.run.input, row.run.overrides, row.run.threads}, options.fresh);
+        say("  " + row.run.label + " " + run.status + " after " + ProgressBar::in_words(run.use.wall_time) + (run.message.empty() ? "" : ": " + run.message), turn);
+        const std::lock_guard<std::mutex> lock(turn);
+        static_cast<CachedRun &>(row) = run;
+        failed = failed || row.status != "finished";
+      }
+    const std::lock_guard<std::mutex> lock(turn);
+    if (const std::string wrong = wrong_drawing(study, row); !wrong.empty())
+      throw InputError(options.file.string() + ": " + wrong);
+    measure_row(study, row, rows);
+    write_study_tables(study, rows, directory);
+    if (row.status == "finished" && !row.message.empty())
+      {
+        const std::string sentence = "the run '" + row.run.label + "' cannot be measured. " + row.message;
+        // While no run could be measured at all, the question is wrong: better said now than after all runs.
+        if (std::none_of(rows.begin(), rows.end(), has_measure))
+          throw InputError(options.file.string() + ": " + sentence);
+        std::cerr << "turgor: " << sentence << std::endl;
+        failed = true;
+      }
+  };
+  // References first: then every later line of the table has its error at once.
+  const auto others = std::stable_partition(rows.begin(), rows.end(), [&](const StudyRow &row) { return is_reference(study, row); });
+  for (const auto &[first, last] : {std::pair{rows.begin(), others}, std::pair{others, rows.end()}})
+    side_by_side(std::size_t(last - first), options.jobs, [&, begin = first](const std::size_t k) { take(begin[long(k)]); });
+  print_study(study, rows);
   if (stop_was_requested())
     {
       std::cerr << "turgor: stopped; the same command continues the study." << std::endl;
       return 130;
     }
-  const bool drawn = run_plot_script(study.of_errors() ? "study.py" : "study_" + study.picture + ".py",
-                                     {directory.string(), reference.string()}) == 0;
+  const bool compared = !study.of_errors() || std::any_of(rows.begin(), rows.end(), [&](const StudyRow &row) {
+    return !is_reference(study, row) && !row.run.input.empty() &&
+           std::any_of(row.measured.begin(), row.measured.end(), [](const auto &one) { return one && one->error; });
+  });
+  if (!compared)
+    std::cerr << "turgor: no run could be compared with a reference." << std::endl;
+  const bool drawn = run_plot_script("study.py", {directory.string()}) == 0;
   std::cout << "The study's tables " << (drawn ? "and pictures " : "") << "are in " << directory.string() << "." << std::endl;
-  return failed || !drawn ? 1 : 0;
+  return failed || !drawn || !compared ? 1 : 0;
 }
 } // namespace turgor

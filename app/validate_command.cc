@@ -154,39 +154,58 @@ std::vector<ValidationResult> measured(const Validation &validation, const std::
   return results;
 }
 
-/// Takes the new results of a validation into the table; the sentences of what was met and no longer is.
-std::vector<std::string> update(std::vector<ValidationResult> &table, const std::vector<ValidationResult> &now)
+const ValidationResult *row_of(const ValidationResult &result, const std::vector<ValidationResult> &table)
 {
-  std::vector<std::string> lost;
-  for (const ValidationResult &result : now)
-    {
-      const auto before = std::find_if(table.begin(), table.end(), [&](const ValidationResult &old) {
-        return old.name == result.name && old.quantity == result.quantity;
-      });
-      if (before == table.end())
-        table.push_back(result);
-      else
-        {
-          if (before->verdict == "met" && result.verdict != "met")
-            lost.push_back(result.name + ", " + result.quantity + ": it was met with " + before->value + " " + before->unit +
-                           ", now it is " + result.verdict + (result.value.empty() ? "" : " with " + result.value + " " + result.unit) + ".");
-          *before = result;
-        }
-    }
-  return lost;
+  const auto found = std::find_if(table.begin(), table.end(), [&](const ValidationResult &row) {
+    return row.name == result.name && row.quantity == result.quantity;
+  });
+  return found == table.end() ? nullptr : &*found;
 }
 
-/// In the order of the files and their rows; rows that are in no file any more are dropped.
-std::vector<ValidationResult> in_order(const std::vector<Validation> &validations, const std::vector<ValidationResult> &table)
+/// A sentence for what was met in doc/results/validation.csv and no longer is.
+void tell_lost(const std::vector<ValidationResult> &now, const std::vector<ValidationResult> &documented)
 {
-  std::vector<ValidationResult> ordered;
-  for (const Validation &validation : validations)
-    for (const ValidationRow &row : validation.rows)
-      for (const ValidationResult &result : table)
-        if (result.name == validation.name && result.quantity == row.quantity)
-          ordered.push_back(result);
-  return ordered;
+  for (const ValidationResult &result : now)
+    if (const ValidationResult *before = row_of(result, documented); before && before->verdict == "met" && result.verdict != "met")
+      std::cerr << "turgor: " << result.name << ", " << result.quantity << ": in the source's table it is met with " << before->value << " "
+                << before->unit << ", now it is " << result.verdict << (result.value.empty() ? "" : " with " + result.value + " " + result.unit)
+                << "." << std::endl;
 }
+
+/// A table that is kept from call to call, and its document.
+class Kept
+{
+public:
+  Kept(std::filesystem::path table_, std::filesystem::path document_)
+    : table(std::move(table_))
+    , document(std::move(document_))
+    , rows(read_results(table))
+  {
+    if (std::filesystem::exists(document) && !has_table(read_whole(document)))
+      throw InputError(document.string() + " holds no table of turgor validate; it is not overwritten.");
+  }
+
+  /// In the order of the files and their rows; rows that are in no file any more are dropped.
+  void take(const std::vector<ValidationResult> &now, const std::vector<Validation> &validations)
+  {
+    std::vector<ValidationResult> ordered;
+    for (const Validation &validation : validations)
+      for (const ValidationRow &row : validation.rows)
+        {
+          const ValidationResult wanted = {validation.name, row.quantity, "", "", "", ""};
+          if (const ValidationResult *found = row_of(wanted, now); found || (found = row_of(wanted, rows)))
+            ordered.push_back(*found);
+        }
+    rows = ordered;
+    write_results(table, rows);
+    const std::string text = std::filesystem::exists(document) ? read_whole(document) : "# Validation\n";
+    write_atomically(document, with_table(text, markdown(validations, rows)));
+  }
+
+private:
+  std::filesystem::path table, document;
+  std::vector<ValidationResult> rows;
+};
 } // namespace
 
 int validate_command(const ValidateOptions &options, const ScenarioRegistry &registry)
@@ -213,15 +232,18 @@ int validate_command(const ValidateOptions &options, const ScenarioRegistry &reg
       return 0;
     }
 
-  const std::filesystem::path table_file = root / "doc" / "results" / "validation.csv", document = root / "doc" / "validation.md";
-  std::vector<ValidationResult> table = read_results(table_file);
-  const std::map<std::string, double> costs = expected_costs(validations, table);
+  const std::filesystem::path directory = options.directory.empty() ? std::filesystem::path("runs/validation") : options.directory;
+  const std::filesystem::path documented = root / "doc" / "results" / "validation.csv";
+  const std::vector<ValidationResult> before = read_results(documented);
+  std::vector<Kept> tables = {{directory / "validation.csv", directory / "validation.md"}};
+  if (options.update_doc)
+    tables.emplace_back(documented, root / "doc" / "validation.md");
+  const std::map<std::string, double> costs = expected_costs(validations, before);
   Plan plan;
   for (const auto &[validation, runs] : wanted)
     for (const auto &[label, run] : runs)
       if (to_be_run(run))
         plan.add(costs.at(validation->name));
-  std::vector<std::string> lost;
   bool failed = false;
   for (std::size_t k = 0; k < wanted.size() && !stop_was_requested(); ++k)
     {
@@ -233,22 +255,21 @@ int validate_command(const ValidateOptions &options, const ScenarioRegistry &reg
       failed = failed || !finished;
       const std::vector<ValidationResult> now = measured(*validation, runs);
       for (const ValidationResult &result : now)
-        std::cout << "  " << result.verdict << ": " << result.quantity << ": " << result.value << " " << result.unit << std::endl;
-      for (const std::string &sentence : update(table, now))
-        lost.push_back(sentence);
-      table = in_order(validations, table);
-      write_results(table_file, table);
-      if (std::filesystem::exists(document))
-        write_atomically(document, with_table(read_whole(document), markdown(validations, table)));
+        {
+          std::cout << "  " << result.verdict << ": " << result.quantity << ": " << result.value << " " << result.unit << std::endl;
+          failed = failed || result.verdict == "failed" || result.verdict == "missed";
+        }
+      tell_lost(now, before);
+      for (Kept &kept : tables)
+        kept.take(now, validations);
     }
   if (stop_was_requested())
     {
       std::cerr << "turgor: stopped; the same command continues the validation." << std::endl;
       return 130;
     }
-  for (const std::string &sentence : lost)
-    std::cerr << "turgor: " << sentence << std::endl;
-  std::cout << "The table is in " << (std::filesystem::exists(document) ? document : table_file).string() << "." << std::endl;
-  return failed || !lost.empty() ? 1 : 0;
+  std::cout << "The table is in " << (directory / "validation.md").string() << (options.update_doc ? " and in doc/validation.md" : "") << "."
+            << std::endl;
+  return failed ? 1 : 0;
 }
 } // namespace turgor

@@ -4,10 +4,10 @@
 #include "app/nearest_name.h"
 #include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
+#include "micro/io/user_text.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace turgor
 {
@@ -49,10 +49,9 @@ std::vector<std::string> each_of(const std::string &text, const std::string &whe
 {
   const std::size_t equals = text.find('=');
   std::vector<std::string> overrides;
-  std::istringstream values(equals == std::string::npos ? "" : text.substr(equals + 1));
-  for (std::string value; std::getline(values, value, '|');)
-    if (const std::size_t first = value.find_first_not_of(' '); first != std::string::npos)
-      overrides.push_back(text.substr(0, text.find_last_not_of(' ', equals - 1) + 1) + "=" + value.substr(first, value.find_last_not_of(' ') + 1 - first));
+  if (equals != std::string::npos)
+    for (const std::string &value : split_escaped(text.substr(equals + 1), '|'))
+      overrides.push_back(trimmed(text.substr(0, equals)) + "=" + value);
   if (overrides.size() < 2)
     throw InputError(where + ": 'each' is '" + text + "'; 'ENTRY = VALUE | VALUE | ...' with two values or more is needed.");
   return overrides;

@@ -8,7 +8,7 @@
 //
 // runs: label and what to run, the input relative to the file; one run has usually the empty label.
 //   each                       (not always) "ENTRY = VALUE | VALUE | ...": one run a value, "LABEL 1", "LABEL 2", ...; LABEL:NAME
-//                              then is the mean over them, and the row has the standard error of the mean
+//                              then is the mean over them, and the row has the standard error of the mean; a | inside a value is \\| there
 // rows: one line of the table each.
 //   quantity, source, thesis   text: what is compared, with what, and the thesis's own error
 //   result                     NAME of an entry in results of summary.json, or LABEL:NAME of the run with that label

@@ -5,6 +5,7 @@
 #include "micro/io/atomic_file.h"
 #include "micro/io/csv_text.h"
 #include "micro/io/number_text.h"
+#include "micro/io/run_context.h"
 #include "micro/io/user_text.h"
 
 #include <cmath>
@@ -18,6 +19,7 @@ namespace turgor
 namespace
 {
 const std::string mark_begin = "<!-- turgor validate: begin -->", mark_end = "<!-- turgor validate: end -->";
+const std::vector<std::string> header = {"name", "quantity", "value", "unit", "cpu_time_s", "verdict"};
 
 std::string digits(const double value)
 {
@@ -129,6 +131,8 @@ std::vector<ValidationResult> read_results(const std::filesystem::path &file)
   if (!std::filesystem::exists(file))
     return results;
   const CsvText text(file);
+  if (text.header.fields != header)
+    throw InputError(file.string() + " is no table of turgor validate; it is not overwritten.");
   for (const CsvRow &row : text.rows)
     {
       text.require_fields(row, 6);
@@ -141,7 +145,9 @@ std::vector<ValidationResult> read_results(const std::filesystem::path &file)
 void write_results(const std::filesystem::path &file, const std::vector<ValidationResult> &results)
 {
   std::ostringstream out;
-  out << "name,quantity,value,unit,cpu_time_s,verdict\n";
+  for (std::size_t k = 0; k < header.size(); ++k)
+    out << (k == 0 ? "" : ",") << header[k];
+  out << '\n';
   for (const ValidationResult &r : results)
     out << csv_field(r.name) << ',' << csv_field(r.quantity) << ',' << r.value << ',' << csv_field(r.unit) << ',' << r.cpu_time
         << ',' << r.verdict << '\n';
@@ -173,11 +179,17 @@ std::string markdown(const std::vector<Validation> &validations, const std::vect
   return out.str();
 }
 
+bool has_table(const std::string &document)
+{
+  const std::size_t begin = document.find(mark_begin);
+  return begin != std::string::npos && document.find(mark_end, begin) != std::string::npos;
+}
+
 std::string with_table(const std::string &document, const std::string &table)
 {
   const std::string block = mark_begin + "\n" + table + mark_end;
   const std::size_t begin = document.find(mark_begin), end = document.find(mark_end);
-  if (begin == std::string::npos || end == std::string::npos || end < begin)
+  if (!has_table(document))
     return document + "\n## All scenes: `./turgor validate`\n\n" + block + "\n";
   return document.substr(0, begin) + block + document.substr(end + mark_end.size());
 }

@@ -36,12 +36,15 @@ std::string in_digits(const Measured &measured);
 /// "at most 1 %", "0.98 to 1.02", ...; empty without a target.
 std::string target_of(const ValidationRow &row);
 
-/// Empty when there is no such file.
+/// Empty when there is no such file; throws InputError for a file of another kind.
 std::vector<ValidationResult> read_results(const std::filesystem::path &file);
 void write_results(const std::filesystem::path &file, const std::vector<ValidationResult> &results);
 
 /// The rows of all validations in their order; those without a result say "not run".
 std::string markdown(const std::vector<Validation> &validations, const std::vector<ValidationResult> &results);
+
+/// Whether it holds the marks between which the table stands.
+bool has_table(const std::string &document);
 
 /// Replaces what stands between the marks; without marks they are appended under a heading.
 std::string with_table(const std::string &document, const std::string &table);

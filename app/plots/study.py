@@ -1,23 +1,43 @@
-"""Pictures of a study: error against run time with the Pareto front, and the probe's history of all methods.
+"""Pictures of a study: error against run time, results over the swept values, curves of all runs.
 
-  study.py DIR [REFERENCE_DIRECTORY]
-reads DIR/error_vs_time.csv and DIR/runs.csv, writes error_vs_time.png and probe_history.png.
+  study.py DIR
+reads DIR/study.json, results.csv and error_vs_time.csv (app/study_tables.h), writes error_vs_time.png (measures with a
+reference), sweep.png or sweep_ENTRY.png (swept entries) and curves.png (measured columns of tables).
 """
 import csv
+import json
+import math
 import os
 import sys
 
 from matplotlib.ticker import LogLocator, NullFormatter
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from drawing import number_points, plt, read_table  # noqa: E402
+from drawing import INK, number_points, plt, read_table, style  # noqa: E402
 
 MARKERS = "osD^vP*X<>hp"
+COLOURS = plt.get_cmap("tab10").colors
 
 
-def rows_of(path):
+def rows_of(directory, name):
+    path = os.path.join(directory, name)
+    if not os.path.exists(path):
+        return []
     with open(path, newline="", encoding="utf-8") as file:
         return list(csv.DictReader(file))
+
+
+def bare(column):
+    return column.split(" [")[0]
+
+
+def number(text):
+    """A float, or None for what is none."""
+    try:
+        value = float(text)
+    except (TypeError, ValueError):
+        return None
+    return value if math.isfinite(value) else None
 
 
 def pareto(points):
@@ -30,97 +50,225 @@ def pareto(points):
     return front
 
 
-def plot_errors(rows, directory):
-    errors = {"error_history": "error of the probe's history", "error_field": "error of the final field"}
-    times = {"cpu_time_s": "CPU time [s]", "wall_time_s": "wall time [s]"}
-    methods = list(dict.fromkeys(row["method"] for row in rows))
-    colour = {method: f"C{number % 10}" for number, method in enumerate(methods)}
-    marker = {method: MARKERS[number % len(MARKERS)] for number, method in enumerate(methods)}
-    # Numbered like the lines of the table of runs beside the panels; there is no room for settings at every point.
-    numbered = list(enumerate(rows, 1))
-    is_reference = {number: all(row[error] and float(row[error]) == 0 for error in errors) for number, row in numbered}
-    figure, panels = plt.subplots(2, 2, figsize=(14, 8))
-    figure.subplots_adjust(left=0.06, right=0.68, bottom=0.07, top=0.97, hspace=0.2, wspace=0.25)
+def settings_of(row, entries):
+    """What tells a run from others of its method."""
+    swept = [f"{bare(entry).split('/')[-1]} {row[entry]}" for entry in entries if row.get(entry)]
+    return ", ".join(([row["settings"]] if row.get("settings") else []) + swept)
+
+
+def readable_log_axis(axis):
+    axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axis.set_major_formatter("{x:g}")
+    axis.set_minor_formatter(NullFormatter())
+
+
+def list_beside(figure, handles):
+    """A legend in a column of its own at the right; call before the figure is drawn."""
+    wide, _ = figure.get_size_inches()
+    column = 0.6 + 0.068 * max(len(handle.get_label()) for handle in handles)  # inches
+    figure.set_figwidth(wide + column)
+    figure.get_layout_engine().set(rect=(0, 0, wide / (wide + column), 1))
+    figure.legend(handles=handles, loc="upper left", bbox_to_anchor=(wide / (wide + column), 0.99), fontsize=8, frameon=False)
+
+
+def plot_errors(rows, info, directory):
+    """A panel for each measure: its error against CPU time, runs numbered as in the list beside; false without errors."""
+    measures = [one for one in info["measures"] if any(number(row.get("error_" + one["name"])) for row in rows)]
+    if not measures:
+        return False
+    lines = {label: group for entry in info["entries"] for label, group in lines_of(rows, entry, info["entries"]).items()}
+    line_of = {row["run"]: label for label, group in lines.items() for row in group}
+    kinds = list(dict.fromkeys(line_of.get(row["run"], row["method"]) for row in rows))
+    looks = {kind: dict(color=COLOURS[k % 10], marker=MARKERS[k % len(MARKERS)]) for k, kind in enumerate(kinds)}
+    look = {row["run"]: looks[line_of.get(row["run"], row["method"])] for row in rows}
+    columns = min(len(measures), 2)
+    down = -(-len(measures) // columns)
+    figure, panels = plt.subplots(down, columns, figsize=(5.2 * columns, max(4.2 * down, 0.21 * len(rows) + 1)), squeeze=False,
+                                  layout="constrained")
+    for panel in panels.ravel()[len(measures):]:
+        panel.axis("off")
+    drawn = []
+    for panel, measure in zip(panels.ravel(), measures):
+        column, shown = "error_" + measure["name"], []
+        for place, row in enumerate(rows, 1):
+            time, error = number(row["cpu_time_s"]), number(row.get(column))
+            if time and error == 0:
+                panel.axvline(time, color="0.5", ls=":")
+            elif time and error:
+                shown.append((time, abs(error), str(place), look[row["run"]]["color"]))
+                panel.plot(time, abs(error), markersize=5, ls="", **look[row["run"]])
+        panel.plot(*zip(*pareto([point[:2] for point in shown])), color="0.75", lw=3, zorder=0)
+        for label, group in lines.items():
+            points = [(number(row["cpu_time_s"]), abs(number(row[column]))) for row in group if number(row["cpu_time_s"]) and number(row.get(column))]
+            panel.plot(*zip(*points) if points else ([], []), color=looks[label]["color"], lw=0.8)
+        panel.set_xscale("log")
+        panel.set_yscale("log")
+        panel.margins(0.12)
+        readable_log_axis(panel.xaxis)
+        readable_log_axis(panel.yaxis)
+        unit = next((name[name.find(" ["):] for name in rows[0] if bare(name) == measure["name"] and "[" in name), "")
+        panel.set_title(f"{measure['name']}, against {measure['reference']}", fontsize=10, color=INK)
+        panel.set_xlabel("CPU time of the run [s]", color=INK)
+        panel.set_ylabel(f"relative error of {measure['name']}" if measure["relative"] else f"error of {measure['name']}{unit}", color=INK)
+        panel.grid(alpha=0.15, which="both")
+        style(panel)
+        drawn.append((panel, shown))
     handles = []
-    for line, (error, error_name) in enumerate(errors.items()):
-        for place, (time, time_name) in enumerate(times.items()):
-            panel = panels[line, place]
-            shown = [(float(row[time]), float(row[error]), number, row["method"]) for number, row in numbered
-                     if row[error] and row[time] and float(row[error]) > 0]
-            for x, y, number, method in shown:
-                panel.plot(x, y, marker[method], color=colour[method], markersize=5)
-            if shown:
-                panel.set_xscale("log")
-                panel.set_yscale("log")
-                panel.margins(0.1)
-                panel.yaxis.set_major_locator(LogLocator(subs=(1, 2, 3, 5)))
-                panel.yaxis.set_major_formatter("{x:g}")
-                panel.yaxis.set_minor_formatter(NullFormatter())
-            for number, row in numbered:
-                if is_reference[number] and row[time]:
-                    panel.axvline(float(row[time]), color="0.5", ls=":")
-            panel.plot(*zip(*pareto([point[:2] for point in shown])) if shown else ([], []), color="0.6", lw=1, zorder=0)
-            panel.set_xlabel(time_name)
-            panel.set_ylabel(error_name + " (relative L2)")
-            panel.grid(alpha=0.15, which="both")
-    for number, row in numbered:
-        method = row["method"]
-        line_look = dict(color="0.5", ls=":") if is_reference[number] else \
-            dict(color=colour[method], ls="", marker=marker[method])
-        handles.append(plt.Line2D([], [], label=f"{number}  {method}: {row['settings']}", **line_look))
-    handles.append(plt.Line2D([], [], color="0.6", lw=1, label="Pareto front"))
-    figure.legend(handles=handles, loc="upper left", bbox_to_anchor=(0.69, 0.98), fontsize=8, frameon=False)
-    for line, error in enumerate(errors):
-        for place, time in enumerate(times):
-            number_points(panels[line, place], [(float(row[time]), float(row[error]), str(number), colour[row["method"]])
-                                                for number, row in numbered
-                                                if row[error] and row[time] and float(row[error]) > 0])
-    figure.savefig(os.path.join(directory, "error_vs_time.png"), dpi=150, bbox_inches="tight")
+    for place, row in enumerate(rows, 1):
+        reference = all(number(row.get("error_" + one["name"])) == 0 for one in measures)
+        handles.append(plt.Line2D([], [], label=f"{place}  {row['method']}  {settings_of(row, info['entries'])}" + " (reference)" * reference,
+                                  **(dict(color="0.5", ls=":") if reference else dict(look[row["run"]], ls=""))))
+    handles.append(plt.Line2D([], [], color="0.75", lw=3, label="no other run is both faster and closer"))
+    list_beside(figure, handles)
+    figure.canvas.draw()
+    figure.set_layout_engine("none")
+    for panel, shown in drawn:
+        number_points(panel, shown)
+    figure.savefig(os.path.join(directory, "error_vs_time.png"), dpi=150)
     plt.close(figure)
+    return True
 
 
-def probe(directory):
-    """Times (s) and displacements in x and y (m), or None where the run wrote none."""
+def panels_of(info, columns, rows):
+    """Lists of columns, one a panel: what the study chose, or every one that varies."""
+    if info["draw"] == "all":
+        return [[column] for column in columns if len({row[column] for row in rows if row.get(column)}) > 1]
+    known = {bare(column): column for column in columns}
+    for name in (name for panel in info["draw"] for name in panel):
+        if name not in known:
+            sys.exit(f"'Draw' names '{name}', which is no result of the runs. Known: {', '.join(known)}.")
+    return [[known[name] for name in panel] for panel in info["draw"]]
+
+
+def lines_of(rows, entry, entries):
+    """{label: rows} of the runs whose first swept entry this is: one line for each method and value of what changes apart from it."""
+    here = [row for row in rows if row.get(entry) and not any(row.get(other) for other in entries[:entries.index(entry)])]
+    apart = [other for other in entries if other != entry and
+             len({(row["method"], row[entry], row.get(other)) for row in here}) > len({(row["method"], row[entry]) for row in here})]
+    lines = {}
+    for row in here:
+        label = ", ".join([row["method"]] + [f"{bare(other).split('/')[-1]} {row[other]}" for other in apart if row.get(other)])
+        lines.setdefault(label, []).append(row)
+    return lines
+
+
+def draw_panel(panel, lines, entry, columns, looks):
+    texts = list(dict.fromkeys(row[entry] for rows in lines.values() for row in rows))
+    numeric = all(number(text) is not None for text in texts)
+    place = {text: number(text) if numeric else k for k, text in enumerate(texts)}
+    values = []
+    for label, rows in lines.items():
+        for k, column in enumerate(columns):
+            size = abs if column.startswith("error_") else float
+            points = sorted((place[row[entry]], size(number(row[column]))) for row in rows if number(row.get(column)) is not None)
+            if points:
+                panel.plot(*zip(*points), ls=("-", "--", ":", "-.")[k % 4], markersize=4, lw=1.2, **looks[label])
+                values += [y for _, y in points]
+        for row in rows:
+            if row["status"] == "failed":
+                panel.plot(place[row[entry]], 0.02, "x", color=INK, transform=panel.get_xaxis_transform())
+    positions = list(place.values())
+    if not numeric:
+        panel.set_xticks(positions, texts, rotation=30, ha="right", fontsize=7)
+    elif min(positions) > 0 and max(positions) / min(positions) > 12:
+        panel.set_xscale("log")
+        readable_log_axis(panel.xaxis)
+    if values and min(values) > 0 and max(values) / min(values) > (5 if columns[0].startswith("error_") else 50):
+        panel.set_yscale("log")
+        panel.yaxis.set_minor_formatter(NullFormatter())
+    panel.set_xlabel(entry, fontsize=8, color=INK)
+    shown = [f"size of {column}" if column.startswith("error_") else "CPU time [s]" if column == "cpu_time_s" else bare(column) for column in columns]
+    names = ", ".join(f"{name} ({dash})" for name, dash in zip(shown, ("solid", "dashed", "dotted", "dash-dotted"))) if len(shown) > 1 else shown[0]
+    unit = columns[0][columns[0].find(" ["):] if "[" in columns[0] else ""
+    panel.set_ylabel(names + unit, fontsize=8, color=INK)
+    panel.grid(alpha=0.15)
+    style(panel)
+    panel.tick_params(axis="x", labelrotation=30 if not numeric else 0)
+
+
+def plot_sweeps(results, errors, info, directory):
+    entries = info["entries"]
+    measured = {row["run"]: row for row in errors}
+    rows = [{**measured.get(row["run"], {}), **row} for row in results]
+    known = ["run", "method", "settings", "status", "threads", "directory", "message", "wall_time_s", "peak_memory_bytes", *entries]
+    columns = [column for column in dict.fromkeys(name for row in rows for name in row) if column not in known]
+    columns = [column for column in columns if any(number(row.get(column)) is not None for row in rows)]
+    panels = panels_of(info, columns, [row for row in rows if any(row.get(entry) for entry in entries)]) if entries else []
+    groups = [(entry, lines) for entry in entries if (lines := lines_of(rows, entry, entries))]
+    if not panels or not groups:
+        return
+    pictures = [(None, groups)] if len(groups) * len(panels) <= 16 else [(entry, [(entry, lines)]) for entry, lines in groups]
+    for name, shown in pictures:
+        labels = list(dict.fromkeys(label for _, lines in shown for label in lines))
+        looks = {label: dict(color=COLOURS[k % 10], marker=MARKERS[k % len(MARKERS)]) for k, label in enumerate(labels)}
+        count = len(shown) * len(panels)
+        across = min(4, count)
+        down = -(-count // across)
+        figure, grid = plt.subplots(down, across, figsize=(3.6 * across + (0 if across > 1 else 1.5), 2.9 * down + 0.6), squeeze=False,
+                                    layout="constrained")
+        for panel in grid.ravel()[count:]:
+            panel.axis("off")
+        for k, panel in enumerate(grid.ravel()[:count]):
+            entry, lines = shown[k // len(panels)]
+            draw_panel(panel, lines, entry, panels[k % len(panels)], looks)
+        handles = [plt.Line2D([], [], label=label, **looks[label]) for label in labels] if len(labels) > 1 else []
+        if any(row["status"] == "failed" for _, lines in shown for group in lines.values() for row in group):
+            handles.append(plt.Line2D([], [], color=INK, marker="x", ls="", label="the run failed"))
+        if handles:
+            list_beside(figure, handles)
+        stem = "sweep" if name is None else "sweep_" + "".join(c if c.isalnum() else "_" for c in bare(name))
+        figure.savefig(os.path.join(directory, stem + ".png"), dpi=130)
+        plt.close(figure)
+
+
+def curve(path, against, column):
+    """Abscissa with its name, values with theirs; None where the run wrote none."""
     try:
-        table = read_table(os.path.join(directory, "probe.csv"))
-        return [next(column for name, column in table.items() if name.startswith(start))
-                for start in ("time", "displacement_x", "displacement_y")]
-    except (OSError, StopIteration):
+        table = read_table(path)
+    except OSError:
         return None
+    names = {bare(name): name for name in table}
+    x = names.get(against or bare(next(iter(table), "")))
+    return (x, table[x], names[column], table[names[column]]) if x and column in names else None
 
 
-def plot_histories(runs, reference, directory):
-    figure, panels = plt.subplots(2, 1, figsize=(13, 7), sharex=True)
-    figure.subplots_adjust(left=0.07, right=0.66, bottom=0.08, top=0.97, hspace=0.08)
-    methods = list(dict.fromkeys(row["method"] for row in runs))
-    styles, colours, drawn = ["-", "--", "-.", ":"], plt.get_cmap("tab20").colors, 0
-    for row in runs:
-        history = probe(row["directory"])
-        if row["status"] != "finished" or history is None:
-            continue
-        is_reference = bool(reference) and os.path.abspath(row["directory"]) == os.path.abspath(reference)
-        look = dict(color="k", lw=2.5, alpha=0.6, zorder=0) if is_reference else \
-            dict(color=colours[drawn % 20], ls=styles[methods.index(row["method"]) % 4], lw=1.3)
-        drawn += not is_reference
-        for panel, values in zip(panels, history[1:]):
-            panel.plot(1e3 * history[0], 1e6 * values, label=row["method"] + ": " + row["settings"], **look)
-    for panel, name in zip(panels, "xy"):
-        panel.set_ylabel(f"probe displacement {name} [um]")
-        panel.grid(alpha=0.3)
-    panels[1].set_xlabel("time [ms]")
-    handles, labels = panels[0].get_legend_handles_labels()
-    if handles:
-        figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.67, 0.98), fontsize=8,
-                      frameon=False)
-    figure.savefig(os.path.join(directory, "probe_history.png"), dpi=150)
+def plot_curves(results, info, directory):
+    wanted = list(dict.fromkeys((one["table"], one["against"], column, one["reference_table"], one["reference"]) for one in info["measures"] if one["curve"]
+                                for column in one["columns"]))
+    runs = [row for row in results if row["status"] == "finished"]
+    if not wanted or not runs:
+        return
+    figure, panels = plt.subplots(len(wanted), 1, figsize=(7.5, max(1 + 2.8 * len(wanted), 0.2 * len(runs) + 1)), squeeze=False, layout="constrained")
+    colours, handles = plt.get_cmap("tab20").colors, {}
+    for panel, (table, against, column, reference_table, reference) in zip(panels[:, 0], wanted):
+        for k, row in enumerate(runs):
+            found = curve(os.path.join(row["directory"], table + ".csv"), against, column)
+            if found:
+                look = dict(color="k", lw=2.5, alpha=0.6, zorder=0) if row["run"] == reference else \
+                    dict(color=colours[k % 20], lw=1.2, ls=("-", "--", "-.", ":")[k // 20 % 4])
+                label = f"{row['method']}  {settings_of(row, info['entries'])}"
+                handles[label], = panel.plot(found[1], found[3], label=label, **look)
+                panel.set_xlabel(found[0], color=INK)
+                panel.set_ylabel(found[2], color=INK)
+        found = curve(reference_table, against, column) if reference_table else None
+        if found:
+            handles["reference"], = panel.plot(found[1], found[3], color="k", lw=2.5, alpha=0.6, zorder=0, label="reference")
+        panel.grid(alpha=0.2)
+        style(panel)
+    list_beside(figure, list(handles.values()))
+    figure.savefig(os.path.join(directory, "curves.png"), dpi=130)
     plt.close(figure)
 
 
-def main(directory, reference=""):
-    plot_errors(rows_of(os.path.join(directory, "error_vs_time.csv")), directory)
-    plot_histories(rows_of(os.path.join(directory, "runs.csv")), reference, directory)
+def main(directory):
+    with open(os.path.join(directory, "study.json"), encoding="utf-8") as file:
+        info = json.load(file)
+    results, errors = rows_of(directory, "results.csv"), rows_of(directory, "error_vs_time.csv")
+    plot_errors(errors, info, directory)
+    plot_sweeps(results, errors, info, directory)
+    plot_curves(results, info, directory)
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:3]))
+    sys.exit(main(sys.argv[1]))

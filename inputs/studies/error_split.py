@@ -1,17 +1,13 @@
 #!/usr/bin/python3
 """Error split of the gravity example, statically: mesh, surface and homogenisation told apart.
 
-  inputs/studies/error_split.py [--runs DIR] [--out DIR] [--program FILE] [--only-plot]
+  inputs/studies/error_split.py
 
-Runs tissue_statics (FE^2) over meshes and static_lattice (every cell) over n with each kind of surface, skips what
-already lies finished in --runs, and writes static.csv, limits.csv and static.png to --out (doc/results/error_split).
-Two minutes of CPU time; remove --runs after a change of the program.
+Runs tissue_statics (FE^2) over meshes and static_lattice (every cell) over n with each kind of surface, and writes
+static.csv, limits.csv and static.png to doc/results/error_split. Two minutes of CPU time.
 """
-import argparse
 import csv
-import json
 import os
-import subprocess
 
 import matplotlib
 
@@ -19,7 +15,9 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy  # noqa: E402
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from runs import ROOT, results, study  # noqa: E402
+
+OUT = os.path.join(ROOT, "doc", "results", "error_split")
 MESHES = {1: [4, 8, 16, 32], 2: [4, 8, 16, 32]}
 BLOCKS = {"slab": [4, 8, 16, 32], "frozen": [4, 8, 16, 24, 32, 48, 64], "free": [4, 8, 16, 24, 32, 48],
           "osmosis": [4, 8, 16, 24, 32, 48]}
@@ -27,35 +25,31 @@ BLOCKS = {"slab": [4, 8, 16, 32], "frozen": [4, 8, 16, 24, 32, 48, 64], "free": 
 MODULI = ["6e5", "1.2e5"]
 
 
-def run(arguments, label, scene, overrides):
-    directory = os.path.join(arguments.runs, label)
-    summary = os.path.join(directory, "summary.json")
-    if not os.path.exists(summary) or json.load(open(summary, encoding="utf-8"))["status"] != "finished":
-        if arguments.only_plot:
-            raise SystemExit(f"{summary} is missing; run without --only-plot first.")
-        print(label, flush=True)
-        command = [arguments.program, "run", os.path.join(ROOT, "inputs", scene + ".prm"), "-o", directory]
-        for entry in overrides:
-            command += ["--set", entry]
-        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
-    found = json.load(open(summary, encoding="utf-8"))
-    result = {name: entry["value"] for name, entry in found["results"].items()}
+def tissue(elements, degree, lateral="free", modulus=None):
+    entries = {"Tissue statics/Elements": elements, "Tissue statics/Degree": degree, "Tissue statics/Lateral sides": lateral}
+    return (f"tissue_{lateral}_{degree}_{elements}" + (f"_{modulus}" if modulus else ""), "tissue_statics",
+            {**entries, "Cell/Fluid modulus": modulus} if modulus else entries)
+
+
+def lattice(n, surfaces, modulus=None):
+    entries = {"Columns": n, "Rows": n, "Surfaces": surfaces, "Fields": "false"}
+    return (f"lattice_{surfaces}_{n}" + (f"_{modulus}" if modulus else ""), "static_lattice",
+            {**entries, "Cell/Fluid modulus": modulus} if modulus else entries)
+
+
+SLAB, SLAB_COARSE = tissue(16, 2, "periodic"), tissue(8, 1, "periodic")
+RUNS = [*(tissue(m, d) for d, sizes in MESHES.items() for m in sizes), SLAB, SLAB_COARSE,
+        *(lattice(n, s) for s, sizes in BLOCKS.items() for n in sizes),
+        *(run for k in MODULI for run in (tissue(16, 2, modulus=k), lattice(16, "frozen", k), lattice(32, "frozen", k)))]
+
+
+def measured(row):
+    if row["status"] != "finished":
+        raise SystemExit(f"{row['run']}: {row['message']}")
+    result = results(row)
     iterations = result["newton_iterations"] + result.get("newton_iterations_unloaded", 0.)
-    return {"tip": result["tip_over_width"], "pressure_min": result["pressure_min"],
-            "pressure_max": result["pressure_max"], "iterations": iterations, "cpu": found["cpu_time_s"]}
-
-
-def tissue(arguments, elements, degree, lateral="free", modulus=None):
-    more = [f"Cell/Fluid modulus={modulus}"] if modulus else []
-    return run(arguments, f"tissue_{lateral}_{degree}_{elements}" + (f"_{modulus}" if modulus else ""), "tissue_statics",
-               [f"Tissue statics/Elements={elements}", f"Tissue statics/Degree={degree}",
-                f"Tissue statics/Lateral sides={lateral}"] + more)
-
-
-def lattice(arguments, n, surfaces, modulus=None):
-    more = [f"Cell/Fluid modulus={modulus}"] if modulus else []
-    return run(arguments, f"lattice_{surfaces}_{n}" + (f"_{modulus}" if modulus else ""), "static_lattice",
-               [f"Columns={n}", f"Rows={n}", f"Surfaces={surfaces}", "Fields=false"] + more)
+    return {"tip": result["tip_over_width"], "pressure_min": result["pressure_min"], "pressure_max": result["pressure_max"],
+            "iterations": iterations, "cpu": float(row["cpu_time_s"])}
 
 
 def richardson(values):
@@ -72,27 +66,20 @@ def limit_in_cells(n, tips, powers):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--runs", default=os.path.join(ROOT, "runs", "error_split"))
-    parser.add_argument("--out", default=os.path.join(ROOT, "doc", "results", "error_split"))
-    parser.add_argument("--program", default=os.path.join(ROOT, "turgor"), help="the launcher or a built program")
-    parser.add_argument("--only-plot", action="store_true")
-    arguments = parser.parse_args()
-    os.makedirs(arguments.out, exist_ok=True)
-
-    mesh = {d: [tissue(arguments, m, d) for m in sizes] for d, sizes in MESHES.items()}
+    os.makedirs(OUT, exist_ok=True)
+    found = {label: measured(row) for label, row in study("error_split", RUNS).items()}
+    of = lambda run: found[run[0]]  # noqa: E731
+    mesh = {d: [of(tissue(m, d)) for m in sizes] for d, sizes in MESHES.items()}
     limits = {d: richardson([r["tip"] for r in rows]) for d, rows in mesh.items()}
     fe = limits[2][0]
-    slab_fe = tissue(arguments, 16, 2, "periodic")
-    slab_coarse = tissue(arguments, 8, 1, "periodic")
-    block = {s: [lattice(arguments, n, s) for n in sizes] for s, sizes in BLOCKS.items()}
-    soft = {k: (tissue(arguments, 16, 2, modulus=k), [lattice(arguments, n, "frozen", k) for n in (16, 32)])
-            for k in MODULI}
+    slab_fe, slab_coarse = of(SLAB), of(SLAB_COARSE)
+    block = {s: [of(lattice(n, s)) for n in sizes] for s, sizes in BLOCKS.items()}
+    soft = {k: (of(tissue(16, 2, modulus=k)), [of(lattice(n, "frozen", k)) for n in (16, 32)]) for k in MODULI}
 
     def percent(tip, against=fe):
         return 100. * (tip / against - 1.)
 
-    with open(os.path.join(arguments.out, "static.csv"), "w", newline="", encoding="utf-8") as file:
+    with open(os.path.join(OUT, "static.csv"), "w", newline="", encoding="utf-8") as file:
         table = csv.writer(file)
         table.writerow(["model", "kind", "fluid_modulus [Pa]", "n", "tip_over_width [1]", "against_fe2_limit [%]",
                         "pressure_min [Pa]", "pressure_max [Pa]", "newton_iterations [1]", "cpu_time [s]"])
@@ -115,7 +102,7 @@ def main():
             for n, b in zip((16, 32), blocks):
                 row("lattice", "frozen", n, b, r["tip"], k)
 
-    with open(os.path.join(arguments.out, "limits.csv"), "w", newline="", encoding="utf-8") as file:
+    with open(os.path.join(OUT, "limits.csv"), "w", newline="", encoding="utf-8") as file:
         table = csv.writer(file)
         table.writerow(["what", "fit", "limit_tip_over_width [1]", "against_fe2_limit [%]"])
         for d, (limit, order) in limits.items():
@@ -164,7 +151,7 @@ def main():
     right.legend(fontsize=8, loc="upper left")
     right.grid(True, alpha=0.3)
     figure.tight_layout()
-    figure.savefig(os.path.join(arguments.out, "static.png"), dpi=120)
+    figure.savefig(os.path.join(OUT, "static.png"), dpi=120)
 
 
 if __name__ == "__main__":

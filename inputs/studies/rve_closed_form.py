@@ -14,11 +14,9 @@ import argparse
 import collections
 import csv
 import os
-import subprocess
-import sys
-import tempfile
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from runs import study
+
 TURGOR = 200e3  # Pa, Cell/Turgor
 MODULUS = 6e6   # Pa, Cell/Fluid modulus
 
@@ -45,27 +43,19 @@ FLUIDS = {"hydrostatic": {"RVE/Fluid": "hydrostatic"},
           "thesis": {"RVE/Fluid": "sph", "SPH/Formulation": "thesis"}}
 
 
-def walk(program, path, fluid, rule, seed, entries):
-    """Rows of stress.csv for the points of a path; a failed run raises its sentence."""
-    with tempfile.TemporaryDirectory() as directory:
-        keyframes = " | ".join("%d : %.17g, %.17g; %.17g, %.17g" % ((k,) + F) for k, (_, F) in enumerate(path))
-        settings = {"Path/Keyframes": keyframes, "Path/Points": len(path), "Path/F_dot": "0, 0; 0, 0",
-                    "RVE/Rule": rule, "SPH/Seed": seed}
-        settings.update(FLUIDS[fluid])
-        settings.update(entries)
-        command = [program, "run", os.path.join(ROOT, "inputs", "rve_response.prm"), "-o", directory, "--quiet",
-                   "--threads", "1"]
-        for name, value in settings.items():
-            command += ["--set", "%s=%s" % (name, value)]
-        done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT, stdin=subprocess.DEVNULL)
-        rows = []
-        table = os.path.join(directory, "stress.csv")
-        if os.path.exists(table):
-            with open(table) as file:
-                rows = [{key.split(" ")[0]: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
-        if done.returncode != 0:
-            print("%s %s seed %s: %s" % (fluid, rule, seed, " ".join(done.stderr.split())), file=sys.stderr)
-        return rows
+def entries_of(path, fluid, rule, seed, more):
+    keyframes = " | ".join("%d : %.17g, %.17g; %.17g, %.17g" % ((k,) + F) for k, (_, F) in enumerate(path))
+    return {"Path/Keyframes": keyframes, "Path/Points": len(path), "Path/F_dot": "0, 0; 0, 0", "RVE/Rule": rule, "SPH/Seed": seed,
+            **FLUIDS[fluid], **more}
+
+
+def walk(directory):
+    """Rows of stress.csv; those that a failed run had before it ended."""
+    table = os.path.join(directory, "stress.csv")
+    if not os.path.exists(table):
+        return []
+    with open(table, encoding="utf-8") as file:
+        return [{key.split(" ")[0]: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
 
 
 def eos_pressure(p_reference, J):
@@ -73,9 +63,9 @@ def eos_pressure(p_reference, J):
     return MODULUS * ((1. + p_reference / MODULUS) / J ** 7 - 1.)
 
 
-def compare(program, path, fluid, rule, seed, entries):
+def compare(directory, path, fluid, rule, seed):
     result, eos_at_I = [], None
-    for (name, F), row in zip(path, walk(program, path, fluid, rule, seed, entries)):
+    for (name, F), row in zip(path, walk(directory)):
         if name == "I":
             eos_at_I = row["pressure"]
         if name.startswith("way"):
@@ -129,7 +119,6 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("-o", "--output", default="closed_form.csv")
     parser.add_argument("--table", help="print the table of this file and stop")
-    parser.add_argument("--program", default=os.path.join(ROOT, "turgor"))
     parser.add_argument("--seeds", type=int, default=5)
     parser.add_argument("--relax-steps", type=int, default=6000)
     parser.add_argument("--tolerance", type=float, default=2e-3)
@@ -143,19 +132,20 @@ def main():
         with open(options.table) as file:
             return print_table(list(csv.DictReader(file)))
     path = PATH if not options.only else [IDENTITY] + [point for point in PATH if point[0] == options.only]
-    rows = []
+    asked = {}
     for kind in options.rules.split(","):
         fluid, rule = kind.split("/")
         entries = {"RVE/Relax steps": options.relax_steps, "RVE/Tolerance": options.tolerance} if fluid != "hydrostatic" else {}
         entries.update(item.split("=", 1) for item in options.set)
         for seed in range(1, (1 if fluid == "hydrostatic" else options.seeds) + 1):
-            rows += compare(options.program, path, fluid, rule, seed, entries)
-            with open(options.output, "w", newline="") as file:
-                writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
-                writer.writeheader()
-                for row in rows:
-                    writer.writerow({k: "%.9g" % v if isinstance(v, float) else v for k, v in row.items()})
-            print("%s, seed %d done" % (kind, seed), file=sys.stderr, flush=True)
+            asked[f"{fluid}, {rule}, seed {seed}"] = (fluid, rule, seed, entries)
+    runs = study("rve_closed_form", [(label, "rve_response", entries_of(path, *one)) for label, one in asked.items()])
+    rows = [row for label, one in asked.items() for row in compare(runs[label]["directory"], path, *one[:3])]
+    with open(options.output, "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
+        writer.writeheader()
+        for row in rows:
+            writer.writerow({k: "%.9g" % v if isinstance(v, float) else v for k, v in row.items()})
     print_table(rows)
 
 

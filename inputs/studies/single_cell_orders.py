@@ -1,4 +1,4 @@
-"""Orders and picture of the tables laplace_convergence, laplace_support, shell_modes and shell_support (made by single_cell.py).
+"""Orders and picture of the studies error_vs_time/laplace, single_cell/laplace_support, shell_modes and shell_support.
 
   python3 inputs/studies/single_cell_orders.py      -> doc/results/single_cell/convergence.png, orders.csv
 
@@ -25,7 +25,7 @@ PRESSURES = (("deviation_cut_eos [%]", "mean EOS pressure"), ("deviation_cut_vir
 
 
 def rows(name, column):
-    path = os.path.join(FOLDER, name + ".csv")
+    path = os.path.join(FOLDER, name, "results.csv")
     if not os.path.exists(path):
         return []
     with open(path, encoding="utf-8") as file:
@@ -41,23 +41,23 @@ def curves():
     for dim, colour in ((2, ALONG), (3, ACCENT)):
         for (column, label), dash in zip(PRESSURES, ("-", "--")):
             points = {spacing(float(row["fluid_particles"]), dim): [float(row[column])]
-                      for row in rows("laplace_convergence", column) if row["run"].startswith(f"{dim}D")}
+                      for row in rows("laplace_convergence", column) if row["method"] == f"{dim}D"}
             yield 0, f"{dim}D, {label}", points, colour, dash
     for (column, label), dash in zip(PRESSURES, ("-", "--")):
-        yield 1, f"2D, {label}", {float(row["run"].split("_")[1]): [float(row[column])]
-                                  for row in rows("laplace_support", column)}, ALONG, dash
+        yield 1, f"2D, {label}", {float(row["Cell/Support ratio"]): [float(row[column])]
+                                  for row in rows("laplace_support", column) if row["method"] == "support"}, ALONG, dash
     for c, colour in ((50, ALONG), (250, ACCENT)):
         for mode, dash in ((1, "-"), (2, "--")):
             column, points = f"mode_{mode}_deviation [%]", {}
             for row in rows("shell_modes", column):
-                if row["run"].startswith(f"c{c}_"):
-                    points.setdefault(spacing(float(row["run"].split("_")[1]), 3), []).append(float(row[column]))
+                if row["method"] == "filled" and row["Sound speed [m/s]"] == str(c):
+                    points.setdefault(spacing(float(row["Cell/Fluid particles"]), 3), []).append(float(row[column]))
             yield 2, f"c = {c} m/s, mode {mode}", points, colour, dash
-    for kernel, label, colour in (("wendland", "Wendland", ALONG), ("fourth_order", "fourth order", ACCENT)):
+    for kernel, label, colour in (("Wendland", "Wendland", ALONG), ("fourth order", "fourth order", ACCENT)):
         for mode, dash in ((1, "-"), (2, "--")):
             column = f"mode_{mode}_deviation [%]"
-            yield 3, f"{label}, mode {mode}", {float(row["run"].rsplit("_", 1)[1]): [float(row[column])]
-                                               for row in rows("shell_support", column) if row["run"].startswith(kernel)}, colour, dash
+            yield 3, f"{label}, mode {mode}", {float(row["Cell/Support ratio"]): [float(row[column])]
+                                               for row in rows("shell_support", column) if row["method"] == kernel}, colour, dash
 
 
 PANELS = (("Laplace's law", "particle spacing over radius", 1), ("Laplace's law, 484 particles", "support (2 h) over particle spacing", 1),

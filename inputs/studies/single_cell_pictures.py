@@ -1,8 +1,9 @@
-"""Pictures of the runs of single_cell.py: impact_matrix.png and largest_stretch.png in doc/results/single_cell.
+"""Pictures of the runs of single_cell/impact_matrix.prm and largest_stretch.prm: impact_matrix.png and largest_stretch.png in
+doc/results/single_cell.
 
-  python3 inputs/studies/single_cell_pictures.py [--directory runs]
+  python3 inputs/studies/single_cell_pictures.py
 """
-import argparse
+import csv
 import os
 import sys
 
@@ -20,9 +21,20 @@ PLACE = os.path.join(ROOT, "doc", "results", "single_cell")
 COLOURS = ("#1b6ca8", "#3a9d6e", "#d98e04", "#b5332e")
 
 
-def table(*path):
-    name = os.path.join(*path)
-    return read_table(name) if os.path.exists(name) else None
+def runs(study):
+    """{(values of the swept entries): directory} of the finished runs of a study in doc/results/single_cell."""
+    path = os.path.join(PLACE, study, "results.csv")
+    if not os.path.exists(path):
+        return {}
+    with open(path, newline="", encoding="utf-8") as file:
+        rows = [row for row in csv.DictReader(file) if row["status"] == "finished"]
+    entries = [name for name in list(rows[0])[:list(rows[0]).index("status")] if name not in ("run", "method", "settings")]
+    return {tuple(float(row[entry]) for entry in entries): os.path.join(ROOT, row["directory"]) for row in rows}
+
+
+def table(directory, name):
+    path = os.path.join(directory or "", name)
+    return read_table(path) if directory and os.path.exists(path) else None
 
 
 def save(figure, name):
@@ -32,12 +44,12 @@ def save(figure, name):
     print(path)
 
 
-def impact_matrix(directory):
+def impact_matrix():
     figure, axes = plt.subplots(2, 2, figsize=(10.5, 7), sharex=True, facecolor="white")
-    found = False
-    for column, stiffness in enumerate((100, 1000)):
+    found, places = False, runs("impact_matrix")
+    for column, (stiffness, steps) in enumerate(((100, 1000), (1000, 3000))):
         for colour, viscosity in zip(COLOURS, (1e-3, 1e-2, 1e-1, 1)):
-            run = table(directory, "impact_matrix", f"G{stiffness}_mu{viscosity}", "force.csv")
+            run = table(places.get((viscosity, stiffness, steps)), "force.csv")
             if run is None:
                 continue
             found = True
@@ -61,12 +73,12 @@ def impact_matrix(directory):
         save(figure, "impact_matrix.png")
 
 
-def largest_stretch(directory):
+def largest_stretch():
     figure, axes = plt.subplots(1, 2, figsize=(10.5, 4.2), facecolor="white")
-    found = False
-    for colour, stiffness in zip((COLOURS[0], COLOURS[3]), (100, 6)):
+    found, places = False, runs("largest_stretch")
+    for colour, stiffness, steps in ((COLOURS[0], 100, 4000), (COLOURS[3], 6, 16000)):
         for nu, mark in ((6, "v"), (10, "s"), (14, "o")):
-            place = os.path.join(directory, "largest_stretch", f"G{stiffness}_{nu}")
+            place = places.get((nu, stiffness, steps))
             run, balloon = table(place, "force.csv"), table(place, "balloon.csv")
             if run is None or balloon is None:
                 continue
@@ -92,13 +104,6 @@ def largest_stretch(directory):
         save(figure, "largest_stretch.png")
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--directory", default="runs")
-    options = parser.parse_args()
-    impact_matrix(options.directory)
-    largest_stretch(options.directory)
-
-
 if __name__ == "__main__":
-    main()
+    impact_matrix()
+    largest_stretch()

@@ -1,6 +1,6 @@
 """What the density of a spheroid in a capsule is made of (thesis Fig. 5.5B, C.2.1): measured in the fields of a spheroid_capsule run.
 
-  python3 inputs/studies/spheroid_density.py DIRECTORY [--hours 0 24 48] [--radius um of the capsule, for a run without growth.csv]
+  python3 inputs/studies/spheroid_density.py DIRECTORY|results.csv ... [--hours 0 24 48] [--radius um of the capsule, for a run without growth.csv]
 
 Per 1000 um^3 (a section of 10 um, 100 um^2), each at hours after confluence, within the capsule's radius (before the wall is
 reached: the spheroid's):
@@ -83,8 +83,14 @@ def main():
     parser.add_argument("--hours", type=float, nargs="+", default=[0, 24, 48])
     parser.add_argument("--csv", help="write the rows there")
     options = parser.parse_args()
-    rows = [{"run": os.path.basename(os.path.normpath(d)), **{k: f"{v:.4g}" for k, v in row.items()}}
-            for d in options.directory for row in rows_of(d, options.hours)]
+    places = []
+    for place in options.directory:
+        if place.endswith(".csv"):  # the runs of a study
+            with open(place, newline="", encoding="utf-8") as file:
+                places += [(row["run"], row["directory"]) for row in csv.DictReader(file) if row["status"] == "finished"]
+        else:
+            places.append((os.path.basename(os.path.normpath(place)), place))
+    rows = [{"run": label, **{k: f"{v:.4g}" for k, v in row.items()}} for label, place in places for row in rows_of(place, options.hours)]
     for name in rows[0]:
         print(f"{name:20s}", *(f"{row[name]:>10s}" for row in rows))
     if options.csv:

@@ -1,6 +1,6 @@
 """The five cell lines of experiment II (thesis 5.4.2, Fig. 5.1B, D-G): each free and under dextran, nothing refitted.
 
-  python3 inputs/studies/spheroid_dextran.py NAME [--program build/app/turgor] [--directory runs] [--only-table]
+  python3 inputs/studies/spheroid_dextran.py NAME
 
 small        400 first cells (about 60 um of radius where the experiment has 100 um), 3 days; BC52 and FHI 2 more after the change of their
              rim, which comes after 3 days here instead of 9. CT26 also with the contacts of a closest packing (density.md)
@@ -11,7 +11,7 @@ beside them.
 import os
 import sys
 
-from table_of_runs import ROOT, options_of, row_of, run_all, write_table
+from runs import ROOT, choice, study, table_row, write_table
 
 LINES = {"CT26": 5000, "AB6": 5000, "HT29": 10000, "BC52": 5000, "FHI": 5000}  # Pa
 TWO_REGIMES = ("BC52", "FHI")
@@ -31,26 +31,25 @@ def runs(name):
 
 
 def main():
-    options = options_of(["small", "full"], __doc__)
-    name, options.study = options.study, "dextran_" + options.study
-    done = run_all(options, runs(name))
+    name = choice(["small", "full"], __doc__)
+    done = study("dextran_" + name, runs(name))
     rows, speed = [], {}
-    for label, place, failed in done:
-        rows.append(row_of(label, place, failed))
+    for label, run in done.items():
+        rows.append(table_row(run))
         line = label.split("_")[0]
         for key in ("radial_speed", "radial_speed_first", "radial_speed_second"):
-            value = float(rows[-1].get(f"{key} [um/d]", "nan"))
+            value = float(rows[-1].get(f"{key} [um/d]") or "nan")
             rows[-1][f"{key} [um/h]"] = f"{value / 24:.4g}" if value == value else ""
             if label.endswith("free"):
                 speed[line, key] = value
             elif value == value:
                 rows[-1][f"{key}_over_control"] = f"{value / speed[line, key]:.4g}"
-    write_table("spheroid", options.study, rows)
-    shown = [(label.replace("_", " "), place) for label, place, _ in done if place is not None]
+    write_table(f"spheroid/dextran_{name}.csv", rows)
+    shown = [(label.replace("_", " "), run["directory"]) for label, run in done.items() if run["status"] == "finished"]
     if shown:
         sys.path.insert(0, os.path.join(ROOT, "app", "plots"))
         from spheroid_dextran import draw
-        draw(shown, os.path.join(ROOT, "doc", "results", "spheroid", f"{options.study}.png"), 3. if name == "small" else 9.)
+        draw(shown, os.path.join(ROOT, "doc", "results", "spheroid", f"dextran_{name}.png"), 3. if name == "small" else 9.)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """Why a spheroid with a proliferating rim grows slower than the closed form: its balance of volume (thesis 5.4.2).
 
-  python3 inputs/studies/spheroid_rim.py rim [--only-table]        doc/results/spheroid/rim.csv, 2 minutes of CPU time
+  python3 inputs/studies/spheroid_rim.py            doc/results/spheroid/rim.csv, 2 minutes of CPU time
 
 E: edge of the spheroid (radius of growth.csv), l = 30 um, k = ln 2/T, V: volume of all cells, P: of those that proliferate,
 S = 1 - (1 - l/E)^3: the rim's share of a smooth ball, phi = V/(4/3 pi E^3): fill. Without any assumption
@@ -25,7 +25,7 @@ import sys
 
 import numpy as np
 
-from table_of_runs import ROOT, options_of, row_of, run_all, write_table
+from runs import ROOT, results, study, write_table
 
 sys.path.insert(0, os.path.join(ROOT, "app", "plots"))
 from drawing import read_table  # noqa: E402
@@ -45,8 +45,8 @@ def runs():
 
 def balance(directory, row):
     """{term: % of the closed form at the middle radius}, and what the spheroid looks like."""
-    speed, middle = row["radial_speed [m/s]"], row["radial_speed_closed_form [m/s]"]
-    k = np.log(2) / row["doubling_time_closed_form [s]"]
+    speed, middle = row["radial_speed"], row["radial_speed_closed_form"]
+    k = np.log(2) / row["doubling_time_closed_form"]
     table = read_table(os.path.join(directory, "growth.csv"))
     t, E, V, P = (table[name] for name in ("time [s]", "radius [m]", "volume [m^3]", "proliferating_volume [m^3]"))
     later = t >= 0.5 * t[-1]
@@ -82,21 +82,18 @@ def balance(directory, row):
 
 
 def main():
-    options = options_of(["rim"], __doc__)
     rows, kept = [], []
-    for label, place, failed in run_all(options, runs()):
-        if place is None:
-            rows.append({"run": label, "failed": failed})
+    for label, run in study("rim", runs()).items():
+        if run["status"] != "finished":
+            rows.append({"run": label, "failed": run["message"]})
             continue
-        full = row_of(label, place, failed)
-        numbers = {name: float(value) for name, value in full.items() if name not in ("run", "failed")}
-        found = balance(place, numbers)
+        found = balance(run["directory"], results(run))
         kept.append((label, found))
-        rows.append({"run": label, "cpu_time_s": full["cpu_time_s"], "cells": full["cells"], **found})
+        rows.append({"run": label, "cpu_time_s": run["cpu_time_s"], "cells": run["cells"], **found})
     for group in sorted({label[:-2] for label, _ in kept}):
         found = [terms for label, terms in kept if label[:-2] == group]
         rows.append({"run": group + " mean"} | {name: f"{np.mean([float(one[name]) for one in found]):.2f}" for name in TERMS})
-    write_table("spheroid", "rim", rows)
+    write_table("spheroid/rim.csv", rows)
 
 
 if __name__ == "__main__":

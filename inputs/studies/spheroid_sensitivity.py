@@ -1,6 +1,6 @@
 """What the growth of a spheroid in a thin capsule is sensitive to: the thesis's statements (5.4.2, C.2, C.3), each as a measured yes or no.
 
-  python3 inputs/studies/spheroid_sensitivity.py NAME [--program build/app/turgor] [--directory runs] [--only-table]
+  python3 inputs/studies/spheroid_sensitivity.py NAME
 
 NAME: n, eps_tr, alpha_qui, growth_law, K, T_lys, timer, friction, W, D, seeds, calibration (each with the reference run), or all. Each is
 a file of its own in inputs/studies/sensitivity: its runs, the statements (what the thesis says, the runs it needs, what has to hold for a
@@ -18,7 +18,7 @@ import json
 import os
 import sys
 
-from table_of_runs import ROOT, options_of, row_of, run_all, write_table
+from runs import ROOT, choice, study, table_row, write_table
 
 R_0 = 30e-6
 SMALL = {"Capsule/Radius": R_0, "Capsule/Thickness": 2.4e-6, "Capsule/Time confined": 270000, "First cells": 30,
@@ -73,43 +73,42 @@ def labels_of(label):
 def draw_panels(places):
     sys.path.insert(0, os.path.join(ROOT, "app", "plots"))
     from spheroid_variations import draw
-    draw([(title, column, [(label, places[label]) for label in ("reference", *labels) if label in places]) for study in STUDIES.values() for title, column, labels in study.PANELS],
+    draw([(title, column, [(label, places[label]) for label in ("reference", *labels) if label in places]) for one in STUDIES.values() for title, column, labels in one.PANELS],
          os.path.join(ROOT, "doc", "results", "spheroid", "sensitivity.png"))
 
 
 def main():
-    options = options_of(list(STUDIES) + ["all"], __doc__)
-    chosen = list(STUDIES) if options.study == "all" else [options.study]
-    options.study = "sensitivity"
+    chosen = choice(list(STUDIES) + ["all"], __doc__)
+    chosen = list(STUDIES) if chosen == "all" else [chosen]
     variants = {"reference": {}}
     for name in chosen:
         variants.update(STUDIES[name].RUNS)
     runs = {name: {**SMALL, **entries, "Cell/Seed": seed} for label, entries in variants.items() for name, seed in zip(labels_of(label), SEEDS)}
-    done = run_all(options, ((label, "spheroid_capsule", entries) for label, entries in runs.items()))
+    done = study("sensitivity", ((label, "spheroid_capsule", entries) for label, entries in runs.items()))
     single, rows = {}, []
-    for label, place, failed in done:
-        rows.append(row_of(label, place, failed))
-        if place is not None:
-            single[label] = measure(place)
+    for label, run in done.items():
+        rows.append(table_row(run))
+        if run["status"] == "finished":
+            single[label] = measure(run["directory"])
             rows[-1].update({"dilatation_24h": f"{single[label]['d24']:.4g}", "dilatation_48h_over_radius": f"{single[label]['d48']:.4g}",
                              "rate_per_day": f"{single[label]['rate']:.4g}", "density_48h_over_confluence": f"{single[label]['density']:.4g}"})
-    write_table("spheroid", "sensitivity", rows)
+    write_table("spheroid/sensitivity.csv", rows)
     measured = {label: mean_of([single[name] for name in labels_of(label) if name in single]) for label in variants
                 if any(name in single for name in labels_of(label))}
     if chosen == list(STUDIES):
-        draw_panels({label: place for label, place, _ in done if place is not None})
+        draw_panels({label: run["directory"] for label, run in done.items() if run["status"] == "finished"})
     verdicts = []
-    for study in chosen:
-        for statement, needed, holds in STUDIES[study].STATEMENTS:
+    for name in chosen:
+        for statement, needed, holds in STUDIES[name].STATEMENTS:
             if not all(label in measured for label in needed):
                 continue
             values = [measured[label] for label in needed]
-            verdicts.append({"study": study, "statement": statement, "measured": "yes" if holds(*values) else "no",
+            verdicts.append({"study": name, "statement": statement, "measured": "yes" if holds(*values) else "no",
                              "numbers": "; ".join(f"{label}" + (f" ({len(one['each'])} seeds)" if len(one["each"]) < len(SEEDS) else "") + ": " + ", ".join(f"{k} {one[k]:.3g} +- {v:.1g}" for k, v in one["error"].items())
                                                   for label, one in zip(needed, values))})
             print(verdicts[-1]["measured"], statement)
     if verdicts:
-        write_table("spheroid", "statements", verdicts)
+        write_table("spheroid/statements.csv", verdicts)
 
 
 if __name__ == "__main__":

@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 """Tables and pictures of what tissue_impact_matrix.py has measured.
 
-    /usr/bin/python3 inputs/studies/tissue_impact_figures.py doc/results/tissue_impact [RUNS]
+    /usr/bin/python3 inputs/studies/tissue_impact_figures.py [cells]
 
 Prints the tables of its README (Markdown) and writes failure.png (share of failed cells over strain, a logistic curve fitted to the
 mean of the tissues: share = F/(1 + exp(-(strain - e0)/w))), impact.png (force on both plates) and compression.png (stress, and
 modulus over void fraction) beside the tables. What has not been run is left out.
-RUNS: where tissue_impact_matrix.py --keep has put the runs; then also the cells themselves, at true scale: PART_cells.png.
+cells: of runs made by tissue_impact_matrix.py --fields also the cells themselves, at true scale: PART_cells.png.
 """
 import csv
 import os
@@ -16,7 +16,8 @@ import sys
 import matplotlib
 import numpy as np
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "app", "plots"))
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+sys.path.insert(0, os.path.join(ROOT, "app", "plots"))
 from aggregate import draw  # noqa: E402
 from drawing import ACCENT, ALONG, INK, plt, read_table, style  # noqa: E402
 from fields import frames  # noqa: E402
@@ -32,8 +33,8 @@ def read(directory, part):
             return []
         with open(path, newline="", encoding="utf-8") as file:
             return list(csv.DictReader(file))
-    results = {r["run"]: {k: float(v) for k, v in r.items() if v and k not in ("run", "status")}
-               for r in rows(part + ".csv") if r["status"] == "finished"}
+    results = {r["run"]: {k: float(v) for k, v in r.items() if v and k not in ("run", "status", "failed")}
+               for r in rows(part + ".csv") if not r.get("failed") and r.get("status", "finished") == "finished"}
     curves = {}
     for row in rows(part + "_curves.csv"):
         for name, value in row.items():
@@ -193,10 +194,11 @@ def compression(directory):
     figure.savefig(os.path.join(directory, "compression.png"), dpi=130)
 
 
-def cells(directory, runs, part, chosen, moments):
-    """Kept runs (folder, title) below each other, at the given frames beside each other."""
-    chosen = [(os.path.join(runs, part, folder), title) for folder, title in chosen
-              if os.path.exists(os.path.join(runs, part, folder, "summary.json"))]
+def cells(directory, part, chosen, moments):
+    """Runs (label, title) below each other, at the given frames beside each other."""
+    with open(os.path.join(ROOT, "runs", "tissue_impact_" + part, "results.csv"), newline="", encoding="utf-8") as file:
+        places = {row["run"]: os.path.join(ROOT, row["directory"]) for row in csv.DictReader(file) if row["status"] == "finished"}
+    chosen = [(places[label], title) for label, title in chosen if label in places]
     if not chosen:
         return
     figure, axes = plt.subplots(len(chosen), len(moments), figsize=(2.5 * len(moments), 2.15 * len(chosen)), squeeze=False)
@@ -213,12 +215,12 @@ def cells(directory, runs, part, chosen, moments):
 
 
 if __name__ == "__main__":
-    where = sys.argv[1] if len(sys.argv) > 1 else "doc/results/tissue_impact"
+    where = os.path.join(ROOT, "doc", "results", "tissue_impact")
     for work in (compression, impact, failure):
         work(where)
-    if len(sys.argv) > 2:
-        cells(where, sys.argv[2], "failure", [("%s_viscosity_x_%d_tissue_1" % (s, v), "%s, viscosity x %d" % (s, v)) for s in ("dense", "sparse") for v in (1, 1000)],
+    if len(sys.argv) > 1:
+        cells(where, "failure", [("%s, viscosity x %d, tissue 1" % (s, v), "%s, viscosity x %d" % (s, v)) for s in ("dense", "sparse") for v in (1, 1000)],
               (0, 4, 6, 8, 12))
-        cells(where, sys.argv[2], "impact", [("%s_wall_x_%d_viscosity_x_%d" % (s, w, v), "%s, wall x %d, viscosity x %d" % (s, w, v)) for s, w, v in
-                                             (("dense", 1, 1), ("dense", 1, 1000), ("dense", 10, 1), ("sparse", 1, 1))], (0, 2, 4, 8, 12))
-        cells(where, sys.argv[2], "compression", [("gap_%d_um_yielding" % g, "gap %d um" % g) for g in (0, 8, 16, 24)], (0, 4, 8, 12))
+        names = ["%s, wall x %d, viscosity x %d" % one for one in (("dense", 1, 1), ("dense", 1, 1000), ("dense", 10, 1), ("sparse", 1, 1))]
+        cells(where, "impact", [(name, name) for name in names], (0, 2, 4, 8, 12))
+        cells(where, "compression", [("gap %d um, yielding" % g, "gap %d um" % g) for g in (0, 8, 16, 24)], (0, 4, 8, 12))

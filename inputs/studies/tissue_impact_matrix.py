@@ -1,28 +1,23 @@
 #!/usr/bin/python3
 """Compression, impact and failure of aggregates of cells (thesis 3.3.2, 3.3.3): every run of the comparison.
 
-    /usr/bin/python3 inputs/studies/tissue_impact_matrix.py -o doc/results/tissue_impact             all parts
-    /usr/bin/python3 inputs/studies/tissue_impact_matrix.py -o doc/results/tissue_impact failure     one part
+    /usr/bin/python3 inputs/studies/tissue_impact_matrix.py             all parts
+    /usr/bin/python3 inputs/studies/tissue_impact_matrix.py failure     one part
 
 Parts: compression (untied ends of walls from 0 to 24 um, that is, four void fractions; elastic or yielding walls), impact (viscosity
 x 1, 10, 100, 1000; wall x 1, x 10; dense, sparse), failure (viscosity x 1, x 1000; dense, sparse; six tissues of each; slow; weak lamella).
-Writes DIR/PART.csv (one row a run: all its results) and DIR/PART_curves.csv (strain, stress on both plates, depth of flattening, failed
-cells). Runs go on side by side with --jobs; a row that is there already is kept. tissue_impact_figures.py makes the pictures and the tables.
+Writes PART.csv (one row a run: all its results) and PART_curves.csv (strain, stress on both plates, depth of flattening, failed
+cells) to doc/results/tissue_impact. tissue_impact_figures.py makes the pictures and the tables.
 """
 import argparse
-import concurrent.futures
 import csv
-import json
 import os
-import re
-import subprocess
-import sys
-import tempfile
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from runs import study, table_row, write_table
+
 # Moderate: 25 cells, the size at which the whole matrix takes minutes.
 SIZE = {"Columns": "5", "Rows": "5", "Cell/Nodes per side": "12", "SPH/Particles per side": "10", "Inflation time": "40e-6",
-        "Frames": "0", "Checkpoints": "0"}
+        "Checkpoints": "0"}
 STRUCTURE = {"dense": {"Gap": "0"}, "sparse": {"Gap": "20e-6"}}
 GAPS = (0, 8, 16, 24) # um: with 8.3 um from node to node no, one, two, three ties less at each end of a wall
 SEEDS = (1, 2, 3, 4, 5, 6)
@@ -54,73 +49,23 @@ def runs(part):
             yield "%s, slow" % structure, dict(gap, Speed="1", Damping="2e4")
 
 
-def run(program, part, label, settings, keep):
-    with tempfile.TemporaryDirectory() as directory:
-        if keep:
-            directory, settings = os.path.join(keep, part, re.sub("[^a-z0-9]+", "_", label)), dict(settings, Frames="12")
-        command = [program, "run", os.path.join(ROOT, "inputs", "tissue_%s.prm" % part), "-o", directory, "--quiet", "--threads", "1"]
-        for name, value in dict(SIZE, **settings).items():
-            command += ["--set", "%s=%s" % (name, value)]
-        done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT, stdin=subprocess.DEVNULL)
-        if done.returncode != 0: # a run that failed is a result: its sentence goes into the table
-            said = [line for line in done.stderr.splitlines() if line.startswith("turgor:")]
-            return {"run": label, "status": said[0] if said else "failed"}, []
-        with open(os.path.join(directory, "summary.json"), encoding="utf-8") as file:
-            summary = json.load(file)
-        with open(os.path.join(directory, "loading.csv"), encoding="utf-8") as file:
-            curve = [[label] + [row[k] for k in KEPT] for row in csv.DictReader(file)]
-    row = {"run": label, "status": summary["status"], "cpu_time": summary["cpu_time_s"]}
-    row.update({name: entry["value"] for name, entry in summary["results"].items()})
-    return row, curve
-
-
-def read(path):
-    if not os.path.exists(path):
-        return []
-    with open(path, newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
-
-
-def study(program, part, directory, jobs, only, keep):
-    table, curves = os.path.join(directory, part + ".csv"), os.path.join(directory, part + "_curves.csv")
-    wanted = list(runs(part))
-    rows = {row["run"]: row for row in read(table)}
-    points = {}
-    for point in read(curves):
-        points.setdefault(point["run"], []).append([point[k] for k in ["run"] + KEPT])
-    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        waiting = [pool.submit(run, program, part, *one, keep) for one in wanted if one[0] not in rows and re.search(only, one[0])]
-        for done in concurrent.futures.as_completed(waiting):
-            row, curve = done.result()
-            rows[row["run"]], points[row["run"]] = row, curve[::4] # every fourth sample is plenty for a curve
-            print(row["run"] + " done", file=sys.stderr, flush=True)
-            order = [label for label, _ in wanted if label in rows]
-            names = []
-            for label in order:
-                names += [name for name in rows[label] if name not in names]
-            with open(table, "w", newline="", encoding="utf-8") as file:
-                writer = csv.DictWriter(file, names, lineterminator="\n", restval="")
-                writer.writeheader()
-                writer.writerows(rows[label] for label in order)
-            with open(curves, "w", newline="", encoding="utf-8") as file:
-                writer = csv.writer(file, lineterminator="\n")
-                writer.writerow(["run"] + KEPT)
-                for label in order:
-                    writer.writerows([p[0]] + ["%.6g" % float(x) for x in p[1:]] for p in points.get(label, []))
+def curve(label, run):
+    with open(os.path.join(run["directory"], "loading.csv"), encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    # every fourth sample is plenty for a curve
+    return [{"run": label, **{name: "%.6g" % float(row[name]) for name in KEPT}} for row in rows[::4]]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("parts", nargs="*", default=["compression", "impact", "failure"])
-    parser.add_argument("-o", "--output", default="tissue_impact")
-    parser.add_argument("--program", default=os.path.join(ROOT, "turgor"))
-    parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--only", default="", help="regular expression: runs with another label are left for later")
-    parser.add_argument("--keep", default="", help="directory in which the runs stay, with fields for pictures")
+    parser.add_argument("--fields", action="store_true", help="with the fields that pictures of the cells need")
     options = parser.parse_args()
-    os.makedirs(options.output, exist_ok=True)
     for part in options.parts:
-        study(options.program, part, options.output, options.jobs, options.only, options.keep)
+        entries = dict(SIZE, Frames="12" if options.fields else "0")
+        rows = study("tissue_impact_" + part, ((label, "tissue_" + part, dict(entries, **own)) for label, own in runs(part)))
+        write_table(f"tissue_impact/{part}.csv", [table_row(run) for run in rows.values()])
+        write_table(f"tissue_impact/{part}_curves.csv", [point for label, run in rows.items() if run["status"] == "finished" for point in curve(label, run)])
 
 
 if __name__ == "__main__":

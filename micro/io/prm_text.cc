@@ -3,6 +3,7 @@
 #include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace turgor

@@ -57,6 +57,22 @@ std::vector<std::string> split_trimmed(const std::string_view text, const char s
   return parts;
 }
 
+std::vector<std::string> split_escaped(const std::string_view text, const char separator)
+{
+  std::vector<std::string> parts(1);
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] == '\\' && i + 1 < text.size() && text[i + 1] == separator)
+      parts.back() += text[++i];
+    else if (text[i] == separator)
+      parts.emplace_back();
+    else
+      parts.back() += text[i];
+  for (std::string &part : parts)
+    part = trimmed(part);
+  parts.erase(std::remove(parts.begin(), parts.end(), std::string()), parts.end());
+  return parts;
+}
+
 std::string shortened(const std::string &text)
 {
   constexpr std::size_t longest = 200;

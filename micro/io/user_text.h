@@ -17,6 +17,10 @@ std::string trimmed(std::string_view text);
 /// The parts between separators, each trimmed; nothing follows a separator at the very end.
 std::vector<std::string> split_trimmed(std::string_view text, char separator);
 
+/// The same without empty parts, where a part may hold the separator itself, written with a backslash before it:
+/// split_escaped("a\\;b; c;", ';') is {"a;b", "c"}.
+std::vector<std::string> split_escaped(std::string_view text, char separator);
+
 /// At most 200 bytes for a message, at the end of a character, with "..." where something was cut.
 std::string shortened(const std::string &text);
 

@@ -169,22 +169,24 @@ class Product(unittest.TestCase):
 
     def test_study_and_plot(self):
         with open(os.path.join(self.directory, "s.prm"), "w", encoding="utf-8") as file:
-            file.write("set Reference = a\n")
-            for label, values in (("a", ""), ("b", "Step fraction=0.5"), ("c", "Load=0")):
-                file.write(f"subsection Run {label}\nset Method = {label}\nset Input = {FULL[0]}\n"
-                           f"set Overrides = Columns=1; Rows=1; End time=1e-7; {values}\nend\n")
+            file.write(f"set Reference = a\nset Input = {FULL[0]}\nset Overrides = Columns=1; Rows=1; End time=1e-7\n"
+                       "subsection Measure history\nset Table = probe\nset Columns = displacement_x, displacement_y\nend\n"
+                       "subsection Measure field\nset Table = cell_displacement\nset Columns = displacement_y\nset Match = cell_x, cell_y\nend\n"
+                       "subsection Run a\nend\nsubsection Run b\nset Overrides = Load=0\nend\n"
+                       "subsection Run step\nset Grid = Step fraction = 0.3 | 0.5\nend\n")
         self.run_program("study", "s.prm")
         with open(os.path.join(self.directory, "runs", "s", "error_vs_time.csv"), newline="", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
-        self.assertEqual(list(rows[0]), ["method", "settings", "error_history", "error_field", "cpu_time_s", "wall_time_s",
-                                         "peak_memory_bytes"])
-        self.assertEqual([row["method"] for row in rows], ["a", "b", "c"])
+        self.assertEqual(set(rows[0]), {"run", "method", "Step fraction", "history [m]", "error_history", "field [m]", "error_field",
+                                        "cpu_time_s", "wall_time_s", "peak_memory_bytes"})
+        self.assertEqual([row["run"] for row in rows], ["a", "b", "step 0.3", "step 0.5"])
+        self.assertEqual([row["Step fraction"] for row in rows], ["", "", "0.3", "0.5"])
         self.assertEqual(float(rows[0]["error_history"]), 0)
-        self.assertGreater(float(rows[2]["error_field"]), 0.5)  # without load there is next to no displacement
-        for name in ("error_vs_time.png", "probe_history.png"):
+        self.assertGreater(float(rows[1]["error_field"]), 0.5)  # without load there is next to no displacement
+        for name in ("error_vs_time.png", "sweep.png", "curves.png"):
             self.assertTrue(content(self.directory, "runs", "s", name).startswith(b"\x89PNG"))
         self.assertNotIn("Running", self.run_program("study", "s.prm"))  # all cached
-        with open(os.path.join(self.directory, "runs", "s", "runs.csv"), newline="", encoding="utf-8") as file:
+        with open(os.path.join(self.directory, "runs", "s", "results.csv"), newline="", encoding="utf-8") as file:
             place = list(csv.DictReader(file))[0]["directory"]
         self.run_program("plot", place)
         self.assertTrue(content(self.directory, place, "probe.png").startswith(b"\x89PNG"))

@@ -1,5 +1,4 @@
-// The validation's table: values and verdicts by hand, the file's mistakes, the marks in the document, studies of results.
-#include "app/study_input.h"
+// The validation's table: values and verdicts by hand, the file's mistakes, the marks in the document.
 #include "app/validation_table.h"
 #include "micro/io/run_context.h"
 #include "tests/app/temporary_directory.h"
@@ -104,11 +103,12 @@ BOOST_AUTO_TEST_CASE(means_over_runs_have_a_standard_error)
 BOOST_AUTO_TEST_CASE(a_run_for_each_value)
 {
   const TemporaryDirectory directory;
-  set_content(directory / "a.json", R"({"runs": {"dense": {"input": "x.prm", "overrides": ["B=2"], "each": "Tissue seed = 1 | 2|5"}},
+  set_content(directory / "a.json", R"({"runs": {"dense": {"input": "x.prm", "overrides": ["B=2"], "each": "Tissue seed = 1 | 2\\|3|5"}},
                                         "rows": [{"quantity": "x", "source": "y", "result": "dense:p"}]})");
   const Validation validation = load_validations((directory / "a.json").parent_path()).at(0);
   BOOST_TEST(validation.runs.size() == 3u);
   BOOST_TEST(validation.means.at("dense").size() == 3u);
+  BOOST_TEST(validation.runs.at("dense 2").overrides[1] == "Tissue seed=2|3");
   const RunRequest &last = validation.runs.at("dense 3");
   BOOST_REQUIRE(last.overrides.size() == 2u);
   BOOST_TEST(last.overrides[1] == "Tissue seed=5");
@@ -147,21 +147,6 @@ BOOST_AUTO_TEST_CASE(mistakes_are_named)
   const std::string row = R"({"quantity": "x", "source": "y", "result": "p"})";
   BOOST_TEST(has(error_of("{" + runs + ", \"rows\": [" + row + ", " + row + "]}"), "a quantity needs a name of its own"));
   BOOST_TEST(has(error_of("{"), "a.json"));
-}
-
-BOOST_AUTO_TEST_CASE(an_axis_is_one_run_a_value)
-{
-  const TemporaryDirectory directory;
-  set_content(directory / "s.prm", "set Picture = p\nsubsection Axis wall\n set Input = a.prm\n set Overrides = B=2\n set Entry = A\n set Values = 1 | 10\nend\n");
-  const StudyInput study = load_study(directory / "s.prm");
-  BOOST_TEST(!study.of_errors());
-  BOOST_REQUIRE(study.runs.size() == 2u);
-  BOOST_TEST(study.runs[1].label == "wall 10");
-  BOOST_TEST(study.runs[1].method == "wall");
-  BOOST_REQUIRE(study.runs[1].overrides.size() == 2u);
-  BOOST_TEST(study.runs[1].overrides[1] == "A=10");
-  set_content(directory / "t.prm", "set Picture = p\nsubsection Axis wall\n set Input = a.prm\n set Entry = A\nend\n");
-  BOOST_CHECK_THROW(load_study(directory / "t.prm"), InputError);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

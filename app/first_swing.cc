@@ -1,4 +1,4 @@
-#include "app/swing.h"
+#include "app/first_swing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,25 +26,19 @@ std::pair<double, double> vertex(const std::vector<double> &t, const std::vector
 }
 } // namespace
 
-Swing first_swing(const CsvTable &probe)
+Swing first_swing(const std::vector<double> &t, const std::vector<double> &moving)
 {
-  const auto &t = probe.column("time");
-  const auto &x = probe.column("displacement_x"), &y = probe.column("displacement_y");
-  const auto size = [](const std::vector<double> &u) {
-    double most = 0.;
-    for (const double value : u)
-      most = std::max(most, std::abs(value));
-    return most;
-  };
-  const std::vector<double> &moving = size(x) > size(y) ? x : y;
-  if (t.size() < 3 || !(size(moving) > 0.))
-    throw std::runtime_error(probe.file.string() + " has no swing: " + (t.size() < 3 ? "too few rows." : "nothing moves."));
+  double size = 0.;
+  for (const double value : moving)
+    size = std::max(size, std::abs(value));
+  if (t.size() < 3 || !(size > 0.))
+    throw std::runtime_error(t.size() < 3 ? "There is no swing: too few rows." : "There is no swing: nothing moves.");
   // Out until it has come half the way back: a later swing may be larger by a hair.
   std::size_t largest = 0;
   for (std::size_t i = 0; i < t.size(); ++i)
     if (std::abs(moving[i]) > std::abs(moving[largest]))
       largest = i;
-    else if (std::abs(moving[i]) < 0.5 * std::abs(moving[largest]) && std::abs(moving[largest]) > 0.5 * size(moving))
+    else if (std::abs(moving[i]) < 0.5 * std::abs(moving[largest]) && std::abs(moving[largest]) > 0.5 * size)
       break;
   Swing swing;
   std::tie(swing.time_of_largest, swing.amplitude) = vertex(t, moving, largest);

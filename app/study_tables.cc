@@ -1,0 +1,138 @@
+#include "app/study_tables.h"
+
+#include "app/csv_table.h"
+#include "micro/io/atomic_file.h"
+#include "micro/io/number_text.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace turgor
+{
+namespace
+{
+using CsvFields = std::vector<std::pair<std::string, std::string>>;
+
+std::string number(const double value)
+{
+  char digits[40];
+  std::snprintf(digits, sizeof(digits), "%.6g", value);
+  return digits;
+}
+
+std::string with_unit(const std::string &name, const std::string &unit)
+{
+  return unit.empty() ? name : name + " [" + unit + "]";
+}
+
+std::string unit_of(const StudyRow &row, const std::string &entry)
+{
+  const auto unit = row.units.find(entry);
+  return unit == row.units.end() ? "" : unit->second;
+}
+
+/// What the run was asked for. Settings only where the study gives some.
+CsvFields question(const StudyRow &row)
+{
+  CsvFields fields = {{"run", row.run.label}, {"method", row.run.method}};
+  if (!row.run.settings.empty())
+    fields.emplace_back("settings", row.run.settings);
+  for (const auto &[entry, value] : row.run.swept)
+    fields.emplace_back(with_unit(entry, unit_of(row, entry)), value);
+  return fields;
+}
+
+void add_cost(CsvFields &fields, const StudyRow &row)
+{
+  const bool known = row.use.wall_time > 0.;
+  fields.emplace_back("cpu_time_s", known ? number(row.use.cpu_time) : "");
+  fields.emplace_back("wall_time_s", known ? number(row.use.wall_time) : "");
+  fields.emplace_back("peak_memory_bytes", known ? number_text(row.use.peak_memory) : "");
+}
+
+CsvFields results_row(const StudyRow &row)
+{
+  CsvFields fields = question(row);
+  fields.emplace_back("status", row.status);
+  add_cost(fields, row);
+  fields.emplace_back("threads", number_text(row.run.threads));
+  fields.emplace_back("directory", row.directory.string());
+  fields.emplace_back("message", row.message);
+  if (row.status == "finished")
+    for (const auto &[name, result] : results_of(row.directory))
+      fields.emplace_back(with_unit(name, result.second), number(result.first));
+  return fields;
+}
+
+CsvFields errors_row(const StudyInput &study, const StudyRow &row)
+{
+  CsvFields fields = question(row);
+  for (std::size_t k = 0; k < study.measures.size(); ++k)
+    if (const std::optional<MeasuredRun> &measured = row.measured[k])
+      {
+        fields.emplace_back(with_unit(study.measures[k].name, measured->unit), number(measured->value));
+        if (measured->error)
+          fields.emplace_back("error_" + study.measures[k].name, number(*measured->error));
+      }
+  add_cost(fields, row);
+  return fields;
+}
+
+nlohmann::json description(const StudyInput &study, const std::vector<StudyRow> &rows)
+{
+  nlohmann::json json = {{"measures", nlohmann::json::array()}, {"entries", nlohmann::json::array()}};
+  for (const StudyMeasure &measure : study.measures)
+    {
+      using Kind = StudyReference::Kind;
+      const StudyReference &reference = measure.reference;
+      const std::filesystem::path table = reference.kind == Kind::file ? reference.path : reference.path / (measure.table + ".csv");
+      json["measures"].push_back({{"name", measure.name}, {"table", measure.table}, {"against", measure.against}, {"columns", measure.columns},
+                                  {"curve", measure.match.empty() && !measure.table.empty()}, {"relative", measure.size == 0.},
+                                  {"reference", reference.text},
+                                  {"reference_table", reference.kind == Kind::file || reference.kind == Kind::directory ? table.string() : ""}});
+    }
+  for (const StudyRow &row : rows)
+    for (const auto &[entry, value] : row.run.swept)
+      if (const std::string name = with_unit(entry, unit_of(row, entry));
+          std::find(json["entries"].begin(), json["entries"].end(), name) == json["entries"].end())
+        json["entries"].push_back(name);
+  if (study.draw_all)
+    json["draw"] = "all";
+  else
+    json["draw"] = study.draw;
+  return json;
+}
+} // namespace
+
+void write_study_tables(const StudyInput &study, const std::vector<StudyRow> &rows, const std::filesystem::path &directory)
+{
+  std::vector<CsvFields> results, errors;
+  for (const StudyRow &row : rows)
+    {
+      results.push_back(results_row(row));
+      errors.push_back(errors_row(study, row));
+    }
+  std::filesystem::create_directories(directory);
+  write_atomically(directory / "results.csv", csv_of(results));
+  if (!study.measures.empty())
+    write_atomically(directory / "error_vs_time.csv", csv_of(errors));
+  write_atomically(directory / "study.json", description(study, rows).dump(1) + "\n");
+}
+
+void print_study(const StudyInput &study, const std::vector<StudyRow> &rows)
+{
+  std::printf("%-28s %-10s", "run", "status");
+  for (const StudyMeasure &measure : study.measures)
+    std::printf(" %14s %14s", measure.name.substr(0, 14).c_str(), "error");
+  std::printf(" %12s %12s\n", "CPU s", "wall s");
+  for (const StudyRow &row : rows)
+    {
+      std::printf("%-28s %-10s", row.run.label.c_str(), row.status.c_str());
+      for (const std::optional<MeasuredRun> &measured : row.measured)
+        std::printf(" %14s %14s", measured ? number(measured->value).c_str() : "", measured && measured->error ? number(*measured->error).c_str() : "");
+      std::printf(" %12.4g %12.4g%s%s\n", row.use.cpu_time, row.use.wall_time, row.message.empty() ? "" : "\n    ", row.message.c_str());
+    }
+}
+} // namespace turgor

@@ -1,0 +1,32 @@
+// The files of a study:
+//   results.csv         every run: what it was asked for, its state, cost and directory, all its results
+//   error_vs_time.csv   (with measures) every run: value and error of each measure, cost
+//   study.json          what pictures need to know beside: measures, swept entries, panels
+// The value of a swept entry stands in a column of its name and unit, "Cell/Wall stiffness [N/m]".
+#pragma once
+
+#include "app/cached_run.h"
+#include "app/study_input.h"
+#include "app/study_measure.h"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace turgor
+{
+/// A run of the study, and what is known about it so far.
+struct StudyRow : CachedRun
+{
+  StudyRun run;
+  std::map<std::string, std::string> units;           ///< of the swept entries
+  std::vector<std::optional<MeasuredRun>> measured;   ///< one place a measure
+};
+
+void write_study_tables(const StudyInput &study, const std::vector<StudyRow> &rows, const std::filesystem::path &directory);
+
+/// To the terminal.
+void print_study(const StudyInput &study, const std::vector<StudyRow> &rows);
+} // namespace turgor

@@ -1,0 +1,61 @@
+"""`turgor study` through the built program: exit codes, and what is refused before the first run."""
+import csv
+import os
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.path.join(os.environ["TURGOR_BUILD"], "app", "turgor")
+INPUTS = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), "inputs")
+
+
+class Study(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.directory = temporary.name
+
+    def study(self, code, text):
+        with open(os.path.join(self.directory, "s.prm"), "w", encoding="utf-8") as file:
+            file.write(text)
+        done = subprocess.run([PROGRAM, "study", "s.prm"], cwd=self.directory, capture_output=True, text=True, timeout=120)
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        return done.stdout + done.stderr
+
+    def test_every_point_of_a_sweep_is_checked_before_the_first_run(self):
+        said = self.study(2, f"set Input = {INPUTS}/wall_uniaxial.prm\nsubsection Run a\nend\n"
+                             "subsection Run drop\nset Grid = Yield drop = 0.5 | x | 0.9 | 7\nend\n")
+        self.assertIn("run 'drop x'", said)
+        self.assertIn("run 'drop 7'", said)
+        self.assertEqual(os.listdir(self.directory), ["s.prm"])
+
+    def test_a_wrong_column_is_told_after_the_first_run_of_many(self):
+        said = self.study(2, f"set Input = {INPUTS}/wall_uniaxial.prm\nsubsection Run drop\nset Grid = Yield drop = 0 | 0.5 | 0.9\nend\n"
+                             "subsection Measure m\nset Result = largest_erorr\nset Reference = 0\nend\n")
+        self.assertIn("Did you mean 'largest_error'?", said)
+        self.assertEqual(said.count("Running"), 1)
+
+    def test_a_wrong_name_to_draw_is_told_after_the_first_run_of_many(self):
+        said = self.study(2, f"set Input = {INPUTS}/wall_uniaxial.prm\nset Draw = largest_eror\nsubsection Run drop\nset Grid = Yield drop = 0 | 0.5\nend\n")
+        self.assertIn("Did you mean 'largest_error'?", said)
+        self.assertEqual(said.count("Running"), 1)
+
+    def test_a_study_of_errors_that_computes_none_fails(self):
+        said = self.study(1, f"set Input = {INPUTS}/wall_uniaxial.prm\nset Reference = drop 0\n"
+                             "subsection Run drop\nset Grid = Yield drop = 0\nend\n"
+                             "subsection Measure m\nset Result = largest_error\nset Relative to = 1\nend\n")
+        self.assertIn("no run could be compared", said)
+
+    def test_errors_of_a_result_against_a_closed_form(self):
+        self.study(0, f"set Input = {INPUTS}/wall_uniaxial.prm\nsubsection Run drop\nset Grid = Yield drop = 0 | 0.5\nend\n"
+                      "subsection Measure m\nset Result = largest_error\nset Reference = 0\nset Relative to = 1\nend\n")
+        with open(os.path.join(self.directory, "runs", "s", "error_vs_time.csv"), newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["Yield drop"] for row in rows], ["0", "0.5"])
+        for row in rows:
+            self.assertEqual(row["m"], row["error_m"])
+            self.assertGreater(float(row["cpu_time_s"]), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
