@@ -95,7 +95,7 @@ void Run::row()
 {
   observer.row(tissue, law);
   const TissueEnergies e = tissue.energies();
-  std::vector<double> row = {tissue.time(), e.kinetic, e.stored, e.contact, e.work, e.dissipated()};
+  std::vector<double> row = {tissue.time(), e.kinetic, e.stored, e.contact, e.work, e.dissipated(), e.lent};
   if (rve.knows_heating())
     row.push_back(e.heat);
   energy_series->add_row(row);
@@ -136,7 +136,7 @@ void Run::results()
   observer.results(context, tissue, law);
   const TissueEnergies e = tissue.energies();
   context.result("energy_dissipated", e.dissipated(), "J/m");
-  context.result("energy_dissipated_share", memory.energy.dissipated_share(), "1");
+  context.result("energy_taken_share", memory.energy.taken_share(), "1");
   if (rve.knows_heating())
     context.result("energy_heat", e.heat, "J/m");
 
@@ -199,7 +199,8 @@ void Run::go()
                                               {"stored", "J/m"},
                                               {"contact", "J/m"},
                                               {"work", "J/m"},
-                                              {"dissipated", "J/m"}};
+                                              {"dissipated", "J/m"},
+                                              {"lent", "J/m"}};
   if (rve.knows_heating())
     energy_columns.push_back({"heat", "J/m"});
   energy_series = context.series("energies", energy_columns);

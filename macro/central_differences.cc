@@ -61,7 +61,7 @@ void CentralDifferences<dim>::step(double limit)
           this->accept(time);
           for (std::size_t i = 0; i < n; ++i)
             swing += this->op.mass()[i] * now.a[i] * now.a[i];
-          now.step_energy += 0.125 * dt * dt * swing;
+          now.lent += 0.125 * dt * dt * swing;
           for (std::size_t i = 0; i < n; ++i)
             now.v[i] = v_half[i] + 0.5 * dt * now.a[i];
           this->op.law().commit();

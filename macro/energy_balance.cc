@@ -13,17 +13,13 @@ void EnergyCheck::update(const TissueEnergies &now)
   last = now;
 }
 
-double EnergyCheck::dissipated_share() const
-{
-  return work > 0. ? last.dissipated() / work : 0.;
-}
-
 std::string EnergyCheck::complaint() const
 {
-  if (!(dissipated_share() < -allowed))
+  const bool by_law = taken_share() < -allowed, by_steps = dissipated_share() < -allowed_lent;
+  if (!by_law && !by_steps)
     return {};
-  return "The tissue has gained energy from nothing: " + number_text(-last.dissipated()) + " J/m, where loads and tools have done " +
-         number_text(work) + " J/m of work (allowed is a share of " + number_text(allowed) +
-         "). Its motion means nothing; take a smaller Time/CFL fraction.";
+  return "The tissue has gained energy from nothing: " + number_text(by_law ? -last.taken() : -last.dissipated()) +
+         " J/m, where loads and tools have done " + number_text(work) + " J/m of work (allowed is a share of " +
+         number_text(by_law ? allowed : allowed_lent) + "). Its motion means nothing; take a smaller Time/CFL fraction.";
 }
 } // namespace turgor

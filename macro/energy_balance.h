@@ -1,15 +1,14 @@
 // Where the energy of a tissue is, and the test that none came from nothing. One definition for every run:
 //
-//   kinetic + stored + contact + dissipated = work          dissipated = heat + spent + unexplained
+//   kinetic + stored + contact + dissipated = work          dissipated: what is missing
 //
-// dissipated is what is missing; heat (viscosity, its power over time) and spent (flow, breaking walls) are what the law itself says it
-// has taken; unexplained is the rest: the error of the time stepping, and what the law does not know.
-//
-// Central differences do not conserve 1/2 m v^2 with the velocity at the nodes of time, but
+// What the law has really taken differs from that by what the steps have lent: central differences conserve not 1/2 m v^2 with the
+// velocity at the nodes of time, but
 //   1/2 m v(t - h/2) . v(t + h/2) = 1/2 m v^2 - h^2/8 m a^2,
-// with work by the trapezoidal rule exactly: elements that swing near the limit of stability lend a share of their energy to and
-// fro (at the limit all of it). `step` is the sum of h^2/8 m change(a^2) over the steps, which dissipated does not count: a
-// step load then dissipates nothing in an elastic block at any stable step.
+// with all work by the trapezoidal rule, exactly. So elements that swing near the limit of stability lend a share of their energy to
+// and fro, at the limit all of it; an elastic block dissipates nothing in
+//   taken = dissipated + lent,   lent = sum over the steps of h^2/8 m change(a^2),
+// at any stable step. Of that the law itself explains heat: viscosity's power over time, and what flows or breaks.
 //
 // In 2D all is per metre of depth (J/m).
 //
@@ -28,28 +27,32 @@ struct TissueEnergies
   double stored = 0.;  ///< J, elastic, since rest; signalling NaN if the law does not tell
   double contact = 0.; ///< J, in the penalty of the tools
   double work = 0.;    ///< J, done by body force, traction and tools since rest
-  double heat = 0.;    ///< J, by viscosity and by what breaks or flows; signalling NaN if the law does not tell
-  double step = 0.;    ///< J, see above
+  double heat = 0.;    ///< J, by viscosity, flow and breaking; signalling NaN if the law does not tell
+  double lent = 0.;    ///< J, by the steps
 
-  double dissipated() const { return work + step - kinetic - stored - contact; }
-  double unexplained() const { return dissipated() - heat; }
+  double dissipated() const { return work - kinetic - stored - contact; }
+  double taken() const { return dissipated() + lent; }
 };
 
 /// Plain data: goes into checkpoints as it is.
 class EnergyCheck
 {
 public:
-  static constexpr double allowed = 1e-3; ///< share of the largest work so far that may appear from nothing
+  static constexpr double allowed = 1e-3;      ///< share of the largest work so far that a law may give
+  static constexpr double allowed_lent = 0.25; ///< the same for what steps have lent besides: more is a step that is not stable
 
   void update(const TissueEnergies &now);
 
-  /// Least dissipated energy over the largest work so far; 0 before any work.
-  double dissipated_share() const;
+  /// What the law has taken, and what is missing in all, over the largest work so far; 0 before any work.
+  double taken_share() const { return share(last.taken()); }
+  double dissipated_share() const { return share(last.dissipated()); }
 
   /// A sentence where energy came from nothing; empty where it did not.
   std::string complaint() const;
 
 private:
+  double share(double energy) const { return work > 0. ? energy / work : 0.; }
+
   double work = 0.; // J, largest so far
   TissueEnergies last;
 };

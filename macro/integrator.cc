@@ -149,7 +149,7 @@ void Integrator<dim>::save(std::ostream &out) const
       write_binary(out, state.tool);
       write_binary(out, state.tool_work);
     }
-  for (const double value : {state.heating, state.heat, state.spent, state.step_energy})
+  for (const double value : {state.heating, state.heat, state.spent, state.lent})
     write_binary(out, value);
   write_binary(out, counters);
   write_binary(out, last_step);
@@ -166,7 +166,7 @@ void Integrator<dim>::load(std::istream &in)
       read_binary(in, state.tool);
       read_binary(in, state.tool_work);
     }
-  for (double *value : {&state.heating, &state.heat, &state.spent, &state.step_energy})
+  for (double *value : {&state.heating, &state.heat, &state.spent, &state.lent})
     read_binary(in, *value);
   read_binary(in, counters);
   read_binary(in, last_step);

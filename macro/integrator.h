@@ -22,7 +22,7 @@ struct TissueState
   double heating = 0.;                       ///< W, by viscosity; signalling NaN if the law does not know
   double heat = 0.;                          ///< J, by viscosity since rest
   double spent = 0.;                         ///< J, lost since rest by what has no rate: flow, breaking
-  double step_energy = 0.;                   ///< J, energy_balance.h
+  double lent = 0.;                          ///< J, by the steps (energy_balance.h)
 
   void save(std::ostream &out) const;
   void load(std::istream &in);

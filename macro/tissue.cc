@@ -81,7 +81,7 @@ TissueEnergies Tissue<dim>::energies() const
     }
   result.work += state.tool_work;
   result.contact = state.tool.energy;
-  result.step = state.step_energy;
+  result.lent = state.lent;
   result.heat = state.heat + state.spent;
   if (state.energy.empty())
     result.stored = std::numeric_limits<double>::signaling_NaN();

@@ -139,7 +139,7 @@ def energy_gain(directory, least_rows):
     the loads. The other scenes watch their energy by themselves and fail with a sentence.
     """
     for name, parts, total_of in (("energy.csv", ("potential", "kinetic"), lambda row: row["potential"] + row["kinetic"]),
-                                  ("energies.csv", ("kinetic", "internal", "external_work"), lambda row: row["balance"])):
+                                  ("energies.csv", ("kinetic", "stored", "work"), lambda row: -row["dissipated"])):
         path = os.path.join(directory, name)
         if not os.path.exists(path):
             continue

@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(stable_step_knows_the_contact)
       // Undamped, the contacts open and close for hundreds of steps. The energy they make must stay small beside the work.
       BOOST_TEST(tissue.steps() > 100u);
       BOOST_TEST(std::abs(tissue.energies().dissipated()) < 0.2 * tissue.state().tool_work,
-                 "balance " << tissue.energies().dissipated() << " of " << tissue.state().tool_work << " J/m after " << tissue.steps());
+                 "dissipated " << tissue.energies().dissipated() << " of " << tissue.state().tool_work << " J/m after " << tissue.steps());
     }
   BOOST_TEST(steps[1] < 0.3 * steps[0]);
 }

@@ -116,6 +116,27 @@ BOOST_AUTO_TEST_CASE(newton_converges_quadratically)
       BOOST_TEST(answer.residuals[i] < 30. * answer.residuals[i - 1] * answer.residuals[i - 1] + 1e-12);
 }
 
+// Down to loads of which rounding leaves little: what the forces cannot resolve is no reason to find no state.
+BOOST_AUTO_TEST_CASE(displacement_is_linear_in_small_loads)
+{
+  double per_load = 0.;
+  for (const double load : {1e5, 1., 1e-2, 1e-4, 1e-6, 1e-8}) // Pa, rho b W
+    {
+      NeoHookeanLaw<2> law(mu, lambda, 0., rho);
+      TissueParameters<2> p = gravity(4);
+      p.body_force[1] = -load / (rho * width);
+      Tissue<2> tissue(p, law);
+      const auto answer = tissue.settle();
+      const double now = tissue.displacement_at(dealii::Point<2>(width, 0.5 * width))[1] / load;
+      BOOST_TEST_MESSAGE("load " << load << " Pa: " << now << " m/Pa, residual " << answer.residuals.back() << ", of round-off " << answer.round_off);
+      BOOST_TEST(answer.iterations < 12u);
+      if (load == 1.)
+        per_load = now;
+      else if (load < 1.)
+        BOOST_TEST(std::abs(now / per_load - 1.) < 1e-6 + answer.residuals.back());
+    }
+}
+
 BOOST_AUTO_TEST_CASE(nearly_incompressible_tissue_does_not_lock)
 {
   const double reference = tip(16, 2, "f_bar"), f_bar = tip(8, 1, "f_bar"), full = tip(8, 1, "full");
