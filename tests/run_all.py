@@ -29,7 +29,7 @@ def instruction_sets():
     """Values of TURGOR_SIMD that this processor can run (micro/terms/sph_sweeps.cc)."""
     with open("/proc/cpuinfo", encoding="utf-8") as file:
         flags = set(re.search(r"^flags\s*:(.*)$", file.read(), re.M)[1].split())
-    return ["avx512"] * ({"avx512f", "avx512dq"} <= flags) + ["avx2"]
+    return ["avx512"] * ({"avx512f", "avx512dq"} <= flags) + ["avx2", "portable"]
 
 
 def run_program(name, command, fast):

@@ -59,7 +59,7 @@ void Hdf5Writer::write(const std::string &name, const void *values, const std::s
 {
   const hid_t type = is_double ? H5T_NATIVE_DOUBLE : H5T_NATIVE_UINT32;
   const hsize_t shape[2] = {count / columns, columns};
-  const hid_t space = checked(H5Screate_simple(columns == 1 ? 1 : 2, shape, nullptr));
+  const hid_t space = checked(H5Screate_simple(is_double && columns == 1 ? 1 : 2, shape, nullptr));
   const hid_t set = checked(H5Dcreate2(file, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
   if (count > 0)
     checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));

@@ -19,7 +19,7 @@ public:
 
   void root_attribute(const std::string &name, double value);
 
-  /// rows x columns values; columns = 1 gives a one-dimensional dataset. title becomes the attribute "name".
+  /// rows x columns values; one column of doubles gives a one-dimensional dataset. title becomes the attribute "name".
   void dataset(const std::string &name, const std::vector<double> &values, std::size_t columns, const std::string &title);
   void dataset(const std::string &name, const std::vector<std::uint32_t> &values, std::size_t columns,
                const std::string &title);

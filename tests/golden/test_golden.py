@@ -62,10 +62,10 @@ def golden_file(name):
 class Golden(unittest.TestCase):
     maxDiff = None
 
-    def compare(self, name):
+    def compare(self, name, **environment):
         with open(golden_file(name), encoding="utf-8") as file:
             golden = json.load(file)
-        made_of, found = measured(name)
+        made_of, found = measured(name, **environment)
         self.assertEqual(made_of, {key: golden[key] for key in made_of})
         wrong = []
         for source, columns in golden["columns"].items():
@@ -86,6 +86,8 @@ class Golden(unittest.TestCase):
 
 for one in NAMES:
     setattr(Golden, f"test_{one}", lambda self, name=one: self.compare(name))
+for one in ("full_micro", "laplace"):  # sweeps without intrinsics, in 2D and 3D
+    setattr(Golden, f"test_{one}_portable", lambda self, name=one: self.compare(name, TURGOR_SIMD="portable"))
 
 
 def write(name):
