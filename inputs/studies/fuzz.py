@@ -34,8 +34,7 @@ BAD = ("crash", "hang", "nan", "silent", "energy")
 SMALL = {"Cell/Nodes per side": (3, 10), "SPH/Particles per side": (6, 10), "SPH/Anneal steps": (200, 20000), "Samples": (10, 50),
          "Frames": (0, 2), "Checkpoints": (0, 3), "Columns": (1, 2), "Rows": (1, 2), "RVE/Columns": 1, "RVE/Rows": 1,
          "RVE/Relax steps": (50, 1000), "Relax steps": (0, 2000), "Steps": (100, 20000)}
-SMALL_TISSUE = {"Columns": (1, 3), "Rows": (1, 3), "End strain": 0.1, "Speed": (5, 20), "Inflation time": 5e-6,
-                "Cell/Nodes per side": [4, 6, 8, 10]}
+SMALL_TISSUE = {"Columns": (1, 3), "Rows": (1, 3), "End strain": 0.1, "Speed": (5, 20), "Cell/Nodes per side": [4, 6, 8, 10]}
 SMALL_ROUND = {"Cell/Frequency": (3, 6), "Cell/Fluid particles": (100, 600), "Cell/Anneal steps": (100, 2000), "Cell/Rest steps": (0, 3000),
                "Cell/Yield drop": [0, 0, 0, 0.5]}
 SMALL_SPHEROID = {"First cells": (1, 20), "Duration": (3600, 200000), "Most cells": (0, 100)}

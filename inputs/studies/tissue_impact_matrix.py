@@ -16,8 +16,7 @@ import os
 from runs import study, table_row, write_table
 
 # Moderate: 25 cells, the size at which the whole matrix takes minutes.
-SIZE = {"Columns": "5", "Rows": "5", "Cell/Nodes per side": "12", "SPH/Particles per side": "10", "Inflation time": "40e-6",
-        "Checkpoints": "0"}
+SIZE = {"Columns": "5", "Rows": "5", "Cell/Nodes per side": "12", "SPH/Particles per side": "10", "Checkpoints": "0"}
 STRUCTURE = {"dense": {"Gap": "0"}, "sparse": {"Gap": "20e-6"}}
 GAPS = (0, 8, 16, 24) # um: with 8.3 um from node to node no, one, two, three ties less at each end of a wall
 SEEDS = (1, 2, 3, 4, 5, 6)

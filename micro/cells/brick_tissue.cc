@@ -2,71 +2,15 @@
 
 #include "micro/engine/counter_random.h"
 #include "micro/engine/start_disturbance.h"
-#include "micro/io/input_entries.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <numbers>
-#include <sstream>
-#include <stdexcept>
 #include <tuple>
 
 namespace turgor
 {
-void BrickParameters::add_parameters(InputEntries &prm)
-{
-  using namespace Patterns;
-  prm.add_parameter("Columns", columns, "Cells in a row. Units: none.", Integer(1, 1000));
-  prm.add_parameter("Rows", rows, "Rows of cells. Units: none.", Integer(1, 1000));
-  prm.add_parameter("Jitter", jitter,
-                    "Largest random displacement of a cell corner in x and in y over Cell/Period. Units: none.", Double(0., 0.2));
-  prm.add_parameter("Gap", gap,
-                    "Length without lamella ties at either end of a wall shared by two cells: 0 gives dense tissue, more opens the "
-                    "spaces between three cells. Units: m.",
-                    Double(0., 1e-2));
-  prm.add_parameter("Tissue seed", seed, "Seed of the random displacements. Units: none.", Integer(0));
-  prm.add_parameter("Contact ratio", contact_ratio,
-                    "Stiffness of the contact between walls, and with the plates, over that of one wall spring at rest. Where walls "
-                    "break, it is between them at least what stops a torn wall that recoils, 59 (Critical stretch - 1)^2. Units: none.",
-                    Double(1e-3, 100.));
-  prm.add_parameter("Yielding", yielding,
-                    "Wall yielding, thesis Eq. 3.8: none; reversible: force g(lambda) F(lambda) on the way out and back; plastic: "
-                    "what goes beyond that curve stays longer. Units: none.",
-                    Selection("none|reversible|plastic"));
-  prm.add_parameter("Yield sharpness", yield.sharpness, "A of Eq. 3.8. Units: none.", Double(1e-3, 1e4));
-  prm.add_parameter("Yield drop", yield.drop, "B of Eq. 3.8. Units: none.", Double(0., 1.));
-  prm.add_parameter("Critical stretch", critical_stretch,
-                    "Length over rest length at which a wall bond breaks and its cell has failed; 0: never. Units: none.",
-                    Double(0., 100.));
-  prm.add_parameter("Lamella strength", lamella_strength,
-                    "Stress at which a lamella tie breaks, force over the wall area it stands for (spacing times depth); 0: never. "
-                    "Units: Pa.",
-                    Double(0., 1e10));
-}
-
-void BrickParameters::check(const ParenchymaParameters &cell, const SphParameters &sph) const
-{
-  const auto refuse = [](const auto &...parts) {
-    std::ostringstream sentence;
-    (sentence << ... << parts);
-    throw std::invalid_argument(sentence.str());
-  };
-  if (cell.nodes_per_side % 2 != 0)
-    refuse("Cell/Nodes per side is ", cell.nodes_per_side, ", but bricks need an even number: the row below meets a side in its middle.");
-  if (sph.formulation != "variational")
-    refuse("SPH/Formulation is ", sph.formulation, ", but tissue of bricks has only the variational fluid: use variational.");
-  if (!(gap < 0.25 * cell.period))
-    refuse("Gap is ", gap, " m, but it has to be less than a quarter of Cell/Period (", 0.25 * cell.period,
-           " m): nothing would tie the cells of neighbouring rows.");
-  if (critical_stretch > 0. && critical_stretch <= 1.)
-    refuse("Critical stretch is ", critical_stretch, ", but it has to be above 1, or 0 for walls that do not break.");
-  if (double(columns) * rows * (sph.particles_per_side * double(sph.particles_per_side) + 4. * cell.nodes_per_side) > 1e8)
-    refuse("Columns x Rows x Particles per side^2 is more than 1e8 particles: choose a smaller tissue.");
-}
-
 namespace
 {
 /// Contact stiffness over that of a wall spring, K, which no torn wall gets through: a wall that breaks at the stretch lambda_c recoils at
@@ -103,131 +47,175 @@ struct Geometry
   }
 };
 
-double ring_area(const std::vector<Vector<2>> &ring)
+/// Which walls lie opposite each other, and which cells meet at a corner.
+struct Neighbours
 {
-  double twice = 0.;
-  for (std::size_t k = 0; k < ring.size(); ++k)
-    {
-      const Vector<2> &a = ring[k], &b = ring[(k + 1) % ring.size()];
-      twice += a[0] * b[1] - b[0] * a[1];
-    }
-  return 0.5 * twice;
-}
-} // namespace
-
-std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, const SphParameters &sph,
-                                               const BrickParameters &brick)
-{
-  brick.check(p, sph);
-  const ParenchymaPatch single = make_parenchyma(p, 1, 1, false, false); // masses and stiffnesses, and checks the cell
-  auto tissue = std::make_unique<BrickTissue>();
-  ParticleSystem<2> &system = tissue->system;
-  Particles<2> &particles = system.particles;
-  const Geometry geometry{p.period, brick.jitter, brick.seed};
-  const int columns = int(brick.columns), rows = int(brick.rows);
-  const std::uint32_t n = p.nodes_per_side, h = n / 2, ring_nodes = 4 * n, side = sph.particles_per_side;
-  const std::array<std::uint32_t, 6> bonds_on{h, h, n, h, h, n}, first_on{0, h, n, 2 * n, 2 * n + h, 3 * n};
-  const std::size_t cells = std::size_t(columns) * std::size_t(rows);
-  const std::uint32_t per_cell = ring_nodes + side * side;
-
-  tissue->spacing = p.period / n;
-  tissue->node_mass = single.node_mass;
-  const WallYield yield = brick.yielding == "none" ? WallYield{} : brick.yield;
-  const NeoHookeanWall law(p.wall_stiffness, p.depth, p.wall_beta, yield);
-  tissue->spring_stiffness = law.elastic().derivative(1.) / tissue->spacing;
-
   struct Wall
   {
     std::size_t cell;
     std::uint32_t on; ///< side of the hexagon
   };
   std::map<std::pair<Corner, Corner>, Wall> walls;
-  std::map<Corner, std::vector<std::pair<std::size_t, std::uint32_t>>> met; // cells and their nodes at a corner
-  std::vector<RingShape> shapes(cells);
-  std::vector<double> mass(cells);
-  particles.resize(cells * per_cell);
-  for (int row = 0; row < rows; ++row)
-    for (int i = 0; i < columns; ++i)
-      {
-        const std::size_t c = std::size_t(row) * std::size_t(columns) + std::size_t(i);
-        const std::uint32_t begin = std::uint32_t(c * per_cell);
-        particles.groups.push_back({begin, begin + ring_nodes, begin + per_cell});
-        const std::array<Corner, 6> corner = geometry.corners(i, row, rows);
-        std::array<Vector<2>, 6> at;
-        std::vector<Vector<2>> ring;
-        for (std::uint32_t s = 0; s < 6; ++s)
-          at[s] = geometry.at(corner[s]);
-        for (std::uint32_t s = 0; s < 6; ++s)
+  std::map<Corner, std::vector<std::pair<std::size_t, std::uint32_t>>> met; ///< cells and their nodes
+};
+
+/// Bonds on the six sides of a ring of 4 n nodes, and the first node of each.
+struct Sides
+{
+  std::array<std::uint32_t, 6> bonds, first;
+  explicit Sides(const std::uint32_t n)
+    : bonds{n / 2, n / 2, n, n / 2, n / 2, n}
+    , first{0, n / 2, n, 2 * n, 2 * n + n / 2, 3 * n}
+  {}
+};
+
+/// The ring of cell (i, row), and its neighbours.
+std::vector<Vector<2>> lay_ring(const Geometry &geometry, const int i, const int row, const BrickParameters &brick, const Sides &sides,
+                                Neighbours &neighbours)
+{
+  const std::size_t c = std::size_t(row) * brick.columns + std::size_t(i);
+  const std::array<Corner, 6> corner = geometry.corners(i, row, int(brick.rows));
+  std::vector<Vector<2>> ring;
+  for (std::uint32_t s = 0; s < 6; ++s)
+    {
+      const Vector<2> from = geometry.at(corner[s]), to = geometry.at(corner[(s + 1) % 6]);
+      for (std::uint32_t k = 0; k < sides.bonds[s]; ++k)
+        ring.push_back(from + (to - from) * (double(k) / sides.bonds[s]));
+      neighbours.walls[{corner[s], corner[(s + 1) % 6]}] = {c, s};
+      neighbours.met[corner[s]].emplace_back(c, sides.first[s]);
+    }
+  return ring;
+}
+
+/// Free of stress in this shape.
+RingShape shape_of(const std::vector<Vector<2>> &ring)
+{
+  RingShape shape;
+  const std::size_t n = ring.size();
+  for (std::size_t k = 0; k < n; ++k)
+    {
+      const Vector<2> before = ring[k] - ring[(k + n - 1) % n], after = ring[(k + 1) % n] - ring[k];
+      shape.rest_length.push_back(after.norm());
+      shape.rest_angle.push_back(WallBending::angle(before, after));
+    }
+  return shape;
+}
+
+/// Ties of all facing walls, not within the gap from a wall's end.
+std::vector<LamellaTie> tie(BrickTissue &tissue, const Neighbours &neighbours, const Sides &sides, const double gap)
+{
+  std::vector<LamellaTie> ties;
+  const std::vector<Group> &groups = tissue.system.particles.groups;
+  const double eps = 1e-6 * tissue.spacing;
+  for (const auto &[ends, wall] : neighbours.walls)
+    {
+      const auto facing = neighbours.walls.find({ends.second, ends.first});
+      if (facing == neighbours.walls.end() || facing->second.cell < wall.cell)
+        continue;
+      const std::uint32_t count = sides.bonds[wall.on], ring_nodes = groups.front().wall_count();
+      for (std::uint32_t k = 0; k <= count; ++k)
+        if (std::min(k, count - k) * tissue.spacing >= gap - eps)
           {
-            for (std::uint32_t k = 0; k < bonds_on[s]; ++k)
-              ring.push_back(at[s] + (at[(s + 1) % 6] - at[s]) * (double(k) / bonds_on[s]));
-            walls[{corner[s], corner[(s + 1) % 6]}] = {c, s};
-            met[corner[s]].emplace_back(c, first_on[s]);
+            ties.push_back({groups[wall.cell].begin + (sides.first[wall.on] + k) % ring_nodes,
+                            groups[facing->second.cell].begin + (sides.first[facing->second.on] + count - k) % ring_nodes, {{0, 0}}});
+            tissue.tie_from_end.push_back(std::min(k, count - k));
           }
-        for (std::uint32_t k = 0; k < ring_nodes; ++k)
-          {
-            const Vector<2> before = ring[k] - ring[(k + ring_nodes - 1) % ring_nodes], after = ring[(k + 1) % ring_nodes] - ring[k];
-            shapes[c].rest_length.push_back(after.norm());
-            shapes[c].rest_angle.push_back(WallBending::angle(before, after));
-          }
-        mass[c] = p.fluid_density * ring_area(ring) * p.depth / (double(side) * side);
-        // Between the lower and the upper side; a jittered lattice, as in unannealed_cell
-        const auto along = [](const Vector<2> &a, const Vector<2> &b, const Vector<2> &c_, const double s) -> Vector<2> {
-          return s < 0.5 ? Vector<2>(a + (b - a) * (2. * s)) : Vector<2>(b + (c_ - b) * (2. * s - 1.));
-        };
-        for (std::uint32_t k = 0; k < side * side; ++k)
-          {
-            const std::uint64_t counter = 2 * (std::uint64_t(c) * side * side + k);
-            const double s = (k % side + 0.5 + 0.2 * (2. * random_uniform(sph.seed, counter) - 1.)) / side;
-            const double t = (k / side + 0.5 + 0.2 * (2. * random_uniform(sph.seed, counter + 1) - 1.)) / side;
-            ring.push_back((1. - t) * along(at[0], at[1], at[2], s) + t * along(at[5], at[4], at[3], s));
-          }
-        for (std::uint32_t k = 0; k < per_cell; ++k)
-          {
-            for (int d = 0; d < 2; ++d)
-              particles.x[d][begin + k] = ring[k][d];
-            particles.inverse_mass[begin + k] = 1. / (k < ring_nodes ? single.node_mass : mass[c]);
-          }
-      }
+    }
+  return ties;
+}
+} // namespace
+
+void lay_fluid(Particles<2> &particles, const std::size_t cell, const unsigned int per_side, const unsigned int seed)
+{
+  const Group &g = particles.groups[cell];
+  const std::uint32_t ring = g.wall_count(), n = ring / 4;
+  // At s in [0, 1] along one side of the ring's four, from node `from` on.
+  const auto along = [&](const std::uint32_t from, const double s) {
+    const std::uint32_t k = std::min(std::uint32_t(s * n), n - 1);
+    const Vector<2> a = particles.position(g.begin + (from + k) % ring), b = particles.position(g.begin + (from + k + 1) % ring);
+    return Vector<2>(a + (s * n - k) * (b - a));
+  };
+  const std::array<Vector<2>, 4> corner{along(0, 0.), along(n, 0.), along(2 * n, 0.), along(3 * n, 0.)};
+  for (std::uint32_t k = 0; k < g.fluid_count(); ++k)
+    {
+      const std::uint64_t counter = 2 * (std::uint64_t(cell) * g.fluid_count() + k);
+      const double s = (k % per_side + 0.5 + 0.2 * (2. * random_uniform(seed, counter) - 1.)) / per_side;
+      const double t = (k / per_side + 0.5 + 0.2 * (2. * random_uniform(seed, counter + 1) - 1.)) / per_side;
+      const Vector<2> x = (1. - t) * along(0, s) + t * along(2 * n, 1. - s) + s * along(n, t) + (1. - s) * along(3 * n, 1. - t)
+                          - (1. - t) * ((1. - s) * corner[0] + s * corner[1]) - t * (s * corner[2] + (1. - s) * corner[3]);
+      for (int d = 0; d < 2; ++d)
+        particles.x[d][g.fluid + k] = x[d];
+    }
+}
+
+std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, const SphParameters &sph, const BrickParameters &brick,
+                                               const BrickFilling filling)
+{
+  brick.check(p, sph);
+  const ParenchymaPatch single = make_parenchyma(p, 1, 1, false, false); // masses and stiffnesses, and checks the cell
+  auto tissue = std::make_unique<BrickTissue>();
+  ParticleSystem<2> &system = tissue->system;
+  Particles<2> &particles = system.particles;
+  const bool filled = filling == BrickFilling::particles;
+  const std::size_t cells = std::size_t(brick.columns) * brick.rows;
+  const std::uint32_t ring_nodes = 4 * p.nodes_per_side, inside = filled ? sph.particles_per_side * sph.particles_per_side : 0;
+
+  tissue->spacing = p.period / p.nodes_per_side;
+  tissue->node_mass = single.node_mass;
+  const NeoHookeanWall law = brick.wall_law(p);
+  tissue->spring_stiffness = law.elastic().derivative(1.) / tissue->spacing;
+
+  const Geometry geometry{p.period, brick.jitter, brick.seed};
+  const Sides sides(p.nodes_per_side);
+  Neighbours neighbours;
+  std::vector<RingShape> shapes;
+  std::vector<double> mass; // kg, of a fluid particle
+  particles.resize(cells * (ring_nodes + inside));
+  for (std::size_t c = 0; c < cells; ++c)
+    {
+      const std::uint32_t begin = std::uint32_t(c * (ring_nodes + inside));
+      particles.groups.push_back({begin, begin + ring_nodes, begin + ring_nodes + inside});
+      const std::vector<Vector<2>> ring = lay_ring(geometry, int(c % brick.columns), int(c / brick.columns), brick, sides, neighbours);
+      for (std::uint32_t k = 0; k < ring_nodes; ++k)
+        for (int d = 0; d < 2; ++d)
+          particles.x[d][begin + k] = ring[k][d];
+      shapes.push_back(shape_of(ring));
+      mass.push_back(filled ? p.fluid_density * tissue->cell_area(c) * p.depth / inside : 0.);
+      std::fill_n(particles.inverse_mass.begin() + begin, ring_nodes, 1. / single.node_mass);
+      std::fill_n(particles.inverse_mass.begin() + begin + ring_nodes, inside, 1. / mass.back());
+      if (filled)
+        lay_fluid(particles, c, sph.particles_per_side, sph.seed);
+    }
   begin_at(particles.x);
   tissue->junctions.resize(cells);
-  for (const auto &[corner, places] : met)
+  for (const auto &[corner, places] : neighbours.met)
     if (places.size() > 2)
       for (const auto &[c, node] : places)
         tissue->junctions[c].push_back(node);
-
-  std::vector<LamellaTie> ties;
-  const double eps = 1e-6 * tissue->spacing;
-  for (const auto &[ends, wall] : walls)
-    {
-      const auto facing = walls.find({ends.second, ends.first});
-      if (facing == walls.end() || facing->second.cell < wall.cell)
-        continue;
-      const std::uint32_t count = bonds_on[wall.on];
-      for (std::uint32_t k = 0; k <= count; ++k)
-        if (std::min(k, count - k) * tissue->spacing >= brick.gap - eps)
-          {
-            ties.push_back({particles.groups[wall.cell].begin + (first_on[wall.on] + k) % ring_nodes,
-                            particles.groups[facing->second.cell].begin + (first_on[facing->second.on] + count - k) % ring_nodes, {{0, 0}}});
-            tissue->tie_from_end.push_back(std::min(k, count - k));
-          }
-    }
+  std::vector<LamellaTie> ties = tie(*tissue, neighbours, sides, brick.gap);
 
   tissue->wall = &system.add(std::make_unique<RingWall>(law, shapes, single.bending_stiffness, tissue->spacing, single.node_mass));
-  if (brick.critical_stretch > 0.)
+  if (filled && brick.critical_stretch > 0.)
     {
       tissue->damage = std::make_shared<WallDamage>(cells, ring_nodes, ring_nodes);
       tissue->wall->set_damage(tissue->damage);
     }
-  tissue->fluid = &system.add(make_cell_fluid(p, sph, tissue->spacing, mass, tissue->damage));
+  if (filled)
+    {
+      ParenchymaParameters turgid = p; // the kernel's size is that of the particles' distance at turgor
+      turgid.period = brick.turgid_side(p);
+      tissue->fluid = &system.add(make_cell_fluid(turgid, sph, tissue->spacing, mass, tissue->damage));
+    }
+  else
+    {
+      const EquationOfState eos(p.fluid_density, p.fluid_modulus, p.cavitation_pressure);
+      system.add(std::make_unique<EnclosedFluid<2>>(eos, mass, p.depth, nullptr)).hold_pressure(p.turgor);
+    }
   if (!ties.empty())
     tissue->ties = &system.add(std::make_unique<LamellaTies>(std::move(ties), p.lamella_ratio * tissue->spring_stiffness, single.node_mass,
                                                              brick.lamella_strength * tissue->spacing * p.depth));
-  if (brick.yielding == "plastic")
-    {
-      tissue->flow = std::make_shared<WallFlow>(cells, ring_nodes);
-      tissue->wall->set_flow(tissue->flow);
-    }
+  if (filled && brick.yielding == "plastic")
+    tissue->flow = std::make_shared<WallFlow>(cells, ring_nodes);
   CellContactParameters contact;
   contact.surface = {0.2 * tissue->spacing, 0.25 * tissue->spacing};
   contact.range = 1.6 * contact.surface.inset; // below sqrt(3): three cells that meet feel nothing
@@ -239,93 +227,5 @@ std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, co
   contact.node_mass = single.node_mass;
   tissue->contact = &system.add(std::make_unique<CellContact>(contact, tissue->damage));
   return tissue;
-}
-
-std::uint32_t BrickTissue::to_junction(const std::size_t cell, const std::uint32_t node) const
-{
-  const std::uint32_t ring = system.particles.groups[cell].wall_count();
-  std::uint32_t least = ring;
-  for (const std::uint32_t j : junctions[cell])
-    {
-      const std::uint32_t d = (node + ring - j) % ring;
-      least = std::min({least, d, ring - d});
-    }
-  return least;
-}
-
-double BrickTissue::cell_area(const std::size_t cell) const
-{
-  std::vector<Vector<2>> ring;
-  for (std::uint32_t i = system.particles.groups[cell].begin; i < system.particles.groups[cell].fluid; ++i)
-    ring.push_back(system.particles.position(i));
-  return ring_area(ring);
-}
-
-double BrickTissue::void_fraction() const
-{
-  const Particles<2> &p = system.particles;
-  double low[2], high[2];
-  for (int d = 0; d < 2; ++d)
-    {
-      low[d] = std::numeric_limits<double>::infinity();
-      high[d] = -low[d];
-      for (const Group &g : p.groups)
-        {
-          double centre = 0.;
-          for (std::uint32_t i = g.begin; i < g.fluid; ++i)
-            centre += p.x[d][i] / g.wall_count();
-          low[d] = std::min(low[d], centre);
-          high[d] = std::max(high[d], centre);
-        }
-    }
-  // Every second row is moved by half a cell: the box must not reach beyond the shorter side.
-  const double inset = p.groups.size() > 1 && high[0] - low[0] > spacing ? 0.25 * spacing * p.groups.front().wall_count() / 4. * 2. : 0.;
-  low[0] += inset;
-  high[0] -= inset;
-  const int grid = 400;
-  std::size_t outside = 0, all = 0;
-  for (int b = 0; b < grid; ++b)
-    {
-      const double y = low[1] + (b + 0.5) / grid * (high[1] - low[1]);
-      std::vector<std::pair<double, double>> covered; // along this line, cell by cell
-      for (const Group &g : p.groups)
-        {
-          std::vector<double> crossings;
-          for (std::uint32_t i = g.begin; i < g.fluid; ++i)
-            {
-              const std::uint32_t j = i + 1 < g.fluid ? i + 1 : g.begin;
-              if ((p.x[1][i] > y) != (p.x[1][j] > y))
-                crossings.push_back(p.x[0][i] + (y - p.x[1][i]) / (p.x[1][j] - p.x[1][i]) * (p.x[0][j] - p.x[0][i]));
-            }
-          std::sort(crossings.begin(), crossings.end());
-          for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
-            covered.emplace_back(crossings[k], crossings[k + 1]);
-        }
-      for (int a = 0; a < grid; ++a, ++all)
-        {
-          const double x = low[0] + (a + 0.5) / grid * (high[0] - low[0]);
-          outside += std::none_of(covered.begin(), covered.end(), [&](const auto &c) { return c.first <= x && x <= c.second; });
-        }
-    }
-  return double(outside) / double(all);
-}
-
-double BrickTissue::angle_deviation() const
-{
-  const Particles<2> &p = system.particles;
-  double squares = 0.;
-  std::size_t count = 0;
-  for (std::size_t c = 0; c < p.groups.size(); ++c)
-    for (const std::uint32_t node : junctions[c])
-      {
-        const Group &g = p.groups[c];
-        const std::uint32_t ring = g.wall_count(), reach = std::max(1u, ring / 16);
-        const Vector<2> at = p.position(g.begin + node), before = p.position(g.begin + (node + ring - reach) % ring),
-                        after = p.position(g.begin + (node + reach) % ring);
-        const double angle = std::numbers::pi - WallBending::angle(at - before, after - at);
-        squares += std::pow(angle - 2. * std::numbers::pi / 3., 2);
-        ++count;
-      }
-  return count > 0 ? std::sqrt(squares / double(count)) : 0.;
 }
 } // namespace turgor

@@ -13,6 +13,7 @@
 
 #include "micro/cells/sph_parenchyma.h"
 #include "micro/terms/cell_contact.h"
+#include "micro/terms/enclosed_fluid.h"
 #include "micro/terms/lamella_ties.h"
 #include "micro/terms/ring_wall.h"
 
@@ -32,8 +33,13 @@ struct BrickParameters
   std::string yielding = "none"; ///< none | reversible | plastic
   WallYield yield{15., 0.9};
   double critical_stretch = 0.; ///< of a wall bond; 0: does not break
+  double rest_residual = 5e-3;      ///< tissue_inflation.h
+  unsigned int rest_steps = 200000; ///< at most
   double lamella_strength = 0.; ///< Pa on the wall's area that one tie stands for; 0: does not break
 
+  NeoHookeanWall wall_law(const ParenchymaParameters &cell) const; ///< while it is loaded, yielding included
+  /// m, root of a cell's area in a regular honeycomb at turgor: the fluid's spacing is that over Particles per side.
+  double turgid_side(const ParenchymaParameters &cell) const;
   /// Throws std::invalid_argument with a sentence for entries that do not go together.
   void check(const ParenchymaParameters &cell, const SphParameters &sph) const;
   void add_parameters(InputEntries &prm);
@@ -43,11 +49,11 @@ struct BrickTissue
 {
   ParticleSystem<2> system;
   RingWall *wall = nullptr;
-  CellFluid<2> *fluid = nullptr;
+  CellFluid<2> *fluid = nullptr; ///< of particles; null where one pressure fills the cells
   LamellaTies *ties = nullptr; ///< null where no cells touch
   CellContact *contact = nullptr;
   std::shared_ptr<WallDamage> damage; ///< null where bonds do not break
-  std::shared_ptr<WallFlow> flow;     ///< null without plastic yielding
+  std::shared_ptr<WallFlow> flow;     ///< null without plastic yielding; the wall gets it when it is inflated (tissue_inflation.h)
   double spacing = 0.;                ///< m, mean length of a bond at rest
   double spring_stiffness = 0.;       ///< N/m, of one wall spring at rest
   double node_mass = 0.;              ///< kg
@@ -57,12 +63,23 @@ struct BrickTissue
   /// Bonds between a node of the ring and the nearest place where three cells meet; the whole ring where there is none.
   std::uint32_t to_junction(std::size_t cell, std::uint32_t node) const;
   double cell_area(std::size_t cell) const; ///< m^2
+  double mean_stretch() const, largest_stretch() const; ///< of all bonds of walls
   /// Share of the area not covered by any cell, in the box of the centres of the outermost cells (points on a grid).
   double void_fraction() const;
   /// rad; root mean square of (angle of a cell at a junction - 120 degrees), walls taken a quarter of a cell side long.
   double angle_deviation() const;
 };
 
-std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &cell, const SphParameters &sph,
-                                               const BrickParameters &brick);
+enum class BrickFilling
+{
+  particles, ///< SPH fluid, free of pressure; walls that can break and flow
+  pressure   ///< no particles, turgor in every cell, held; walls stretch along the yield curve
+};
+
+std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &cell, const SphParameters &sph, const BrickParameters &brick,
+                                               BrickFilling filling = BrickFilling::particles);
+
+/// Places the cell's fluid within its ring of 4 n nodes, which may have any shape like a square's: a jittered lattice of per_side x
+/// per_side between opposite sides (Coons' patch).
+void lay_fluid(Particles<2> &particles, std::size_t cell, unsigned int per_side, unsigned int seed);
 } // namespace turgor

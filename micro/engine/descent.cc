@@ -1,5 +1,7 @@
 #include "micro/engine/descent.h"
 
+#include "micro/engine/binary.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -53,6 +55,20 @@ void Descent<dim>::step(const double dt)
       p.v[d][i] = (1. - share) * p.v[d][i] + along * p.f[d][i] * p.inverse_mass[i];
   if (++downhill > patience)
     share *= share_decay;
+}
+
+template <int dim>
+void Descent<dim>::save(std::ostream &out) const
+{
+  write_binary(out, share);
+  write_binary(out, downhill);
+}
+
+template <int dim>
+void Descent<dim>::load(std::istream &in)
+{
+  read_binary(in, share);
+  read_binary(in, downhill);
 }
 
 template class Descent<2>;

@@ -12,6 +12,8 @@
 
 #include "micro/engine/kick_drift_kick.h"
 
+#include <iosfwd>
+
 namespace turgor
 {
 template <int dim>
@@ -22,9 +24,12 @@ public:
   explicit Descent(ParticleSystem<dim> &system);
 
   void step(double dt);
+  void stop(); ///< velocities to zero: begins anew where the state was changed from outside
+
+  void save(std::ostream &out) const;
+  void load(std::istream &in);
 
 private:
-  void stop(); ///< velocities to zero
 
   ParticleSystem<dim> &system;
   KickDriftKick<dim> integrator;

@@ -2,14 +2,16 @@
 #pragma once
 
 #include "micro/cells/round_cell.h"
+#include "micro/io/number_text.h"
 #include "micro/scenarios/balloon_model.h"
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 namespace turgor
 {
-/// pressure (Pa): that the turgid cell's wall was measured to balance.
+/// pressure (Pa): that the turgid cell's wall was measured to balance. Throws std::runtime_error where such a balloon bursts.
 inline BalloonModel balloon_of(const RoundCellParameters &cell, const double rest_radius, const double pressure,
                                const BalloonModel::Membrane membrane)
 {
@@ -21,6 +23,8 @@ inline BalloonModel balloon_of(const RoundCellParameters &cell, const double res
   double lambda = 1.;
   for (int k = 0; k < 200; ++k)
     lambda = std::pow(1. - pressure * lambda * rest_radius / (2. * cell.wall_stiffness), -1. / 6.);
+  if (!std::isfinite(lambda))
+    throw std::runtime_error("a balloon of this wall does not hold " + number_text(pressure) + " Pa");
   const EquationOfState eos(cell.fluid_density, cell.fluid_modulus, cell.cavitation_pressure);
   const double mass = eos.density_at(pressure) * 4. / 3. * std::numbers::pi * std::pow(lambda * rest_radius, 3);
   balloon.pressure_of_volume = [=](const double V) { return eos.pressure(mass / V); };

@@ -61,6 +61,10 @@ protected:
       {
         throw;
       }
+    catch (const RunFailed &) // a result that is no number
+      {
+        throw;
+      }
     catch (const std::runtime_error &error)
       {
         context.note("balloon_model", error.what());

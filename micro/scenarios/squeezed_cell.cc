@@ -7,6 +7,7 @@
 #include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 #include "micro/processes/failure.h"
+#include "micro/scenarios/heating.h"
 #include "micro/scenarios/round_cell_fields.h"
 #include "micro/scenarios/shared_entries.h"
 #include "micro/scenarios/stepping.h"
@@ -26,6 +27,7 @@ struct Progress
   double dt = 0., height = 0., radius = 0., start_energy = 0., start_pressure = 0., residual = 0.;
   double first_angle = -1., first_tilt = 0., first_deformation = -1., angle_sum = 0., tilt_sum = 0.; ///< degrees; 1
   double impulse_upper = 0., impulse_lower = 0., summed_steps = 0.;                             ///< of the row to come: N, summed over steps
+  double heat = 0., viscous_power = 0., given_off = 0.;                                         ///< J, W at the last row, J
 };
 
 /// Share of the full angle under which a closed wall, broken faces included, is seen: 1 inside, 0 outside.
@@ -128,6 +130,7 @@ void SqueezedCell::run_in(RunContext &context)
   Plates<dim> &plates = system.add(std::make_unique<Plates<dim>>(two, plate_stiffness > 0. ? plate_stiffness : 10. * cell.wall_stiffness));
   context.active(system.term_names(), particles.field_names());
 
+  const bool conservative = cell.fluid != "thesis"; // whose pressures are no gradient of its energy
   Progress at_step;
   Rows rows;
   std::vector<double> polar; // cosine of the polar angle of each node in the turgid cell
@@ -202,6 +205,10 @@ void SqueezedCell::run_in(RunContext &context)
                                               {"kinetic", "J"},
                                               {"energy", "J"},
                                               {"work", "J"},
+                                              {"heat", "J"},
+                                              {"given_off", "J"},
+                                              {"behind_plate", "m"},
+                                              {"crossed", ""},
                                               {"broken", ""}});
   std::unique_ptr<RoundCellFields<dim>> fields;
   if (frames > 0)
@@ -223,11 +230,16 @@ void SqueezedCell::run_in(RunContext &context)
     row.time = double(at_step.step) * at_step.dt;
     row.energy = row.kinetic + system.potential_energy() - at_step.start_energy;
     row.work = plates.work();
+    row.heat = at_step.heat;
+    row.given_off = at_step.given_off;
     // Nobody but the plates does work; what they have done is known to the step's own error, which for a node
-    // that a plate strikes is (omega dt)^2/4 of its penalty energy, 1/4 at the longest step.
+    // that a plate strikes is (omega dt)^2/4 of its penalty energy, 1/4 at the longest step. Heat of viscosity is sampled.
     const double struck = 0.25 * plates.energy(particles, system.box, 0);
-    if (row.broken == 0. && row.energy > row.work + 0.02 * std::abs(row.work) + struck + 1e-3 * std::abs(at_step.start_energy))
+    if (conservative && row.energy + row.given_off > row.work + 0.02 * std::abs(row.work) + struck + 1e-3 * std::abs(at_step.start_energy))
       throw diverged("energy appeared from nothing");
+    if (row.behind_plate > 0.5 * radius)
+      throw RunFailed("a wall node is " + number_text(1e6 * row.behind_plate) + " um behind a plate, more than half the cell's radius, at a deformation of "
+                      + number_text(row.deformation) + ": the plate does not hold the cell. Use a larger Plate stiffness or a smaller Speed.");
     return row;
   };
   const auto record = [&] {
@@ -235,11 +247,16 @@ void SqueezedCell::run_in(RunContext &context)
     row.mean_force_upper = at_step.summed_steps > 0. ? at_step.impulse_upper / at_step.summed_steps : row.force_upper;
     row.mean_force_lower = at_step.summed_steps > 0. ? at_step.impulse_lower / at_step.summed_steps : row.force_lower;
     at_step.impulse_upper = at_step.impulse_lower = at_step.summed_steps = 0.;
+    const double power = heat_of_viscosity(system, round.sph);
+    if (!rows.empty())
+      at_step.heat += 0.5 * (power + at_step.viscous_power) * (row.time - rows.back().time);
+    at_step.viscous_power = power;
+    row.heat = at_step.heat;
     rows.push_back(row);
     table->add_row({row.time, row.deformation, row.force_upper, row.force_lower, row.mean_force_upper, row.mean_force_lower,
                     row.pressure, row.volume, row.contact_upper, row.contact_lower, row.largest_upper, row.largest_lower,
                     row.mean_upper, row.mean_lower, row.height_share, row.largest, row.largest_angle, row.largest_tilt, row.kinetic,
-                    row.energy, row.work, row.broken});
+                    row.energy, row.work, row.heat, row.given_off, row.behind_plate, row.crossed, row.broken});
     if (fields)
       fields->accept();
   };
@@ -272,22 +289,27 @@ void SqueezedCell::run_in(RunContext &context)
     {
       integrator.step(at_step.dt, damping);
       ++at_step.step;
+      at_step.heat += heat_of_damping(system, damping, at_step.dt);
       at_step.impulse_lower += plates.force(0);
       at_step.impulse_upper += plates.force(1);
       at_step.summed_steps += 1.;
-      if (failure)
-        for (const auto &[group, bond] : failure->apply(system, round.sph))
-          {
-            const double angle = polar_angle(round, polar, bond), tilt = bond_tilt(round, bond);
-            at_step.angle_sum += angle;
-            at_step.tilt_sum += tilt;
-            if (at_step.first_angle < 0.)
-              {
-                at_step.first_angle = angle;
-                at_step.first_tilt = tilt;
-                at_step.first_deformation = 1. - (plates[1].position - plates[0].position) / at_step.height;
-              }
-          }
+      if (failure && failure->due(particles))
+        {
+          const double before = system.potential_energy();
+          for (const auto &[group, bond] : failure->apply(system, round.sph))
+            {
+              const double angle = polar_angle(round, polar, bond), tilt = bond_tilt(round, bond);
+              at_step.angle_sum += angle;
+              at_step.tilt_sum += tilt;
+              if (at_step.first_angle < 0.)
+                {
+                  at_step.first_angle = angle;
+                  at_step.first_tilt = tilt;
+                  at_step.first_deformation = 1. - (plates[1].position - plates[0].position) / at_step.height;
+                }
+            }
+          at_step.given_off += before - system.potential_energy();
+        }
       if (at_step.step % sample_every == 0 || at_step.step == last)
         record();
       if (fields && at_step.step % frame_every == 0)
@@ -304,8 +326,6 @@ void SqueezedCell::run_in(RunContext &context)
   context.result("time_step", at_step.dt, "s");
   context.result("steps", double(last), "");
   context.result("volume_change", rows.back().volume / rows.front().volume - 1., "1");
-  if (round.fluid)
-    context.result("crossed", double(round.fluid->crossed()), "");
   if (round.damage)
     {
       const double broken = round.damage->cells[0].broken;
@@ -335,10 +355,13 @@ void SqueezedCell::run_in(RunContext &context)
       context.result("plate_energy_returned", end / start, "1");
       context.result("plate_energy_balance", (start + pressed - end - rows.back().work) / (start + pressed), "1");
     }
-  context.result("energy_gained", squeezed::energy_gained(rows), "1");
+  context.result("heat", at_step.heat, "J");
+  if (round.damage)
+    context.result("energy_given_off_by_breaking", at_step.given_off, "J");
   if (!(rows.back().broken > 0.)) // a broken bond takes its energy along
     context.result("energy_dissipated", squeezed::energy_dissipated(rows), "1");
   first_deformation = at_step.first_deformation;
   report(context, rows);
+  squeezed::report_worth(context, rows, radius, round.group().fluid_count(), conservative, 1e-3 * std::abs(at_step.start_energy));
 }
 } // namespace turgor

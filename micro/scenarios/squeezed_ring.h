@@ -13,6 +13,7 @@
 // In: SI. Out: force in N. Bending is left out.
 #pragma once
 
+#include "micro/engine/bisection.h"
 #include "micro/terms/neo_hookean_wall.h"
 
 #include <cmath>
@@ -33,7 +34,7 @@ struct SqueezedRing
     double flat = 0., stretch = 1., pressure = 0., force = 0.; ///< m (b), 1, Pa, N
   };
 
-  /// Between plates at half-height r (m).
+  /// Between plates at half-height r (m), at most radius(). Throws std::runtime_error where there is no such state, as radius() does.
   State between(const double r) const
   {
     constexpr double pi = std::numbers::pi;
@@ -46,26 +47,22 @@ struct SqueezedRing
       return s;
     };
     // tension grows and pressure falls with b, but for a wall that gives way faster than its fluid
-    double low = 0., high = rest_length;
-    for (int k = 0; k < 200; ++k)
-      {
-        const double b = 0.5 * (low + high);
-        const State s = at(b);
-        (law.force(s.stretch) < s.pressure * r * depth ? low : high) = b;
-      }
-    return at(0.5 * (low + high));
+    const auto slack = [&](const double b) {
+      const State s = at(b);
+      return law.force(s.stretch) < s.pressure * r * depth;
+    };
+    if (!slack(0.)) // they only just touch
+      return at(0.);
+    return at(bisect(0., rest_length, slack, "the flat length (m) of a ring between plates"));
   }
 
   /// Half-height at which the plates only just touch: b = 0, the free ring.
   double radius() const
   {
-    double low = 0.25 * rest_length / std::numbers::pi, high = rest_length / std::numbers::pi;
-    for (int k = 0; k < 200; ++k)
-      {
-        const double r = 0.5 * (low + high), lambda = 2. * std::numbers::pi * r / rest_length;
-        (law.force(lambda) < pressure_of_area(std::numbers::pi * r * r) * r * depth ? low : high) = r;
-      }
-    return 0.5 * (low + high);
+    const auto slack = [&](const double r) {
+      return law.force(2. * std::numbers::pi * r / rest_length) < pressure_of_area(std::numbers::pi * r * r) * r * depth;
+    };
+    return bisect(0.25 * rest_length / std::numbers::pi, rest_length / std::numbers::pi, slack, "the radius (m) of the free ring");
   }
 
   double force(const double deformation) const { return between(radius() * (1. - deformation)).force; } ///< N

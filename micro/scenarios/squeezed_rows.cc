@@ -1,5 +1,7 @@
 #include "micro/scenarios/squeezed_rows.h"
 
+#include "micro/scenarios/judged.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -76,6 +78,8 @@ SqueezedRow measure_squeezed(const RoundCell<dim> &cell, const Plates<dim> &plat
   row.pressure = cell.pressure();
   row.volume = cell.volume();
   row.kinetic = cell.system.kinetic_energy();
+  row.behind_plate = plates.deepest();
+  row.crossed = cell.fluid ? double(cell.fluid->crossed()) : 0.;
   row.broken = cell.damage ? cell.damage->cells[0].broken : 0.;
   const Vector<dim> middle = wall_middle(cell);
   double equator = 0., equator_count = 0.;
@@ -207,15 +211,48 @@ Swing transmitted_swing(const Rows &rows)
   return swing;
 }
 
-double energy_gained(const Rows &rows)
+double energy_balance_error(const Rows &rows, double scale)
 {
-  double gained = 0., work = 0.;
+  double error = 0.;
   for (const SqueezedRow &row : rows)
     {
-      gained = std::max(gained, row.energy - row.work);
-      work = std::max(work, std::abs(row.work));
+      const double missing = row.work - row.energy - row.heat - row.given_off;
+      if (!(std::abs(missing) <= std::abs(error)))
+        error = missing;
+      scale = std::max(scale, std::abs(row.work));
     }
-  return work > 0. ? gained / work : 0.;
+  return scale > 0. ? error / scale : 0.;
+}
+
+double largest(const Rows &rows, double SqueezedRow::*quantity)
+{
+  double most = rows.front().*quantity;
+  for (const SqueezedRow &row : rows)
+    most = std::max(most, row.*quantity);
+  return most;
+}
+
+void report_worth(RunContext &context, const Rows &rows, const double radius, const double fluid_particles, const bool conservative,
+                  const double floor)
+{
+  const double behind = largest(rows, &SqueezedRow::behind_plate), crossed = largest(rows, &SqueezedRow::crossed),
+               error = energy_balance_error(rows, floor);
+  context.result("deepest_behind_plate", behind, "m");
+  if (fluid_particles > 0.)
+    context.result("most_crossed", crossed, "");
+  if (conservative)
+    context.result("energy_balance_error", error, "1");
+  judged(context, "deepest_behind_plate", behind / radius, {0.05, 0.5},
+         "wall nodes stand up to " + number_text(100. * behind / radius)
+           + " % of the cell's radius behind a plate (a larger Plate stiffness or a smaller Speed holds them)");
+  if (fluid_particles > 0.)
+    judged(context, "most_crossed", crossed / fluid_particles, {0.01, 0.2},
+           number_text(100. * crossed / fluid_particles)
+             + " % of the fluid particles are outside a wall that is whole (more Cell/Fluid particles or a smaller Speed hold them)");
+  if (conservative)
+    judged(context, "energy_balance_error", error, {0.02, 0.1},
+           number_text(100. * std::abs(error)) + " % of the plates' work "
+             + (error > 0. ? "is not found again" : "came from nothing") + " (a smaller Step fraction or Speed, or more Samples of the heat)");
 }
 
 double energy_dissipated(const Rows &rows)

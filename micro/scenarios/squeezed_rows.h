@@ -5,11 +5,13 @@
 //
 //   share of the upper half in the deformation   (1/2 - s (1 - e))/e,  s: upper share of the height, e: deformation
 //                                                1/2: symmetric, 1: the lower half has not noticed
-//   energy gained      largest (energy - work of the plates) over the largest work: a scene that makes energy
+//   energy balance     work of the plates = energy of the cell + heat (of viscosity and damping) + given off by bonds that broke; the error
+//                      is the largest difference, either way, over the largest work
 //   energy dissipated  (work - energy)/work at the end
 #pragma once
 
 #include "micro/cells/round_cell.h"
+#include "micro/io/run_context.h"
 #include "micro/terms/plates.h"
 
 #include <vector>
@@ -27,7 +29,9 @@ struct SqueezedRow
   double mean_upper = 1., mean_lower = 1.;          ///< mean stretch of the halves
   double height_share = 0.5;                        ///< of the upper half in the height
   double largest = 1., largest_angle = 90., largest_tilt = 0.; ///< largest stretch of all, degrees, degrees
-  double kinetic = 0., energy = 0., work = 0.;      ///< J
+  double kinetic = 0., energy = 0., work = 0.;      ///< J; energy: kinetic and potential, since the start
+  double heat = 0., given_off = 0.;                 ///< J, of viscosity and damping; by bonds that broke
+  double behind_plate = 0., crossed = 0.;           ///< m, the wall node farthest behind a plate; fluid particles outside the wall
   double broken = 0.;
 };
 
@@ -47,7 +51,7 @@ double polar_angle(const RoundCell<dim> &cell, const std::vector<double> &cosine
 template <int dim>
 double bond_tilt(const RoundCell<dim> &cell, std::size_t bond);
 
-/// All but time, energy, work and mean forces. height: between the plates at the start, m; plates 0 below and 1 above.
+/// All but time, energy, work, heat, what was given off, and mean forces. height: between the plates at the start, m; plates 0 below and 1 above.
 template <int dim>
 SqueezedRow measure_squeezed(const RoundCell<dim> &cell, const Plates<dim> &plates, const std::vector<double> &cosine,
                              double height);
@@ -74,7 +78,14 @@ struct Swing
   int reversals = 0;
 };
 Swing transmitted_swing(const Rows &rows);
-double energy_gained(const Rows &rows);
+/// Signed: positive where work is not found again, negative where energy came from nothing. `scale`: J, at least what it is measured against.
+double energy_balance_error(const Rows &rows, double scale = 0.);
 double energy_dissipated(const Rows &rows);
+/// Results deepest_behind_plate, most_crossed and, where the scene is conservative but for what is counted, energy_balance_error; with a note where one
+/// of them is large, and RunFailed where the run means nothing. radius: m; fluid_particles: how many there are; floor: J, an
+/// energy below which errors are not measured against the work.
+void report_worth(RunContext &context, const Rows &rows, double radius, double fluid_particles, bool conservative, double floor);
+/// The largest of a quantity.
+double largest(const Rows &rows, double SqueezedRow::*quantity);
 } // namespace squeezed
 } // namespace turgor

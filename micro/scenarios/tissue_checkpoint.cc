@@ -1,4 +1,5 @@
 #include "micro/engine/binary.h"
+#include "micro/io/number_text.h"
 #include "micro/scenarios/tissue_run.h"
 
 #include <algorithm>
@@ -12,9 +13,10 @@ namespace turgor
 template <class Self>
 auto TissueLoading::Run::kept(Self &r)
 {
-  return std::tie(r.step, r.load_steps, r.dt, r.angle_before, r.angle_inflated, r.void_fraction, r.tie_stress, r.start_energy, r.start.low,
+  return std::tie(r.step, r.load_steps, r.inflation_steps, r.dt, r.angle_before, r.angle_inflated, r.stretch_inflated, r.void_fraction,
+                  r.pressure_inflated, r.residual, r.tie_stress, r.start_energy, r.start.low,
                   r.start.high, r.start.width, r.start.cell_height, r.start.depth, r.history, r.broken_bonds, r.broken_at_junction,
-                  r.broken_ties, r.deepest, r.most_crossed, r.released, r.created, r.flowed, r.heat, r.heating_before);
+                  r.broken_ties, r.deepest, r.most_crossed, r.deepest_behind, r.most_outside, r.released, r.created, r.flowed, r.heat, r.heating_before);
 }
 
 void TissueLoading::Run::save(std::ostream &out) const
@@ -26,7 +28,9 @@ void TissueLoading::Run::save(std::ostream &out) const
     tissue->flow->save(out);
   system.save(out);
   integrator->save(out);
-  if (load_steps > 0 && split)
+  if (load_steps == 0)
+    inflation->save(out);
+  else if (split)
     split->save(out);
 }
 
@@ -36,10 +40,16 @@ void TissueLoading::Run::load(std::istream &in)
   if (tissue->damage) // before the terms: lists of the fluid depend on it
     tissue->damage->load(in);
   if (tissue->flow)
-    tissue->flow->load(in);
+    {
+      tissue->flow->load(in);
+      if (load_steps > 0)
+        tissue->wall->set_flow(tissue->flow);
+    }
   system.load(in);
   integrator->load(in);
-  if (load_steps > 0 && split)
+  if (load_steps == 0)
+    inflation->load(in);
+  else if (split)
     split->load(in);
 }
 
@@ -62,21 +72,19 @@ void TissueLoading::Run::require_finite(const std::string &where) const
           sentence << "has left the scene, to (" << p.x[0][i] << ", " << p.x[1][i] << ") m";
         else
           sentence << "moves at " << speed << " m/s, more than twice the speed of sound";
-        sentence << ". The last checkpoint, where there is one, holds the last good state; use a smaller Step fraction (now "
-                 << scene.step_fraction << ") or ";
         if (load_steps == 0)
-          sentence << "a longer Inflation time (now " << scene.inflation_time << " s).";
+          sentence << ": no state at rest is found for this Cell/Turgor and Cell/Wall stiffness.";
         else
-          sentence << "a smaller Speed (now " << scene.speed << " m/s).";
+          sentence << ". The last checkpoint, where there is one, holds the last good state; use a smaller Step fraction (now "
+                   << scene.step_fraction << ") or a smaller Speed (now " << scene.speed << " m/s).";
         throw RunFailed(sentence.str());
       }
 }
 
-/// Drag, flow and breaking only take energy; the integrator's own error is far below a fiftieth of it.
+/// The integrator's own error is far below a fiftieth of what turgor has stored.
 void TissueLoading::Run::require_energy(const std::string &where) const
 {
-  const double given = start_energy + plates->work(), now = system.potential_energy() + system.kinetic_energy();
-  if (load_steps > 0 && now - given > 0.02 * (start_energy + std::abs(plates->work())))
+  if (load_steps > 0 && -missing_energy() > 0.02 * (start_energy + std::abs(plates->work())))
     {
       std::ostringstream sentence;
       sentence << "energy appeared from nothing " << where << " (step " << step << "): the plate or a torn wall moves too fast for the "
@@ -84,6 +92,10 @@ void TissueLoading::Run::require_energy(const std::string &where) const
                << ") or End strain (now " << scene.end_strain << ").";
       throw RunFailed(sentence.str());
     }
+  if (load_steps > 0 && plates->deepest() > 0.5 * scene.cell.period)
+    throw RunFailed("cells stand " + number_text(1e6 * plates->deepest()) + " um behind a plate, more than half of Cell/Period, " + where
+                    + ": the plate does not hold them. Use a larger Contact ratio (now " + number_text(scene.brick.contact_ratio)
+                    + ") or a smaller Speed (now " + number_text(scene.speed) + " m/s).");
 }
 
 void TissueLoading::Run::checked_save(const std::string &where)

@@ -30,10 +30,6 @@ void TissueLoading::declare_parameters(InputEntries &prm)
   prm.add_parameter("Damping", damping,
                     "Rate at which all velocities decay while the plate moves: for quasi-static loading; 0: none. Units: 1/s.",
                     Double(0., 1e9));
-  prm.add_parameter("Inflation time", inflation_time, "Time in which osmosis brings the cells to turgor. Units: s.",
-                    Double(1e-7, 1.));
-  prm.add_parameter("Inflation damping", inflation_damping, "Rate at which velocities decay meanwhile. Units: 1/s.",
-                    Double(1e3, 1e9));
   declare_step_fraction(prm, step_fraction);
   declare_substeps(prm, substeps);
   prm.add_parameter("Samples", samples, "Rows of loading.csv. Units: none.", Integer(10, 1000000));
@@ -48,9 +44,6 @@ void TissueLoading::check() const
   check_sph_cell(cell, sph);
   check_substeps(substeps, sph);
   brick.check(cell, sph);
-  if (brick.yielding != "none") // throws where the wall yields before it can carry turgor
-    NeoHookeanWall(cell.wall_stiffness, cell.depth, cell.wall_beta, brick.yield)
-      .stretch_at(0.5 * cell.turgor * cell.period * cell.depth);
 }
 
 void TissueLoading::run(RunContext &context) { Run(*this, context).go(); }

@@ -44,7 +44,6 @@ private:
   SphParameters sph;
   BrickParameters brick;
   double speed, end_strain, damping;
-  double inflation_time = 60e-6, inflation_damping = 5e5;
   double step_fraction = 0.8;
   unsigned int substeps = 1;
   unsigned int samples = 400, frames = 6, checkpoints = 10;

@@ -1,4 +1,6 @@
 #include "micro/io/number_text.h"
+#include "micro/scenarios/heating.h"
+#include "micro/scenarios/judged.h"
 #include "micro/scenarios/tissue_run.h"
 
 #include "micro/terms/sph_fluid.h"
@@ -20,7 +22,7 @@ void TissueLoading::Run::open_series()
                                        {"centre", ""}, {"flattest_cell", ""}, {"stretch_near", ""}, {"stretch", ""},
                                        {"largest_stretch", ""}, {"failed_cells", ""}, {"broken_bonds", ""}, {"broken_ties", ""},
                                        {"failed_depth", ""}, {"crossed", ""}, {"given_off", "J"}, {"heat", "J"}, {"overlap", "m"},
-                                       {"crossed_bonds", ""}});
+                                       {"crossed_bonds", ""}, {"behind_plate", "m"}});
   by_row = context.series("rows", rows);
 }
 
@@ -32,47 +34,24 @@ void TissueLoading::Run::record()
   s.strain = strain();
   s.bottom = plates->force(0);
   s.top = plates->force(1);
-  const double now = heating(), overlap = tissue->contact->deepest(), crossed = double(tissue->contact->crossed_bonds());
+  const double now = heat_of_viscosity(system, dynamic_cast<SphFluid<2> *>(tissue->fluid)), overlap = tissue->contact->deepest(),
+               crossed = double(tissue->contact->crossed_bonds()), outside = double(tissue->fluid->crossed()), behind = plates->deepest();
   if (!history.empty())
     heat += 0.5 * (now + heating_before) * (s.time - history.back().time);
   heating_before = now;
   deepest = std::max(deepest, overlap);
   most_crossed = std::max(most_crossed, crossed);
+  most_outside = std::max(most_outside, outside);
+  deepest_behind = std::max(deepest_behind, behind);
   history.push_back(s);
   loading->add_row({s.time, s.strain, s.top, s.bottom, s.top / area, s.bottom / area, (*plates)[1].position, mean_pressure(),
                     system.potential_energy(), system.kinetic_energy(), plates->work(), s.centre, s.flattest, s.stretch_near,
                     s.stretch, s.largest_stretch, s.failed_cells, s.broken_bonds, s.broken_ties, s.failed_depth,
-                    double(tissue->fluid->crossed()), released + flowed, heat, overlap, crossed});
+                    outside, released + flowed, heat, overlap, crossed, behind});
   std::vector<double> row{s.time, s.strain};
   for (const double f : flattening_of_rows(*tissue, start, scene.brick.rows))
     row.push_back(f);
   by_row->add_row(row);
-}
-
-double TissueLoading::Run::heating()
-{
-  double power = 2. * scene.damping * system.kinetic_energy();
-  auto *fluid = dynamic_cast<SphFluid<2> *>(tissue->fluid);
-  if (fluid == nullptr || fluid->viscosity() == 0.)
-    return power;
-  // What viscosity does: the forces with it less those without, on the velocities. Forces are left as they were.
-  Particles<2> &p = system.particles;
-  const Particles<2>::Components current = p.f;
-  const double viscosity = fluid->viscosity();
-  Particles<2>::Components with;
-  for (const double value : {viscosity, 0.})
-    {
-      fluid->set_viscosity(value);
-      system.compute_forces();
-      if (value > 0.)
-        with = p.f;
-    }
-  fluid->set_viscosity(viscosity);
-  for (int d = 0; d < 2; ++d)
-    for (std::size_t i = 0; i < p.size(); ++i)
-      power -= p.v[d][i] * (with[d][i] - p.f[d][i]);
-  p.f = current;
-  return power;
 }
 
 FieldFrame TissueLoading::Run::frame() const
@@ -119,11 +98,12 @@ void TissueLoading::Run::report()
   context.result("inflated_height", start.height(), "m");
   context.result("inflated_width", start.width, "m");
   context.result("void_fraction", void_fraction, "");
+  context.result("turgor_inflated", pressure_inflated, "Pa");
+  context.result("rest_residual", residual, "");
+  context.result("mean_stretch_inflated", stretch_inflated, "");
   context.result("junction_angle_deviation_inflated", angle_inflated * degrees, "degree");
   context.result("junction_angle_deviation_laid", angle_before * degrees, "degree");
   context.result("junction_angle_deviation_end", tissue->angle_deviation() * degrees, "degree");
-  context.result("deepest_overlap", deepest, "m");
-  context.result("crossed_bonds", most_crossed, "");
   context.result("stress_at_end", history.back().bottom / area, "Pa");
   context.result("modulus_start", slope_between(history, 0.02, 0.1) / area, "Pa");
   context.result("modulus_later", slope_between(history, 0.2, 0.3) / area, "Pa");
@@ -149,18 +129,54 @@ void TissueLoading::Run::report()
   context.result("flattest_cell_ever", flat, "");
   // a mean over 1/80 of the run: what is faster is ringing of single walls
   context.result("transmitted_oscillation", oscillation(history, std::max<std::size_t>(1, history.size() / 80)), "");
-  const double energy = system.potential_energy() + system.kinetic_energy(), given = start_energy + plates->work();
+  const double unaccounted = missing_energy() + heat;
   context.result("plate_work", plates->work(), "J");
-  context.result("energy_unaccounted", given - energy - released - flowed, "J"); // what heat should be
+  context.result("energy_unaccounted", unaccounted, "J"); // what heat should be
   context.result("energy_given_off_by_breaking", released, "J");
   context.result("energy_created_by_breaking", created, "J");
   context.result("heat", heat, "J");
-  context.result("energy_balance_error", (given - energy - released - flowed - heat) / (start_energy + std::abs(plates->work())), "");
   if (tissue->flow)
     context.result("energy_taken_by_flow", flowed, "J");
   if (tissue->flow)
     context.result("largest_permanent_stretch", tissue->flow->largest(), "");
   report_failure();
+  report_worth();
+}
+
+double TissueLoading::Run::missing_energy() const
+{
+  return start_energy + plates->work() - system.potential_energy() - system.kinetic_energy() - released - flowed - heat;
+}
+
+void TissueLoading::Run::report_worth()
+{
+  double fluid = 0., bonds = 0.;
+  for (const Group &g : system.particles.groups)
+    {
+      fluid += g.fluid_count();
+      bonds += g.wall_count();
+    }
+  const double error = missing_energy() / std::max(std::abs(plates->work()), 1e-3 * start_energy);
+  context.result("deepest_overlap", deepest, "m");
+  context.result("deepest_behind_plate", deepest_behind, "m");
+  context.result("crossed_bonds", most_crossed, "");
+  context.result("most_crossed", most_outside, "");
+  context.result("energy_balance_error", error, "");
+  const auto percent = [](const double share) { return number_text(100. * share) + " %"; };
+  judged(context, "deepest_overlap", deepest / tissue->contact->range(), {0.5, HUGE_VAL},
+         "walls of cells have come closer than their contact's range by up to " + percent(deepest / tissue->contact->range())
+           + " of it (a larger Contact ratio or a smaller Speed holds them)");
+  judged(context, "deepest_behind_plate", deepest_behind / scene.cell.period, {0.05, 0.5},
+         "cells stand up to " + percent(deepest_behind / scene.cell.period)
+           + " of Cell/Period behind a plate (a larger Contact ratio or a smaller Speed holds them)");
+  judged(context, "crossed_bonds", most_crossed / bonds, {0., 0.02},
+         percent(most_crossed / bonds) + " of the walls' bonds have passed through others (a larger Contact ratio, a smaller Speed or End strain)");
+  judged(context, "most_crossed", most_outside / fluid, {0.01, 0.2},
+         percent(most_outside / fluid)
+           + " of the fluid particles are outside a wall that is whole (more SPH/Particles per side or a smaller Speed hold them)");
+  judged(context, "energy_balance_error", error, {0.02, 0.1},
+         percent(std::abs(error)) + " of the plate's work " + (error > 0. ? "is not found again" : "came from nothing")
+           + " (a smaller Step fraction or Speed, or more Samples of the heat)");
 }
 
 void TissueLoading::Run::report_failure()

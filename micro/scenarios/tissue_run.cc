@@ -1,13 +1,12 @@
 #include "micro/scenarios/tissue_run.h"
 
 #include "micro/io/number_text.h"
-#include "micro/processes/osmosis.h"
+#include "micro/scenarios/heating.h"
 #include "micro/scenarios/stepping.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 namespace turgor
 {
@@ -28,9 +27,9 @@ TissueLoading::Run::Run(const TissueLoading &scene_, RunContext &context_)
     failure.emplace(*tissue->wall, tissue->damage, scene.brick.critical_stretch);
   if (tissue->flow)
     yielding.emplace(*tissue->wall, tissue->flow);
+  inflation.emplace(*tissue, scene.cell, scene.sph, scene.brick);
   integrator.emplace(system, scene.step_fraction, 0.02);
-  dt = integrator->safe_step();
-  inflation_steps = std::uint64_t(std::ceil(scene.inflation_time / dt));
+  dt = integrator->safe_step(); // of the fluid as it is laid; anew when the tissue is inflated
   if (scene.substeps > 1)
     split.emplace(system, scene.substeps);
   reach = 20. * std::max(scene.brick.columns, scene.brick.rows) * scene.cell.period;
@@ -43,77 +42,80 @@ void TissueLoading::Run::go()
   if (double(scene.end_strain) * scene.brick.rows * scene.cell.period / scene.speed / dt > 2e9)
     throw InputError("Speed is so small that the run would take more than 2e9 steps; choose a larger Speed or a smaller End strain.");
   const bool resumed = context.load_checkpoint([this](std::istream &in) { load(in); });
-  if (!resumed)
-    {
-      angle_before = tissue->angle_deviation();
-      system.compute_forces();
-    }
   if (load_steps == 0)
-    inflate();
+    {
+      try
+        {
+          inflate(resumed);
+        }
+      catch (const RunStopped &)
+        {
+          throw;
+        }
+      catch (const std::runtime_error &error)
+        {
+          throw RunFailed(error.what());
+        }
+      begin_squeezing();
+    }
   squeeze(resumed);
   report();
 }
 
-void TissueLoading::Run::hold_walls(const bool held)
+void TissueLoading::Run::inflate(const bool resumed)
 {
-  Particles<2> &p = system.particles;
-  const double inverse = held ? 0. : 1. / tissue->node_mass;
-  for (const Group &g : p.groups)
-    std::fill(p.inverse_mass.begin() + g.begin, p.inverse_mass.begin() + g.fluid, inverse);
-}
-
-void TissueLoading::Run::inflate()
-{
-  // The fluid is laid with pressures of 1 MPa from place to place, which would throw wall nodes through each other (150 m/s):
-  // it settles between walls that are held.
-  const std::uint64_t settle_steps = inflation_steps / 20;
   const auto where = [] { return std::string("while the tissue was inflated"); };
-  const Osmosis osmosis(scene.cell.turgor, 200. / scene.inflation_time, 7. * scene.cell.fluid_modulus);
-  const StepCheckpoints keep(context, inflation_steps, 0, [&] { checked_save(where()); }, where);
-  while (step < inflation_steps)
+  if (!resumed)
     {
-      if (step == 0)
-        hold_walls(true);
-      if (step == settle_steps)
-        hold_walls(false);
-      integrator->step(dt, (step < settle_steps ? 10. : 1.) * scene.inflation_damping);
-      ++step;
-      if (yielding)
-        yielding->apply(system);
-      if (step % 10 == 0)
-        {
-          osmosis.apply(system, *tissue->fluid, 10. * dt);
-          system.compute_forces();
-        }
-      if (step % 64 == 0)
+      angle_before = tissue->angle_deviation();
+      inflation->begin(*rest_of_the_walls(scene.cell, scene.sph, scene.brick, [&](const double fraction) {
+        context.progress(0.2 * fraction, "inflating the tissue");
+        if (context.stop_requested()) // seconds: nothing to save yet, a resumed run begins anew
+          throw RunStopped("stopped " + where());
+      }));
+    }
+  const StepCheckpoints keep(context, 1, 0, [&] { checked_save(where()); }, where);
+  while (!inflation->done())
+    {
+      inflation->step();
+      if (inflation->steps() % 64 == 0)
         {
           require_finite(where());
-          context.progress(double(step) / double(inflation_steps), "inflating the tissue");
+          context.progress(0.2 + 0.8 * inflation->progress(), "inflating the tissue");
         }
-      keep.after_step(step);
+      keep.after_step(inflation->steps());
     }
-  require_finite(where());
-  const double pressure = mean_pressure();
-  if (!(std::abs(pressure - scene.cell.turgor) < 0.1 * scene.cell.turgor))
-    {
-      std::ostringstream sentence;
-      sentence << "the cells have reached " << pressure * 1e-3 << " kPa of their turgor of " << scene.cell.turgor * 1e-3
-               << " kPa within Inflation time (" << scene.inflation_time << " s): use a longer one, or stiffer walls.";
-      throw RunFailed(sentence.str());
-    }
-  Particles<2> &p = system.particles;
-  for (int d = 0; d < 2; ++d)
-    std::fill(p.v[d].begin(), p.v[d].end(), 0.);
+  inflation->end();
+}
+
+void TissueLoading::Run::begin_squeezing()
+{
   start = TissueStart::of(*tissue);
   angle_inflated = tissue->angle_deviation();
+  stretch_inflated = tissue->mean_stretch();
   void_fraction = tissue->void_fraction();
+  pressure_inflated = inflation->pressure();
+  residual = inflation->residual();
+  inflation_steps = inflation->steps();
+  const Particles<2> &p = system.particles;
   if (tissue->ties)
     for (const LamellaTie &tie : tissue->ties->all())
       tie_stress = std::max(tie_stress, tissue->ties->stiffness() * (p.position(tie.a) - p.position(tie.b)).norm()
                                           / (tissue->spacing * scene.cell.depth));
+  const double most = tissue->largest_stretch();
+  if (failure && most > scene.brick.critical_stretch)
+    throw RunFailed("turgor alone stretches walls of the inflated tissue to " + number_text(most) + ", beyond Critical stretch ("
+                    + number_text(scene.brick.critical_stretch)
+                    + "): they would break before the plate moves. Use a larger Critical stretch, less Cell/Turgor or a larger Cell/Wall stiffness.");
+  if (tissue->ties && scene.brick.lamella_strength > 0. && tie_stress > scene.brick.lamella_strength)
+    throw RunFailed("turgor alone loads lamella ties of the inflated tissue with " + number_text(1e-6 * tie_stress)
+                    + " MPa, more than Lamella strength (" + number_text(1e-6 * scene.brick.lamella_strength)
+                    + " MPa): they would break before the plate moves. Use a larger Lamella strength or less Cell/Turgor.");
   plates->set_position(0, start.low);
   plates->set_position(1, start.high);
   plates->set_velocity(1, -scene.speed);
+  integrator->begin_here();
+  dt = integrator->safe_step();
   if (split) // impulses resonate with the fast terms from half their shortest period on (doc/results/stability)
     dt = scene.step_fraction
          * std::min({system.stable_time_step(Pace::slow), 0.45 * std::numbers::pi * system.stable_time_step(Pace::fast),
@@ -182,6 +184,7 @@ void TissueLoading::Run::step_once()
     split->step(dt, scene.damping);
   else
     integrator->step(dt, scene.damping);
+  heat += heat_of_damping(system, scene.damping, dt);
   ++step;
   if (processes() && split)
     split->compute_forces();

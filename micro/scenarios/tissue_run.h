@@ -2,9 +2,11 @@
 // tissue_run.cc, what is checked, saved and resumed in tissue_checkpoint.cc, what is written in tissue_report.cc.
 //
 // Energy (J): start + work of the plates = now + given off by breaking + taken by the flow of walls + turned to heat by the fluid's
-// viscosity and the damping + error. Breaking and flow are measured where they happen; heat at the samples, by the trapezoidal rule. The error is reported.
+// viscosity and the damping + error. Breaking, flow and damping are measured where they happen; viscosity at the samples, by the trapezoidal rule. The error
+// over the plates' work is reported and judged, both ways.
 #pragma once
 
+#include "micro/cells/tissue_inflation.h"
 #include "micro/engine/respa.h"
 #include "micro/engine/watched_steps.h"
 #include "micro/io/field_output.h"
@@ -25,8 +27,8 @@ public:
 
 private:
   // tissue_run.cc
-  void inflate();
-  void hold_walls(bool held);
+  void inflate(bool resumed);
+  void begin_squeezing();
   void squeeze(bool resumed);
   void step_once();
   double wall_energy() const;                         ///< J
@@ -45,35 +47,38 @@ private:
   // tissue_report.cc
   void open_series();
   void record(); ///< one row of the history
-  double heating(); ///< W, of viscosity and damping now
   FieldFrame frame() const;
   double mean_pressure() const; ///< Pa
   void report();
   void report_failure();
+  void report_worth();           ///< what the results mean: balance, penetrations
+  double missing_energy() const; ///< J, put in and not found again; negative: from nothing
 
   const TissueLoading &scene;
   RunContext &context;
   std::unique_ptr<BrickTissue> tissue;
   ParticleSystem<2> &system;
+  std::optional<TissueInflation> inflation;
   std::optional<WatchedSteps<2>> integrator;
   std::optional<Respa<2>> split; ///< while the plate moves, with Substeps > 1; its step is not watched
   Plates<2> *plates = nullptr;
   std::optional<Failure<2>> failure;
   std::optional<WallYielding<2>> yielding;
   double dt = 0., reach = 0., sound = 0.;
-  std::uint64_t inflation_steps = 0;
 
   std::unique_ptr<Series> loading, by_row;
 
   // what changes while the scene runs, and is in the checkpoint
-  std::uint64_t step = 0, load_steps = 0; ///< load_steps = 0: still inflating
-  double angle_before = 0., angle_inflated = 0., void_fraction = 0., tie_stress = 0., start_energy = 0.;
+  std::uint64_t inflation_steps = 0, step = 0, load_steps = 0; ///< load_steps = 0: still inflating
+  double angle_before = 0., angle_inflated = 0., stretch_inflated = 0., void_fraction = 0., pressure_inflated = 0., residual = 0.,
+         tie_stress = 0., start_energy = 0.;
   TissueStart start;
   std::vector<TissueSample> history;
-  double broken_bonds = 0., broken_at_junction = 0., deepest = 0., most_crossed = 0.;
+  double broken_bonds = 0., broken_at_junction = 0.;
+  double deepest = 0., most_crossed = 0., deepest_behind = 0., most_outside = 0.; ///< m, bonds, m, fluid particles
   double released = 0., created = 0.;         ///< J, given off by what broke; of it negative
   double flowed = 0.;                         ///< J, taken by walls that yielded
-  double heat = 0., heating_before = 0.;      ///< J; W at the last sample
+  double heat = 0., heating_before = 0.;      ///< J; W of viscosity at the last sample
   std::vector<double> broken_ties; ///< bonds to the end of its wall, in the order in which they broke
 };
 } // namespace turgor

@@ -61,6 +61,7 @@ public:
   /// Pairs of bonds whose faces cross: 0 as long as contact holds.
   std::size_t crossed_bonds() const;
   std::size_t list_builds() const { return builds; }
+  double range() const { return parameters.range; } ///< m, of walls
 
 private:
   struct Near ///< a point and the bonds of one ring around it

@@ -1,6 +1,7 @@
 #include "micro/terms/elastic_capsule.h"
 
 #include "micro/engine/binary.h"
+#include "micro/engine/bisection.h"
 #include "micro/engine/step_too_long.h"
 #include "micro/io/number_text.h"
 
@@ -69,9 +70,8 @@ double ElasticCapsule::radius_under(const double pressure) const
           throw std::runtime_error(text.str());
         }
     }
-  for (int n = 0; n < 100; ++n)
-    (wall_pressure(0.5 * (low + high)) >= pressure ? high : low) = 0.5 * (low + high);
-  return 0.5 * (low + high);
+  return bisect(low, high, [&](const double r) { return wall_pressure(r) < pressure; },
+                "the radius (m) of the capsule under " + number_text(pressure) + " Pa");
 }
 
 void ElasticCapsule::advance_under(const double pressure, const double dt)

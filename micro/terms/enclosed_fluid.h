@@ -3,6 +3,8 @@
 //   p = p(m/V),  E = m e(m/V)       equation_of_state.h; V: volume inside the wall's polygon times depth, or polyhedron
 //   f = p dV/dx                     on the wall nodes
 //
+// With hold_pressure() water flows freely through the wall at one pressure: E = -p V.
+//
 // A group holds wall nodes only. In: masses (kg) per group, depth (m, 2D). Out: forces (N), pressure (Pa), volume (m^3).
 #pragma once
 
@@ -13,6 +15,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace turgor
@@ -51,8 +54,9 @@ public:
   }
   double pressure(const Particles<dim> &p, const std::size_t group) const
   {
-    return eos.pressure(mass[group] / volume(p, group));
+    return held ? *held : eos.pressure(mass[group] / volume(p, group));
   }
+  void hold_pressure(const double pressure) { held = pressure; } ///< Pa, of all cells from now on
   double cell_mass(const std::size_t group) const { return mass[group]; }
   void set_cell_mass(const std::size_t group, const double value) { mass[group] = value; }
 
@@ -63,13 +67,15 @@ public:
 
   double energy(const Particles<dim> &p, const Box<dim> &, const std::size_t group) const override
   {
-    return mass[group] * eos.energy(mass[group] / volume(p, group));
+    return held ? -*held * volume(p, group) : mass[group] * eos.energy(mass[group] / volume(p, group));
   }
 
-  /// One stiff mode, the swelling of the cell: (-dp/dV) sum (dV/dx)^2/m.
+  /// One stiff mode, the swelling of the cell: (-dp/dV) sum (dV/dx)^2/m; none where the pressure is held.
   Rates rates(const Particles<dim> &p) const override
   {
     Rates bound;
+    if (held)
+      return bound;
     for (std::size_t group = 0; group < p.groups.size(); ++group)
       {
         const Group &g = p.groups[group];
@@ -126,5 +132,6 @@ private:
   std::vector<double> mass;
   double depth;
   std::shared_ptr<const TriangleMesh> mesh;
+  std::optional<double> held; ///< Pa
 };
 } // namespace turgor

@@ -19,6 +19,13 @@ void Plates<dim>::declare(Particles<dim> &particles)
 {
   groups = particles.groups.size();
   on_plate.assign(plates.size() * groups, 0.);
+  behind = on_plate;
+}
+
+template <int dim>
+double Plates<dim>::deepest() const
+{
+  return behind.empty() ? 0. : *std::max_element(behind.begin(), behind.end());
 }
 
 template <int dim>
@@ -66,7 +73,7 @@ void Plates<dim>::add_forces(Particles<dim> &particles, const Box<dim> &, const 
       const double *x = particles.x[plate.axis].data();
       double *f = particles.f[plate.axis].data();
       const std::uint32_t end = plate.touches_fluid ? g.end : g.fluid;
-      double total = 0.;
+      double total = 0., most = 0.;
       for (std::uint32_t i = g.begin; i < end; ++i)
         {
           const double depth = plate.side * (plate.position - x[i]);
@@ -74,9 +81,11 @@ void Plates<dim>::add_forces(Particles<dim> &particles, const Box<dim> &, const 
             {
               f[i] += plate.side * stiffness * depth;
               total += stiffness * depth;
+              most = std::max(most, depth);
             }
         }
       on_plate[k * groups + group] = total;
+      behind[k * groups + group] = most;
     }
 }
 

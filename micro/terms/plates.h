@@ -54,6 +54,8 @@ public:
 
   /// N, of the scene on plate k, positive away from the scene; after the forces of all groups.
   double force(std::size_t k) const;
+  /// m, of the particle farthest behind a plate; of the last force evaluation.
+  double deepest() const;
   /// J, done on the scene by all plates since the start, by the trapezoidal rule, the last step included.
   double work() const;
 
@@ -62,6 +64,7 @@ private:
   double stiffness;
   std::size_t groups = 0;
   std::vector<double> on_plate; ///< N, plate k from group g at [k * groups + g]
+  std::vector<double> behind;   ///< m, the farthest, as on_plate
   std::vector<double> last_step; ///< m, by which each plate moved in the last step
   double done = 0.; ///< J, all but the half of the last step that its force is still to come for
 };

@@ -84,15 +84,18 @@ BOOST_AUTO_TEST_CASE(work_of_a_driven_plate_is_the_energy_gained)
   KickDriftKick<2> integrator(system);
   system.compute_forces();
   // omega = 20 1/s: touch at t = 0.1, half a period of contact after it
-  double worst = 0.;
+  double worst = 0., deepest = 0.;
   for (int s = 0; s < 20000; ++s)
     {
       integrator.step(2e-5);
+      deepest = std::max(deepest, plate.deepest());
       worst = std::max(worst, std::abs(plate.work() - system.potential_energy() - system.kinetic_energy()));
     }
   // at every moment, under load too: of m u^2/2, (omega dt)^2 and the step in which it is touched; a work that lags by half a
   // step would be off by k g u dt/2 = 1e-4
   BOOST_TEST(worst < 1e-6);
+  BOOST_TEST(deepest == 0.5 / 20., boost::test_tools::tolerance(1e-5)); // u/omega
+  BOOST_TEST(plate.deepest() == 0.);
   BOOST_TEST(system.particles.v[1][0] == 1., boost::test_tools::tolerance(1e-6));
   BOOST_TEST(plate.work() == system.potential_energy() + system.kinetic_energy(), boost::test_tools::tolerance(1e-6));
 }

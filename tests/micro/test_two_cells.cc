@@ -1,9 +1,12 @@
 // The scene of two cells: pull-off found by the over-damped engine, hysteresis, bad input.
+#include "micro/engine/bisection.h"
 #include "micro/io/input_entries.h"
 #include "micro/scenarios/two_cells.h"
 #include "tests/memory_context.h"
 
 #include <boost/test/unit_test.hpp>
+
+#include <cmath>
 
 using namespace turgor;
 
@@ -30,6 +33,26 @@ BOOST_AUTO_TEST_CASE(pull_off_is_found_by_moving_the_cells)
   BOOST_CHECK_SMALL(result("set Law = jkr", "pull_off_error"), 1e-6);
   BOOST_CHECK_SMALL(result("set Law = extended_hertz", "pull_off_error"), 1e-6);
   BOOST_CHECK_SMALL(result("set Law = hertz", "hertz_force_error"), 1e-11); // overlap is a small difference of radii
+}
+
+BOOST_AUTO_TEST_CASE(rest_is_judged_by_the_net_force)
+{
+  // Where the medium's drag is nothing beside the friction between the cells, velocity says nothing about the force that is left.
+  for (const std::string gamma : {"1e-9", "2.6e-7"})
+    for (const std::string law : {"jkr", "extended_hertz"})
+      BOOST_CHECK_SMALL(result("set Law = " + law + "\nset Medium friction = " + gamma, "pull_off_error"), 1e-6);
+  // a contact that holds beyond a fifth of the radius
+  BOOST_CHECK_SMALL(result("set Adhesion = 3e-4", "pull_off_error"), 1e-6);
+}
+
+BOOST_AUTO_TEST_CASE(a_bracket_has_ends)
+{
+  const auto below_two = [](const double x) { return x * x < 2.; };
+  BOOST_TEST(bisect(1., 2., below_two, "a root") == std::sqrt(2.), boost::test_tools::tolerance(1e-15));
+  for (const auto &[low, high] : {std::pair(1.5, 2.), std::pair(0., 1.)})
+    BOOST_CHECK_EXCEPTION(bisect(low, high, below_two, "a root"), std::runtime_error, [](const std::runtime_error &e) {
+      return std::string(e.what()).find("a root does not lie between") == 0;
+    });
 }
 
 BOOST_AUTO_TEST_CASE(only_jkr_loses_work_in_a_cycle)

@@ -1,0 +1,46 @@
+// Heat in scenes of kick-drift-kick: what damping and the fluid's viscosity take from the motion.
+//
+//   damping    v <- v exp(-c dt) at the end of a step: E_kin (exp(2 c dt) - 1), exactly, E_kin after the step
+//   viscosity  -sum v . (f with viscosity - f without it), W; for samples, two force evaluations each
+#pragma once
+
+#include "micro/engine/particle_system.h"
+#include "micro/terms/sph_fluid.h"
+
+#include <cmath>
+
+namespace turgor
+{
+/// J, of the step that has just been taken. dt: s, damping: 1/s.
+template <int dim>
+double heat_of_damping(const ParticleSystem<dim> &system, const double damping, const double dt)
+{
+  return damping > 0. ? system.kinetic_energy() * std::expm1(2. * damping * dt) : 0.;
+}
+
+/// W, now. Forces are left as they were. fluid: null where there is none.
+template <int dim>
+double heat_of_viscosity(ParticleSystem<dim> &system, SphFluid<dim> *fluid)
+{
+  if (fluid == nullptr || fluid->viscosity() == 0.)
+    return 0.;
+  Particles<dim> &p = system.particles;
+  const typename Particles<dim>::Components current = p.f;
+  const double viscosity = fluid->viscosity();
+  typename Particles<dim>::Components with;
+  for (const double value : {viscosity, 0.})
+    {
+      fluid->set_viscosity(value);
+      system.compute_forces();
+      if (value > 0.)
+        with = p.f;
+    }
+  fluid->set_viscosity(viscosity);
+  double power = 0.;
+  for (int d = 0; d < dim; ++d)
+    for (std::size_t i = 0; i < p.size(); ++i)
+      power -= p.v[d][i] * (with[d][i] - p.f[d][i]);
+  p.f = current;
+  return power;
+}
+} // namespace turgor

@@ -1,0 +1,181 @@
+// Aggregates at rest: the same state from both sides and by two systems, at any turgor; soft walls refused with advice that works.
+#include "micro/cells/tissue_inflation.h"
+#include "micro/cells/turgid_limit.h"
+#include "tests/micro/slope_of_energy.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+using namespace turgor;
+
+namespace
+{
+constexpr double degrees = 180. / std::numbers::pi;
+
+struct Small
+{
+  ParenchymaParameters cell;
+  SphParameters sph;
+  BrickParameters brick;
+
+  Small()
+  {
+    cell.nodes_per_side = 8;
+    cell.lamella_ratio = 1.;
+    sph.particles_per_side = 6;
+    brick.columns = 2;
+    brick.rows = 3;
+  }
+  std::unique_ptr<BrickTissue> walls() const { return rest_of_the_walls(cell, sph, brick, {}); }
+  std::unique_ptr<BrickTissue> tissue() const { return make_brick_tissue(cell, sph, brick); }
+};
+
+void inflate(TissueInflation &inflation, const BrickTissue &walls)
+{
+  inflation.begin(walls);
+  while (!inflation.done())
+    inflation.step();
+  inflation.end();
+}
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(tissue_inflation)
+
+BOOST_AUTO_TEST_CASE(a_round_cell_has_the_closed_form)
+{
+  // One cell is a circle: p R z0 = F(lambda), R = lambda P_0/(2 pi); bending of the rest angles is 1e-4 of it.
+  Small one;
+  one.brick.columns = one.brick.rows = 1;
+  one.brick.jitter = 0.;
+  one.cell.wall_bending = false;
+  one.cell.nodes_per_side = 24;
+  const auto walls = one.walls();
+  const double expected = turgid_stretch(one.brick.wall_law(one.cell), round_cell, 4. * one.cell.period, one.cell.depth, one.cell.turgor);
+  BOOST_TEST(walls->mean_stretch() == expected, boost::test_tools::tolerance(1e-4)); // a polygon of 96 sides
+  BOOST_TEST(walls->cell_area(0) == std::pow(4. * one.cell.period * expected, 2) / round_cell, boost::test_tools::tolerance(2e-3));
+}
+
+BOOST_AUTO_TEST_CASE(the_same_rest_from_both_sides)
+{
+  for (const double gap : {0., 20e-6})
+    {
+      Small small;
+      small.brick.gap = gap;
+      const auto walls = small.walls();
+      double angle[2], stretch[2];
+      for (const int side : {0, 1})
+        {
+          // laid too small, and too large
+          const auto start = small.walls();
+          for (auto &x : start->system.particles.x)
+            for (double &value : x)
+              value *= side ? 1.03 : 0.97;
+          const auto tissue = small.tissue();
+          TissueInflation inflation(*tissue, small.cell, small.sph, small.brick);
+          inflate(inflation, *start);
+          angle[side] = tissue->angle_deviation() * degrees;
+          stretch[side] = tissue->mean_stretch();
+          BOOST_TEST(inflation.pressure() == small.cell.turgor, boost::test_tools::tolerance(0.005));
+          // nothing moves any more: free for as long as sound takes through the tissue ten times
+          KickDriftKick<2> integrator(tissue->system);
+          const double dt = 0.8 * tissue->system.stable_time_step();
+          for (int step = 0; step * dt < 10. * 3e-4 / 200.; ++step)
+            integrator.step(dt, 1e5);
+          BOOST_CHECK_SMALL(tissue->angle_deviation() * degrees - angle[side], 0.1);
+          BOOST_CHECK_SMALL(tissue->mean_stretch() - stretch[side], 1e-4);
+        }
+      BOOST_CHECK_SMALL(angle[1] - angle[0], 0.3);
+      BOOST_CHECK_SMALL(stretch[1] - stretch[0], 2e-4);
+      // and it is that of the walls alone under one pressure a cell
+      BOOST_CHECK_SMALL(angle[0] - walls->angle_deviation() * degrees, 0.5);
+      BOOST_CHECK_SMALL(stretch[0] - walls->mean_stretch(), 5e-4);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(any_turgor_that_exists_is_reached)
+{
+  for (const double turgor : {1e3, 5e4, 1e6})
+    {
+      Small small;
+      small.cell.turgor = turgor;
+      const auto tissue = small.tissue();
+      TissueInflation inflation(*tissue, small.cell, small.sph, small.brick);
+      inflate(inflation, *small.walls());
+      BOOST_TEST_CONTEXT(turgor)
+      {
+        BOOST_TEST(inflation.pressure() == turgor, boost::test_tools::tolerance(0.005));
+      }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(walls_too_soft_are_refused_and_the_advice_helps)
+{
+  Small soft;
+  soft.cell.turgor = 2e6;
+  const auto refused = [](const Small &small) {
+    try
+      {
+        small.brick.check(small.cell, small.sph);
+      }
+    catch (const std::invalid_argument &error)
+      {
+        return std::string(error.what()).find("beyond it walls stretch without end") != std::string::npos;
+      }
+    return false;
+  };
+  BOOST_TEST(refused(soft));
+  BOOST_TEST(!refused(Small())); // less turgor
+  Small stiffer = soft, smaller = soft;
+  stiffer.cell.wall_stiffness *= 2.;
+  smaller.cell.period *= 0.5;
+  BOOST_TEST(!refused(stiffer));
+  BOOST_TEST(!refused(smaller));
+  // elastic walls: F/lambda rises to G t0 z0, so that a round cell holds pi/2 G t0/L
+  const TurgidLimit limit = turgid_limit(soft.brick.wall_law(soft.cell), round_cell, 4. * soft.cell.period, soft.cell.depth);
+  BOOST_TEST(limit.pressure == std::numbers::pi / 2. * soft.cell.wall_stiffness / soft.cell.period, boost::test_tools::tolerance(1e-6));
+  // yielding ones have a maximum
+  Small yielding;
+  yielding.brick.yielding = "plastic";
+  yielding.brick.yield = {30., 0.9};
+  BOOST_TEST(refused(yielding));
+  yielding.brick.yield.drop = 0.85;
+  BOOST_TEST(!refused(yielding));
+}
+
+BOOST_AUTO_TEST_CASE(a_held_pressure_has_an_energy)
+{
+  Small small;
+  small.brick.jitter = 0.15;
+  const auto walls = make_brick_tissue(small.cell, small.sph, small.brick, BrickFilling::pressure);
+  BOOST_CHECK_SMALL(test::slope_error(walls->system, 1e-8, 7), 1e-6);
+}
+
+BOOST_AUTO_TEST_CASE(saved_and_loaded_it_goes_on_with_the_same_bits)
+{
+  Small small;
+  const auto walls = small.walls(), straight = small.tissue(), first = small.tissue(), second = small.tissue();
+  TissueInflation whole(*straight, small.cell, small.sph, small.brick), before(*first, small.cell, small.sph, small.brick),
+    after(*second, small.cell, small.sph, small.brick);
+  for (const int stop : {100, 700}) // the walls held, and free
+    {
+      inflate(whole, *walls);
+      before.begin(*walls);
+      for (int step = 0; step < stop; ++step)
+        before.step();
+      std::stringstream file;
+      first->system.save(file);
+      before.save(file);
+      second->system.load(file);
+      after.load(file);
+      while (!after.done())
+        after.step();
+      after.end();
+      BOOST_TEST((second->system.particles.x == straight->system.particles.x));
+      BOOST_TEST(after.steps() == whole.steps());
+    }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
