@@ -20,7 +20,7 @@ int run_ranks(const unsigned int ranks, const std::vector<std::string> &argument
 {
   // mpirun's own way with SIGINT is to kill; SIGUSR1 it hands on to the ranks, who take it as the wish to stop. They then
   // end with 0: at another code mpirun kills those who are still saving.
-  std::vector<std::string> words = {"mpirun", "-n", number_text(ranks), "--oversubscribe", "--bind-to", "none"};
+  std::vector<std::string> words = {"mpirun", "--quiet", "-n", number_text(ranks), "--oversubscribe", "--bind-to", "none"};
   if (::geteuid() == 0)
     words.push_back("--allow-run-as-root");
   words.push_back(this_program());
@@ -29,9 +29,13 @@ int run_ranks(const unsigned int ranks, const std::vector<std::string> &argument
   try
     {
       const int code = run_child(words, "", SIGUSR1).code;
-      if (!stop_was_requested() || (code != 0 && code != 128 + SIGUSR1))
-        return code;
-      if (code != 0)
+      if (code != 130 && (!stop_was_requested() || (code != 0 && code != 128 + SIGUSR1)))
+        {
+          if (code > 2) // the ranks say their own reasons, mpirun's are long and not for the user of this program
+            std::cerr << "turgor: mpirun ended with code " << code << ": a rank was killed, or the ranks could not be started." << std::endl;
+          return code > 2 ? 1 : code;
+        }
+      if (code == 128 + SIGUSR1)
         std::cerr << "turgor: stopped while the ranks were started." << std::endl;
       return 130;
     }

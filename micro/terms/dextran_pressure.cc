@@ -102,10 +102,10 @@ std::vector<Surroundings::Value> DextranPressure::values(const CellPopulation &)
   return {{"unit_force", "N", F_0}, {"outer_cells", "1", exposed}};
 }
 
-// A checkpoint may be taken within an interval: the cells that are pressed are those found at its beginning or since.
+// Also inside an interval: the outer cells are kept, because they are looked for again only when they have moved.
 void DextranPressure::save(std::ostream &out) const
 {
-  for (const double number : {F_0, now, softened, exposed, centre[0], centre[1], centre[2]})
+  for (const double number : {now, F_0, softened, exposed, centre[0], centre[1], centre[2]})
     write_binary(out, number);
   write_binary(out, whole);
   write_binary(out, cells);
@@ -115,7 +115,7 @@ void DextranPressure::save(std::ostream &out) const
 
 void DextranPressure::load(std::istream &in)
 {
-  for (double *number : {&F_0, &now, &softened, &exposed, &centre[0], &centre[1], &centre[2]})
+  for (double *number : {&now, &F_0, &softened, &exposed, &centre[0], &centre[1], &centre[2]})
     read_binary(in, *number);
   read_binary(in, whole);
   read_binary(in, cells);
