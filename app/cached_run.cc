@@ -7,9 +7,10 @@
 
 namespace turgor
 {
-CachedRun cached_run(const std::string &stem, const std::string &key, const bool fresh)
+CachedRun cached_run(const std::string &stem, const RunIdentity &identity, const unsigned int threads, const bool fresh)
 {
   CachedRun run;
+  const std::string key = identity.hash() + " " + number_text(threads);
   run.directory = std::filesystem::path("runs") / "cache" / (stem + "_" + hexadecimal(fnv1a(key)));
   if (read_summary(run) && !fresh)
     run.status = "finished";
@@ -48,11 +49,10 @@ void compute(CachedRun &run, const RunRequest &request, const bool fresh, const 
                                     "--threads", number_text(request.threads)};
   for (const std::string &value : request.overrides)
     words.insert(words.end(), {"--set", value});
-  std::vector<std::string> resumed = words;
-  resumed.push_back("--resume");
-  ChildEnd end = run_child(fresh ? words : resumed, log, SIGTERM, waiting);
-  if (end.code == 2 && !fresh) // a damaged checkpoint: this cache is ours to overwrite
-    end = run_child(words, log, SIGTERM, waiting);
+  if (!fresh)
+    words.push_back("--resume");
+  words.push_back("--overwrite"); // this cache is ours: what cannot be resumed is started again
+  const ChildEnd end = run_child(words, log, SIGTERM, waiting);
   run.status.clear();
   if (!read_summary(run) && run.status.empty())
     {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "micro/io/resource_use.h"
+#include "micro/io/run_identity.h"
 
 #include <filesystem>
 #include <functional>
@@ -28,8 +29,9 @@ struct CachedRun
   ResourceUse use; ///< a resumed run's cost is that of all its parts
 };
 
-/// Where the run of this key is kept: runs/cache/<stem>_<hash>; status from what is already there (fresh: nothing is).
-CachedRun cached_run(const std::string &stem, const std::string &key, bool fresh);
+/// Where the run of this identity is kept: runs/cache/<stem>_<hash>; status from what is already there (fresh: nothing is).
+/// The program is part of it: nobody is shown what another program computed. So is the number of threads, for the cost.
+CachedRun cached_run(const std::string &stem, const RunIdentity &identity, unsigned int threads, bool fresh);
 
 /// Status, message and cost from the run's own summary; true when it has finished.
 bool read_summary(CachedRun &run);

@@ -53,17 +53,4 @@ std::string prm_of(const std::vector<InputEntry> &entries, const bool with_defau
     }
   return out.str();
 }
-
-std::string canonical(const std::vector<InputEntry> &entries)
-{
-  std::string text;
-  for (const InputEntry &entry : entries)
-    {
-      std::string value = trimmed(entry.value);
-      if (entry.pattern.kind == EntryPattern::Kind::number)
-        value = exact_text(*read_number(value));
-      text += join_path(entry.section, entry.name) + " = " + value + "\n";
-    }
-  return text;
-}
 } // namespace turgor

@@ -1,10 +1,11 @@
 #include "app/input.h"
 
 #include "app/declared_entries.h"
+#include "app/input_identity.h"
 #include "app/nearest_name.h"
+#include "app/scenario_list.h"
 #include "micro/io/input_entries.h"
 #include "micro/io/prm_text.h"
-#include "app/scenario_list.h"
 #include "micro/io/checksum.h"
 #include "micro/io/run_context.h"
 
@@ -139,9 +140,14 @@ Input load_input(const std::filesystem::path &file, const std::vector<std::strin
   InputEntries prm;
   declare_all(prm, *input.scenario, input.scenario_name, registry);
   apply(text, prm);
-  const std::vector<InputEntry> &entries = prm.entries();
-  input.hash = hexadecimal(fnv1a(canonical(entries)));
-  input.text = prm_of(entries, false, false);
+  std::vector<RunIdentity::NamedFile> files = find_files(prm, file);
+  std::vector<InputEntry> written = prm.entries();
+  for (InputEntry &entry : written)
+    for (const RunIdentity::NamedFile &named : files)
+      if (named.entry == entry.path())
+        entry.value = "input_files/" + named.name; // where the output directory has its copy
+  input.text = prm_of(written, false, false);
+  input.identity = identity_of(prm, std::move(files));
   try
     {
       input.scenario->check();

@@ -2,6 +2,7 @@
 // InputError: file and line, entry, value, what is allowed, the nearest known name.
 #pragma once
 
+#include "micro/io/run_identity.h"
 #include "micro/scenarios/scenario.h"
 
 #include <filesystem>
@@ -19,8 +20,8 @@ struct Input
 {
   std::string scenario_name;
   std::unique_ptr<Scenario> scenario; ///< parsed and checked
-  std::string hash;                   ///< names scenario and values of all entries; not comments or spelling of numbers
-  std::string text;                   ///< a .prm of all entries with their values
+  RunIdentity identity;               ///< not comments or spelling of numbers
+  std::string text;                   ///< a .prm of all entries with their values; files as they lie in the output directory
 };
 
 /// By name; a null pointer for an unknown one.

@@ -20,7 +20,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <memory>
 
 namespace
 {
@@ -42,6 +41,52 @@ int list_command(const ScenarioRegistry &registry)
   return 0;
 }
 
+/// Wrong input is told once, not by every rank.
+void check_for_ranks(const RunOptions &run, const ScenarioRegistry &registry, const SurroundingJob &job)
+{
+  Input input;
+  try
+    {
+      input = load_input(run.file, run.overrides, registry);
+    }
+  catch (const InputError &problem)
+    {
+      throw InputError(job.rank == 0 ? problem.what() : "");
+    }
+  if (input.scenario->uses_ranks())
+    return;
+  const std::string reason = "the scenario " + input.scenario_name + " does not share its work over ranks";
+  require_alone(job, "But " + reason + ": start it once, without that launcher, and use --threads N.");
+  throw InputError("--ranks " + number_text(run.ranks) + ": " + reason + "; use --threads N.");
+}
+
+int run_serial_or_on_ranks(RunOptions run, const bool ranks_given, const bool under_mpi, const ScenarioRegistry &registry, int argc, char **argv)
+{
+  const SurroundingJob job = surrounding_job();
+  const bool joins = !under_mpi && job.is_shared();
+  if (joins)
+    {
+      if (!job.can_be_joined)
+        require_alone(job, "Start it once and let it start its ranks itself: --ranks " + number_text(job.size) +
+                             " (or by the mpirun of Open MPI).");
+      if (ranks_given && run.ranks != job.size)
+        require_alone(job, "--ranks " + number_text(run.ranks) + " is another number: leave one of the two away.");
+      check_for_ranks(run, registry, job);
+    }
+  else if (run.ranks > 1 && !under_mpi)
+    {
+      check_for_ranks(run, registry, job);
+      return run_ranks(run.ranks, {argv + 1, argv + argc});
+    }
+  if (!under_mpi && !joins)
+    return run_command(run, registry, nullptr);
+  MpiSession mpi(argc, argv);
+  const int code = run_command(run, registry, &mpi);
+  if (joins)
+    mpi.wait_for_all(); // at a code other than 0 mpirun kills those who are still saving
+  return under_mpi && code == 130 ? 0 : code; // see run_ranks
+}
+
 int dispatch(int argc, char **argv)
 {
   CLI::App app("Turgor: soft tissue at two scales, a finite-element tissue whose stress comes from its cells.");
@@ -60,6 +105,7 @@ int dispatch(int argc, char **argv)
   input_options(run_app);
   run_app->add_option("-o,--output", run.directory, "Output directory (default runs/<name of the file>)");
   run_app->add_flag("--resume", run.resume, "Continue from the last checkpoint");
+  run_app->add_flag("--overwrite", run.overwrite, "Replace a finished run of another input in the output directory");
   run_app->add_flag("--quiet", run.quiet, "No progress bar, no remarks and no pictures (`turgor plot DIR` draws them later)");
   run_app->add_option("--threads", run.threads, "Threads (default: all cores)")->check(CLI::Range(1u, 1024u));
   run_app->add_option("--ranks", run.ranks, "MPI ranks (default: 1, without MPI)")->check(CLI::Range(1u, 1024u));
@@ -70,6 +116,7 @@ int dispatch(int argc, char **argv)
   parameters_app->add_option("SCENARIO", scenario, "Name of the scene; 'study' for the entries of a study")->required();
   CLI::App *check_app = app.add_subcommand("check", "Parse and check an input file without running it");
   input_options(check_app);
+  check_app->add_flag("--identity", run.identity, "Print the run's identity: its entries, the files they name, this program");
 
 
   StudyOptions study;
@@ -116,22 +163,7 @@ int dispatch(int argc, char **argv)
 
   const ScenarioRegistry registry = product_registry();
   if (run_app->parsed())
-    {
-      if (run.ranks > 1 && !under_mpi)
-        {
-          // Wrong input is told once, not by every rank.
-          const Input input = load_input(run.file, run.overrides, registry);
-          if (!input.scenario->uses_ranks())
-            throw InputError("--ranks " + number_text(run.ranks) + ": the scenario " + input.scenario_name +
-                             " does not share its work over ranks; use --threads N.");
-          return run_ranks(run.ranks, {argv + 1, argv + argc});
-        }
-      std::unique_ptr<MpiSession> mpi;
-      if (under_mpi)
-        mpi = std::make_unique<MpiSession>(argc, argv);
-      const int code = run_command(run, registry, mpi.get());
-      return under_mpi && code == 130 ? 0 : code; // see run_ranks
-    }
+    return run_serial_or_on_ranks(run, run_app->count("--ranks") > 0, under_mpi, registry, argc, argv);
   if (list_app->parsed())
     return list_command(registry);
   if (parameters_app->parsed())
@@ -141,6 +173,8 @@ int dispatch(int argc, char **argv)
     }
   if (check_app->parsed())
     return check_command(run, registry);
+  if (study_app->parsed() || validate_app->parsed())
+    require_alone(surrounding_job(), "It runs many runs one after the other: start it once, without that launcher.");
   if (study_app->parsed())
     return study_command(study, registry);
   if (validate_app->parsed())
@@ -161,7 +195,8 @@ int main(int argc, char **argv)
     }
   catch (const turgor::InputError &problem)
     {
-      std::cerr << "turgor: " << problem.what() << std::endl;
+      if (*problem.what() != '\0') // see require_alone
+        std::cerr << "turgor: " << problem.what() << std::endl;
       return 2;
     }
   catch (const std::exception &problem)

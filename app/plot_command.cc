@@ -20,25 +20,22 @@ std::map<std::string, std::filesystem::file_time_type> pictures(const std::files
 }
 } // namespace
 
-int run_plot_script(const std::string &script, const std::vector<std::string> &arguments)
+bool draw(const std::filesystem::path &directory, const std::string &script, const std::vector<std::string> &arguments)
 {
-  std::vector<std::string> words = {TURGOR_PYTHON, std::string(TURGOR_PLOTS) + "/" + script};
+  std::vector<std::string> words = {TURGOR_PYTHON, std::string(TURGOR_PLOTS) + "/" + script, directory.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  return run_child(words).code;
-}
-
-bool draw_run(const std::filesystem::path &directory, const std::filesystem::path &data)
-{
   const auto before = pictures(directory);
-  std::vector<std::string> words = {directory.string()};
-  if (!data.empty())
-    words.insert(words.end(), {"--data", data.string()});
-  const bool drawn = run_plot_script("plot.py", words) == 0;
+  const bool drawn = run_child(words).code == 0;
   // The next run into this directory must not leave these behind as if they were its own.
   for (const auto &[name, time] : pictures(directory))
     if (const auto old = before.find(name); old == before.end() || old->second != time)
       record_made(directory, name);
   return drawn;
+}
+
+bool draw_run(const std::filesystem::path &directory, const std::filesystem::path &data)
+{
+  return draw(directory, "plot.py", data.empty() ? std::vector<std::string>() : std::vector<std::string>{"--data", data.string()});
 }
 
 int plot_command(const std::filesystem::path &directory, const std::filesystem::path &data)

@@ -14,6 +14,6 @@ int plot_command(const std::filesystem::path &directory, const std::filesystem::
 /// Draws the pictures of the run in DIR and enters them among the files this program made; false when that failed.
 bool draw_run(const std::filesystem::path &directory, const std::filesystem::path &data = {});
 
-/// Runs a script of app/plots with the Python found at configuration; its exit code.
-int run_plot_script(const std::string &script, const std::vector<std::string> &arguments);
+/// Runs a script of app/plots with the Python found at configuration on DIR and the arguments; enters the pictures as above.
+bool draw(const std::filesystem::path &directory, const std::string &script, const std::vector<std::string> &arguments);
 } // namespace turgor

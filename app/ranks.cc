@@ -7,15 +7,46 @@
 
 #include <unistd.h>
 
+#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <iostream>
 #include <stdexcept>
 #include <thread>
 
 namespace turgor
 {
+namespace
+{
+unsigned int number_in(const char *variable, const unsigned int otherwise)
+{
+  const char *text = std::getenv(variable);
+  unsigned int number = otherwise;
+  return text != nullptr && std::from_chars(text, text + std::strlen(text), number).ec == std::errc() ? number : otherwise;
+}
+} // namespace
+
+SurroundingJob surrounding_job()
+{
+  // What is nearer to the process comes first: mpirun starts its daemons by srun, and they the ranks.
+  if (const unsigned int size = number_in("OMPI_COMM_WORLD_SIZE", 0))
+    return {"mpirun", size, number_in("OMPI_COMM_WORLD_RANK", 0), true};
+  if (const unsigned int size = number_in("PMI_SIZE", 0))
+    return {"a launcher of another MPI than Open MPI", size, number_in("PMI_RANK", 0), false};
+  // Only srun tells the size of its step; SLURM_NTASKS stands in a batch script too.
+  if (const unsigned int size = number_in("SLURM_STEP_NUM_TASKS", 0))
+    return {"srun", size, number_in("SLURM_PROCID", 0), false};
+  return {};
+}
+
+void require_alone(const SurroundingJob &job, const std::string &instead)
+{
+  if (job.is_shared())
+    throw InputError(job.rank == 0 ? "This program was started " + number_text(job.size) + " times at once by " + job.launcher + ". " + instead : "");
+}
+
 int run_ranks(const unsigned int ranks, const std::vector<std::string> &arguments)
 {
   // mpirun's own way with SIGINT is to kill; SIGUSR1 it hands on to the ranks, who take it as the wish to stop. They then
@@ -70,6 +101,27 @@ unsigned int MpiSession::size() const
   int number = 1;
   MPI_Comm_size(MPI_COMM_WORLD, &number);
   return static_cast<unsigned int>(number);
+}
+
+unsigned int MpiSession::size_on_this_machine() const
+{
+  MPI_Comm here = MPI_COMM_NULL;
+  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);
+  int number = 1;
+  MPI_Comm_size(here, &number);
+  MPI_Comm_free(&here);
+  return static_cast<unsigned int>(number);
+}
+
+double MpiSession::sum(double share) const
+{
+  MPI_Allreduce(MPI_IN_PLACE, &share, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+  return share;
+}
+
+void MpiSession::wait_for_all() const
+{
+  MPI_Barrier(MPI_COMM_WORLD);
 }
 
 bool MpiSession::any(const bool wish) const

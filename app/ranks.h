@@ -1,5 +1,6 @@
 // MPI only where it is asked for: `--ranks N` starts this program again under mpirun, and
-// only the ranks initialise MPI. A serial run never touches it.
+// only the ranks initialise MPI. A serial run never touches it. Who starts the program by mpirun
+// himself gets the same: the copies are the ranks of one run.
 #pragma once
 
 #include <mpi.h>
@@ -14,6 +15,24 @@ namespace turgor
 /// the ranks. Throws InputError when there is no mpirun.
 int run_ranks(unsigned int ranks, const std::vector<std::string> &arguments);
 
+/// The job whose launcher has started this process and others beside it.
+struct SurroundingJob
+{
+  std::string launcher; ///< mpirun, srun, ...; empty: nobody's
+  unsigned int size = 1, rank = 0;
+  bool can_be_joined = false; ///< by the MPI this program is linked with
+
+  bool is_shared() const { return size > 1; }
+};
+
+/// From what the launchers leave in the environment (Open MPI, Slurm's srun, PMI). A batch script of Slurm is no such job:
+/// what runs in it runs once.
+SurroundingJob surrounding_job();
+
+/// Refuses a job of copies that would all do the same and write to the same place: InputError, whose sentence only the first
+/// copy has. `instead`: what to do.
+void require_alone(const SurroundingJob &job, const std::string &instead);
+
 /// Initialised MPI, for the time of a run under mpirun.
 class MpiSession
 {
@@ -25,7 +44,10 @@ public:
 
   unsigned int rank() const;
   unsigned int size() const;
+  unsigned int size_on_this_machine() const; ///< collective
   bool any(bool wish) const;         ///< collective
+  double sum(double share) const;    ///< collective
+  void wait_for_all() const;         ///< collective
   [[noreturn]] void abort(int code); ///< ends all ranks, when one cannot go on
 
   struct Worst

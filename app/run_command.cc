@@ -1,6 +1,7 @@
 #include "app/run_command.h"
 
 #include "app/plot_command.h"
+#include "app/program_build.h"
 #include "app/ranks.h"
 #include "app/run_ending.h"
 #include "micro/io/field_output.h"
@@ -42,6 +43,13 @@ void keep_within_memory()
   setrlimit(RLIMIT_DATA, &limit);
 }
 
+/// All cores this process may use, shared among the ranks of this machine.
+unsigned int default_threads(const MpiSession *mpi)
+{
+  const unsigned int cores = std::max(1u, std::thread::hardware_concurrency());
+  return mpi != nullptr ? std::max(1u, cores / mpi->size_on_this_machine()) : cores;
+}
+
 /// What a run needs before its scene begins. Nothing has been written when it is there.
 struct Start
 {
@@ -61,8 +69,7 @@ Start::Start(const RunOptions &options, const ScenarioRegistry &registry, MpiSes
     throw InputError("--ranks " + number_text(ranks) + ": the scenario " + input.scenario_name +
                      " does not share its work over ranks; use --threads N.");
 
-  const unsigned int cores = std::max(1u, std::thread::hardware_concurrency());
-  const unsigned int threads = options.threads > 0 ? options.threads : std::max(1u, cores / ranks);
+  const unsigned int threads = options.threads > 0 ? options.threads : default_threads(mpi);
   dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
   // Never one for deal.II: with one thread its FEValues reuses the geometry of the cell before it
   // where the two look alike, with more it does not, and the last bits of a run would depend on
@@ -73,12 +80,14 @@ Start::Start(const RunOptions &options, const ScenarioRegistry &registry, MpiSes
 
   settings.directory = options.directory.empty() ? default_directory(options.file) : options.directory;
   settings.scenario = input.scenario_name;
-  settings.version = program_version();
-  settings.input_hash = input.hash;
+  settings.identity = input.identity;
+  settings.build = {program_version(), program_build().commit, program_build().compiler, program_build().instruction_set};
+  settings.input_file = options.file;
   settings.input_text = input.text;
   settings.threads = threads;
   settings.ranks = ranks;
   settings.resume = options.resume;
+  settings.overwrite = options.overwrite;
   settings.quiet = options.quiet;
   settings.writer = mpi == nullptr || mpi->rank() == 0;
   if (mpi != nullptr)
@@ -97,7 +106,7 @@ Ending run_scene(Scenario &scenario, RunDirectory &directory)
       }
     catch (const std::invalid_argument &why) // what a law says of numbers it cannot take
       {
-        if (directory.has_written())
+        if (directory.has_results())
           throw;
         throw InputError(why.what());
       }
@@ -105,9 +114,10 @@ Ending run_scene(Scenario &scenario, RunDirectory &directory)
 }
 
 /// Writes the summary. What goes wrong with that is added to the ending, never put in the place of what was wrong before.
-void write_ending(Ending &ending, RunDirectory &directory, const std::filesystem::path &place)
+/// Where the results are is put into `place`.
+void write_ending(Ending &ending, RunDirectory &directory, std::filesystem::path &place)
 {
-  const Ending written = ending_of([&] { directory.finish(ending.status, ending.message); });
+  const Ending written = ending_of([&] { place = directory.finish(ending.status, ending.message); });
   std::error_code problem;
   const bool is_gone = directory.has_written() && !std::filesystem::is_directory(place, problem);
   if (written.code == 0 && !(is_gone && ending.code == 1))
@@ -159,12 +169,17 @@ int run_command(const RunOptions &options, const ScenarioRegistry &registry, Mpi
   Ending ending = ending_of([&] { start = std::make_unique<Start>(options, registry, mpi); });
   bool together = agree_on_ending(ending, mpi);
   const bool is_begun = together && ending.code == 0, is_writer = mpi == nullptr || mpi->rank() == 0;
+  if (is_begun && start->directory->has_finished())
+    {
+      start->directory->say("The run in " + start->settings.directory.string() + " has finished already: nothing is left to do.");
+      return 0;
+    }
   if (is_begun)
     {
       ending = run_scene(*start->input.scenario, *start->directory);
       together = agree_on_ending(ending, mpi);
     }
-  if (!is_begun || (together && ending.code == 2 && !start->directory->has_written()))
+  if (!is_begun || (together && ending.code == 2 && start->directory->withdraw()))
     {
       if (mpi == nullptr && ending.code == 2)
         throw InputError(ending.message);
@@ -175,8 +190,9 @@ int run_command(const RunOptions &options, const ScenarioRegistry &registry, Mpi
     {
       if (!is_writer)
         start->directory->take_over(); // the rank that writes waits inside the scene and is not coming
-      write_ending(ending, *start->directory, start->settings.directory);
-      tell(ending, *start->directory, start->settings.directory.string(), options.quiet);
+      std::filesystem::path place = start->settings.directory;
+      write_ending(ending, *start->directory, place);
+      tell(ending, *start->directory, place.string(), options.quiet);
     }
   if (!together)
     mpi->abort(ending.code);
@@ -185,8 +201,8 @@ int run_command(const RunOptions &options, const ScenarioRegistry &registry, Mpi
 
 int check_command(const RunOptions &options, const ScenarioRegistry &registry)
 {
-  load_input(options.file, options.overrides, registry);
-  std::cout << "ok" << std::endl;
+  const Input input = load_input(options.file, options.overrides, registry);
+  std::cout << (options.identity ? input.identity.hash() : "ok") << std::endl;
   return 0;
 }
 } // namespace turgor

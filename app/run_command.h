@@ -18,6 +18,8 @@ struct RunOptions
   std::filesystem::path directory; ///< empty: runs/<file stem>
   std::vector<std::string> overrides;
   bool resume = false, quiet = false;
+  bool overwrite = false; ///< a finished run of another input
+  bool identity = false;  ///< of check
   unsigned int threads = 0; ///< 0: all cores (shared among ranks)
   unsigned int ranks = 1;
 };

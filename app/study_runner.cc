@@ -7,6 +7,7 @@
 #include "app/study_input.h"
 #include "app/study_measure.h"
 #include "app/study_tables.h"
+#include "micro/io/directory_lock.h"
 #include "micro/io/number_text.h"
 #include "micro/io/progress_bar.h"
 #include "micro/io/run_context.h"
@@ -37,8 +38,7 @@ std::vector<StudyRow> planned(const StudyInput &study, const StudyOptions &optio
       try
         {
           const Input input = load_input(run.input, run.overrides, registry);
-          const std::string key = input.hash + " " + program_version() + " " + number_text(run.threads);
-          static_cast<CachedRun &>(row) = cached_run(run.input.stem().string(), key, options.fresh);
+          static_cast<CachedRun &>(row) = cached_run(run.input.stem().string(), input.identity, run.threads, options.fresh);
           for (const auto &point : run.swept)
             row.units[point.first] = unit_of_entry(input.scenario_name, point.first, registry);
         }
@@ -174,6 +174,7 @@ int study_command(const StudyOptions &options, const ScenarioRegistry &registry)
     }
   const std::filesystem::path directory =
     options.directory.empty() ? std::filesystem::path("runs") / options.file.stem() : options.directory;
+  const DirectoryLock lock(directory, "Choose another directory with -o DIR.");
   const std::vector<StudyRow> before = committed(study);
   rows.insert(rows.begin(), before.begin(), before.end());
 
@@ -223,7 +224,7 @@ int study_command(const StudyOptions &options, const ScenarioRegistry &registry)
   });
   if (!compared)
     std::cerr << "turgor: no run could be compared with a reference." << std::endl;
-  const bool drawn = run_plot_script("study.py", {directory.string()}) == 0;
+  const bool drawn = draw(directory, "study.py", {});
   std::cout << "The study's tables " << (drawn ? "and pictures " : "") << "are in " << directory.string() << "." << std::endl;
   return failed || !drawn || !compared ? 1 : 0;
 }

@@ -2,6 +2,7 @@
 
 #include "app/csv_table.h"
 #include "micro/io/atomic_file.h"
+#include "micro/io/manifest.h"
 #include "micro/io/number_text.h"
 
 #include <nlohmann/json.hpp>
@@ -115,10 +116,14 @@ void write_study_tables(const StudyInput &study, const std::vector<StudyRow> &ro
       errors.push_back(errors_row(study, row));
     }
   std::filesystem::create_directories(directory);
-  write_atomically(directory / "results.csv", csv_of(results));
+  const auto write = [&](const std::string &name, const std::string &text) {
+    claim(directory, name); // never a file the user put there
+    write_atomically(directory / name, text);
+  };
+  write("results.csv", csv_of(results));
   if (!study.measures.empty())
-    write_atomically(directory / "error_vs_time.csv", csv_of(errors));
-  write_atomically(directory / "study.json", description(study, rows).dump(1) + "\n");
+    write("error_vs_time.csv", csv_of(errors));
+  write("study.json", description(study, rows).dump(1) + "\n");
 }
 
 void print_study(const StudyInput &study, const std::vector<StudyRow> &rows)

@@ -6,6 +6,7 @@
 #include "app/validation_table.h"
 #include "micro/io/atomic_file.h"
 #include "micro/io/checksum.h"
+#include "micro/io/directory_lock.h"
 #include "micro/io/number_text.h"
 #include "micro/io/progress_bar.h"
 #include "micro/io/run_context.h"
@@ -24,13 +25,11 @@ namespace
 /// The runs of one validation, by label; the inputs are checked here.
 std::map<std::string, CachedRun> planned(const Validation &validation, const bool fresh, const ScenarioRegistry &registry)
 {
-  // The program itself is part of the question: a row must never show what another program computed.
-  static const std::string program = hexadecimal(fnv1a(read_whole(this_program())));
   std::map<std::string, CachedRun> runs;
   for (const auto &[label, request] : validation.runs)
     {
       const Input input = load_input(request.input, request.overrides, registry);
-      runs[label] = cached_run(request.input.stem().string(), input.hash + " " + program + " " + number_text(request.threads), fresh);
+      runs[label] = cached_run(request.input.stem().string(), input.identity, request.threads, fresh);
     }
   return runs;
 }
@@ -238,6 +237,7 @@ int validate_command(const ValidateOptions &options, const ScenarioRegistry &reg
   std::vector<Kept> tables = {{directory / "validation.csv", directory / "validation.md"}};
   if (options.update_doc)
     tables.emplace_back(documented, root / "doc" / "validation.md");
+  const DirectoryLock lock(directory, "Choose another directory with -o DIR.");
   const std::map<std::string, double> costs = expected_costs(validations, before);
   Plan plan;
   for (const auto &[validation, runs] : wanted)

@@ -9,6 +9,7 @@
 #include "micro/io/number_text.h"
 #include "micro/io/stop_flag.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -32,7 +33,16 @@ struct Memory
   double cpu_seconds = 0.;  // before the resume, all ranks
   double wall_seconds = 0.;
   EnergyCheck energy;
+  double end = 0.; // s, of the run that wrote it
 };
+
+/// On a whole number of intervals where it is one but for rounding: then a run that ends there takes the steps of every
+/// longer one.
+double settled(double end, double interval)
+{
+  const double whole = std::round(end / interval) * interval;
+  return std::abs(whole - end) <= 1e-9 * end ? whole : end;
+}
 
 class Run
 {
@@ -45,6 +55,7 @@ public:
     , law(rve_, settings_.law)
     , tissue(settings_.tissue, law)
     , observer(observer_)
+    , end(settled(settings_.tissue.end_time, settings_.tissue.output_interval))
   {
     if (law.shares().ranks() == 1) // several are asked together, batch by batch
       tissue.forces().ask = [] { stop_here("inside a step of the tissue"); };
@@ -59,6 +70,7 @@ private:
   RveLaw<2> law;
   Tissue<2> tissue;
   TissueObserver &observer;
+  const double end; // s
   Memory memory;
   std::unique_ptr<Series> energy_series, cost_series;
   std::optional<FieldOutput> fields;
@@ -72,18 +84,33 @@ private:
   void frame();
   void results();
   void tell_of_bursts();
-  double frame_time(unsigned long n) const
+  void require_same_steps() const;
+  double frame_time(unsigned long n, double last) const
   {
-    const double end = settings.tissue.end_time, t = static_cast<double>(n) * settings.tissue.output_interval;
-    return t < end * (1. - 1e-9) ? t : end; // rounding must not leave a sliver of a last step
+    return std::min(static_cast<double>(n) * settings.tissue.output_interval, last);
+  }
+  double frame_time(unsigned long n) const { return frame_time(n, end); }
+  bool stands_before_a_cut_stretch() const
+  {
+    return static_cast<double>(memory.frames) * settings.tissue.output_interval > end && tissue.time() <= frame_time(memory.frames - 1);
   }
 };
+
+/// After a resume with another end: the steps up to here have to be those of a run that had it from the start.
+void Run::require_same_steps() const
+{
+  if (frame_time(memory.frames, memory.end) != frame_time(memory.frames) && tissue.time() > frame_time(memory.frames - 1, memory.end))
+    throw InputError("Time/End time cannot be moved from " + number_text(memory.end) + " to " + number_text(end) +
+                     " s any more: the steps behind t = " + number_text(frame_time(memory.frames - 1, memory.end)) +
+                     " s, the last whole Output interval, were made for the earlier end. Run without --resume to start again.");
+}
 
 void Run::checkpoint()
 {
   Memory now = memory;
   now.cpu_seconds += law.shares().sum(process_cpu_seconds() - cpu_at_start);
   now.wall_seconds += seconds_since(started);
+  now.end = end;
   context.save_checkpoint([&](std::ostream &out) {
     write_binary(out, now);
     observer.save(out);
@@ -192,7 +219,13 @@ void Run::results()
 
 void Run::go()
 {
-  const double end = settings.tissue.end_time;
+  // Before any table is opened: a checkpoint that does not fit leaves everything as it is.
+  const bool resumed = context.load_checkpoint([&](std::istream &in) {
+    read_binary(in, memory);
+    observer.load(in);
+    tissue.load(in);
+    require_same_steps();
+  });
   observer.open(context, tissue);
   std::vector<Column> energy_columns = {{"time", "s"},
                                               {"kinetic", "J/m"},
@@ -215,11 +248,6 @@ void Run::go()
   outlines.emplace(context, tissue, settings.outlined_rves, observer.places());
   try
   {
-    const bool resumed = context.load_checkpoint([&](std::istream &in) {
-      read_binary(in, memory);
-      observer.load(in);
-      tissue.load(in);
-    });
     fields.emplace(context, "tissue", resumed, [this] { return tissue_frame(tissue, law); }, [this] { return failing_tissue_frame(tissue); });
     if (resumed)
     {
@@ -236,6 +264,8 @@ void Run::go()
     Clock::time_point saved = Clock::now();
     while (tissue.time() < end)
     {
+      if (stands_before_a_cut_stretch())
+        checkpoint(); // from here a later end goes on
       // Steps end on the times of the frames, also after a resume: the same limits, the same bits.
       try
       {
@@ -264,6 +294,8 @@ void Run::go()
         saved = Clock::now();
       }
     }
+    if (static_cast<double>(memory.frames - 1) * settings.tissue.output_interval == end)
+      checkpoint(); // and from here, where no step was cut
   }
   catch (const TissueFailed &why)
   {

@@ -1,6 +1,7 @@
 #include "macro/tissue_parameters.h"
 
 #include "micro/io/input_entries.h"
+#include "micro/io/entry_marks.h"
 #include "micro/io/number_text.h"
 
 #include <cmath>
@@ -58,7 +59,7 @@ void TissueParameters<dim>::declare(InputEntries &prm, bool with_size_and_body_f
                     "central_differences: second order, one stress evaluation a step; dormand_prince: the thesis's adaptive "
                     "Runge-Kutta 5(4) of SUNDIALS. Units: none.",
                     Patterns::Selection("central_differences|dormand_prince"));
-  prm.add_parameter("End time", end_time, "Simulated time. Units: s.", Patterns::Double(1e-12, 1e6));
+  prm.add_parameter("End time", end_time, end_of_run("Simulated time. Units: s."), Patterns::Double(1e-12, 1e6));
   prm.add_parameter("CFL fraction", cfl, "Step as a fraction of the largest stable step. Units: 1.",
                     Patterns::Double(0.01, 1.));
   prm.add_parameter("Steps between estimates", estimate_every,
@@ -71,9 +72,10 @@ void TissueParameters<dim>::declare(InputEntries &prm, bool with_size_and_body_f
                     "Absolute local error of the displacement, dormand_prince. Units: m.", Patterns::Double(1e-18, 1.));
   prm.add_parameter("Velocity tolerance", velocity_tolerance,
                     "Absolute local error of the velocity, dormand_prince. Units: m/s.", Patterns::Double(1e-15, 1e3));
-  prm.add_parameter("Output interval", output_interval, "Simulated time between two pictures of the fields. Units: s.",
+  prm.add_parameter("Output interval", output_interval,
+                    "Simulated time between two pictures of the fields; steps end on them. Units: s.",
                     Patterns::Double(1e-12, 1e6));
-  prm.add_parameter("Checkpoint interval", checkpoint_interval, "Wall time between two checkpoints. Units: s.",
+  prm.add_parameter("Checkpoint interval", checkpoint_interval, free_to_change("Wall time between two checkpoints. Units: s."),
                     Patterns::Double(0., 1e6));
   prm.leave_subsection();
 }

@@ -2,6 +2,7 @@
 """
 import csv
 import os
+import sys
 
 import matplotlib
 import matplotlib.ticker
@@ -9,6 +10,25 @@ import matplotlib.ticker
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+
+def _is_somebodys(path):
+    """Whether a picture stands there, in the directory of a run, that turgor did not draw (or a link to elsewhere)."""
+    made = os.path.join(os.path.dirname(path), "made_by_turgor.txt")
+    if not os.path.lexists(path) or not os.path.exists(made):
+        return False
+    with open(made, encoding="utf-8") as file:
+        return os.path.islink(path) or os.path.basename(path) not in file.read().splitlines()
+
+
+def _save(figure, path, *arguments, **options):
+    if isinstance(path, (str, os.PathLike)) and _is_somebodys(os.fspath(path)):
+        print(f"{path} was not drawn by turgor; it is not replaced.", file=sys.stderr)
+    else:
+        _savefig(figure, path, *arguments, **options)
+
+
+_savefig = plt.Figure.savefig
+plt.Figure.savefig = _save
 
 INK = "#22313f"
 DATA = []  # (name, {column: values}) of the user's own measurements, `turgor plot DIR --data FILE.csv`: set by plot.py

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdlib>
 #include <cstring>
 
 namespace turgor
@@ -57,17 +58,36 @@ Parsed parse(const std::string &bytes)
     throw std::runtime_error("its record is cut short");
   return {nlohmann::json::parse(body.substr(8, record_length)), std::string(body.substr(8 + record_length))};
 }
+/// Empty when a run of this identity can go on from a checkpoint with this record.
+std::string why_foreign(const nlohmann::json &record, const RunIdentity &identity)
+{
+  const auto entries = [&](const char *name) { return record.value(name, RunIdentity::Entries()); };
+  if (const std::string other = difference(entries("deciding"), identity.deciding); !other.empty())
+    return "belongs to another input: " + other + ". Resume with the same input and --set values, choose another output directory with -o, "
+           "or run without --resume to start again.";
+  if (record.value("program", "") != identity.program)
+    return "was written by another build of this program: the numbers would not go on as they began. Resume with that build, or run "
+           "without --resume to start again.";
+  const RunIdentity::Entries before = entries("ends");
+  for (std::size_t k = 0; k < before.size() && k < identity.ends.size(); ++k)
+    if (std::strtod(identity.ends[k].second.c_str(), nullptr) < std::strtod(before[k].second.c_str(), nullptr))
+      return "belongs to a run that goes further: " + difference({before[k]}, {identity.ends[k]}) + ". A resumed run can end later, not earlier.";
+  return "";
+}
 } // namespace
 
-CheckpointStore::CheckpointStore(std::filesystem::path directory_, std::string program_version_, std::string input_hash_)
-  : directory(std::move(directory_)), program_version(std::move(program_version_)), input_hash(std::move(input_hash_))
+CheckpointStore::CheckpointStore(std::filesystem::path directory_, RunIdentity identity_)
+  : directory(std::move(directory_)), identity(std::move(identity_))
 {}
 
 void CheckpointStore::write(const nlohmann::json &record, const std::string_view payload)
 {
   const std::uint64_t generation = last_generation + 1;
-  const nlohmann::json full = {
-    {"generation", generation}, {"version", program_version}, {"input_hash", input_hash}, {"record", record}};
+  const nlohmann::json full = {{"generation", generation},
+                               {"program", identity.program},
+                               {"deciding", identity.deciding},
+                               {"ends", identity.ends},
+                               {"record", record}};
   const std::string text = full.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); // a file's name may be any bytes
   std::string body;
   body.reserve(8 + text.size() + payload.size());
@@ -83,10 +103,15 @@ void CheckpointStore::write(const nlohmann::json &record, const std::string_view
   last_generation = generation;
 }
 
-std::optional<Checkpoint> CheckpointStore::read_newest(std::string *damage)
+bool CheckpointStore::exists() const
+{
+  return std::filesystem::exists(directory / file_names[0]) || std::filesystem::exists(directory / file_names[1]);
+}
+
+std::optional<Checkpoint> CheckpointStore::read_newest(const bool or_none, std::string *damage)
 {
   std::optional<Checkpoint> newest;
-  std::string sentences;
+  std::string sentences, foreign;
   for (const char *file_name : file_names)
     {
       const std::filesystem::path path = directory / file_name;
@@ -102,22 +127,20 @@ std::optional<Checkpoint> CheckpointStore::read_newest(std::string *damage)
           sentences += (sentences.empty() ? "" : " ") + path.string() + " is damaged: " + problem.what() + ".";
           continue;
         }
-      const std::string version = parsed.record.value("version", "");
-      const std::string hash = parsed.record.value("input_hash", "");
-      if (version != program_version)
-        throw InputError("The checkpoint " + path.string() + " was written by turgor " + version + ", this is " +
-                         program_version + ". Run without --resume to start again.");
-      if (hash != input_hash)
-        throw InputError("The checkpoint " + path.string() +
-                         " belongs to another input (DIR/input.prm shows it). Resume with the same input and --set "
-                         "values, choose another output directory with -o, or run without --resume to start again.");
+      if (const std::string why = why_foreign(parsed.record, identity); !why.empty())
+        {
+          foreign = "The checkpoint " + path.string() + " " + why;
+          continue;
+        }
       const auto generation = parsed.record.value("generation", std::uint64_t(0));
       if (!newest || generation > newest->generation)
         newest = Checkpoint{generation, parsed.record["record"].dump(), std::move(parsed.payload)};
     }
   if (damage != nullptr)
     *damage = sentences;
-  if (!newest && !sentences.empty())
+  if (!foreign.empty() && !or_none)
+    throw InputError(foreign);
+  if (!newest && !sentences.empty() && !or_none)
     throw InputError(sentences + " No usable checkpoint is left; run without --resume to start again.");
   if (newest)
     last_generation = newest->generation;

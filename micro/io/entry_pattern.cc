@@ -8,6 +8,17 @@
 
 namespace turgor
 {
+namespace
+{
+std::string listed(const std::vector<std::string> &words)
+{
+  std::string list;
+  for (const std::string &word : words)
+    list += (list.empty() ? "" : ", ") + word;
+  return list;
+}
+} // namespace
+
 bool EntryPattern::matches(const std::string &text) const
 {
   switch (kind)
@@ -61,12 +72,7 @@ std::string EntryPattern::in_words() const
       case Kind::truth:
         return "true or false";
       case Kind::choice:
-        {
-          std::string list;
-          for (const std::string &choice : choices)
-            list += (list.empty() ? "" : ", ") + choice;
-          return "one of " + list;
-        }
+        return "one of " + listed(choices);
       case Kind::list:
         {
           std::string words = "a list, each entry " + element->in_words();
@@ -77,6 +83,8 @@ std::string EntryPattern::in_words() const
           return words + ", separated by " + (separator == ',' ? std::string("commas") : "'" + std::string(1, separator) + "'");
         }
       case Kind::text:
+        if (!choices.empty()) // word_or_file.h
+          return "one of " + listed(choices) + " or the name of a file, looked up beside the input file first";
         break;
     }
   return "any text";

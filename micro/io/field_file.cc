@@ -85,7 +85,9 @@ struct FieldFile::Impl
   void remove_frames_from(const std::size_t first) const
   {
     std::error_code problem;
-    for (std::size_t index = first; std::filesystem::remove(folder / frame_name(index), problem); ++index)
+    for (std::size_t index = first; is_made(directory, name + ".frames/" + frame_name(index)) &&
+                                    std::filesystem::remove(folder / frame_name(index), problem);
+         ++index)
       {}
     if (problem)
       throw OutputFailed("cannot remove old frames in " + folder.string() + ": " + problem.message() + ".");
@@ -99,12 +101,12 @@ FieldFile::FieldFile(const std::filesystem::path &directory, const std::string &
   impl->name = name;
   impl->folder = directory / (name + ".frames");
   impl->xdmf = directory / (name + ".xdmf");
+  claim(directory, name + ".frames");
+  claim(directory, name + ".xdmf");
   std::error_code problem;
   std::filesystem::create_directories(impl->folder, problem);
   if (problem)
     throw OutputFailed("cannot make " + impl->folder.string() + ": " + problem.message() + ".");
-  record_made(directory, name + ".frames");
-  record_made(directory, name + ".xdmf");
   if (append && std::filesystem::exists(impl->xdmf))
     impl->grids = parse_xdmf(read_whole(impl->xdmf));
   const std::size_t count = impl->grids.size();
@@ -138,7 +140,7 @@ void FieldFile::write(const FieldFrame &frame)
     }
   const std::string relative = impl->name + ".frames/" + frame_name(grids.size());
   const std::filesystem::path path = impl->directory / relative, temporary = path.string() + ".part";
-  record_made(impl->directory, relative);
+  claim(impl->directory, relative);
   std::vector<std::string> names;
   {
     Hdf5Writer h5(temporary);

@@ -56,8 +56,11 @@ FieldOutput::FieldOutput(const RunContext &context, std::string name_, const boo
     return;
   // What an earlier part of the run failed of is no longer what there is to look at.
   std::error_code ignored;
-  std::filesystem::remove(directory / (name + suffix + ".xdmf"), ignored);
-  std::filesystem::remove_all(directory / (name + suffix + ".frames"), ignored);
+  if (is_made(directory, name + suffix + ".xdmf"))
+    {
+      std::filesystem::remove(directory / (name + suffix + ".xdmf"), ignored);
+      std::filesystem::remove_all(directory / (name + suffix + ".frames"), ignored);
+    }
   file.emplace(directory, name, append);
 }
 

@@ -1,18 +1,34 @@
 #include "micro/io/resource_use.h"
 
+#include "micro/io/cpu_clock.h"
+
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
+#include <string>
 
 namespace turgor
 {
 namespace
 {
-double seconds(const timeval &time)
+/// Of this program only: ru_maxrss is kept across an exec, the kernel's VmHWM is not.
+std::uint64_t peak_memory_of_this_program()
 {
-  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.rfind("VmHWM:", 0) == 0)
+      {
+        std::istringstream words(line.substr(6));
+        std::uint64_t kilobytes = 0;
+        if (words >> kilobytes)
+          return kilobytes * 1024u;
+      }
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024u;
 }
 } // namespace
 
@@ -31,7 +47,7 @@ std::uint64_t mapped_for_data()
 }
 
 ResourceMeter::ResourceMeter()
-  : start(std::chrono::steady_clock::now())
+  : start(std::chrono::steady_clock::now()), cpu_at_start(process_cpu_seconds())
 {}
 
 void ResourceMeter::carry(const ResourceUse &earlier_parts)
@@ -43,13 +59,8 @@ ResourceUse ResourceMeter::now() const
 {
   ResourceUse use = earlier;
   use.wall_time += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN})
-    {
-      rusage usage = {};
-      getrusage(who, &usage);
-      use.cpu_time += seconds(usage.ru_utime) + seconds(usage.ru_stime);
-      use.peak_memory = std::max(use.peak_memory, static_cast<std::uint64_t>(usage.ru_maxrss) * 1024u);
-    }
+  use.cpu_time += process_cpu_seconds() - cpu_at_start;
+  use.peak_memory = std::max(use.peak_memory, peak_memory_of_this_program());
   return use;
 }
 } // namespace turgor

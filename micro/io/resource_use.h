@@ -1,5 +1,7 @@
-// What a run has cost: wall time and CPU time (s) of this process and its children, and
-// the largest memory it held (bytes). A resumed run carries the cost of its earlier parts.
+// What a run has cost: wall time and CPU time (s) of this process, both from the meter's making, and the largest memory
+// it held (bytes). A process keeps the account of whatever it was before an exec (a launcher that compiled for minutes):
+// none of that counts. A resumed run carries the cost of its earlier parts.
+//   const ResourceMeter meter; work(); meter.now().cpu_time
 #pragma once
 
 #include <chrono>
@@ -27,6 +29,7 @@ public:
 
 private:
   std::chrono::steady_clock::time_point start;
+  double cpu_at_start; ///< s
   ResourceUse earlier;
 };
 } // namespace turgor

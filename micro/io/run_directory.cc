@@ -5,15 +5,13 @@
 #include "micro/io/number_text.h"
 #include "micro/io/output_failed.h"
 #include "micro/io/series_file.h"
+#include "micro/io/series_handles.h"
 #include "micro/io/stop_flag.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cerrno>
-#include <cmath>
-#include <cstring>
-#include <fstream>
+#include <ctime>
 #include <iostream>
 #include <limits>
 #include <sstream>
@@ -30,113 +28,99 @@ protected:
   std::streamsize xsputn(const char *, const std::streamsize count) override { return count; }
 };
 
-class SeriesHandle : public Series
+std::string date_and_time()
 {
-public:
-  explicit SeriesHandle(std::shared_ptr<SeriesFile> file_)
-    : file(std::move(file_))
-  {}
-  void add_row(const std::vector<double> &values) override { file->add_row(values); }
-
-private:
-  std::shared_ptr<SeriesFile> file;
-};
-
-class UnwrittenSeries : public Series
-{
-public:
-  UnwrittenSeries(std::string name_, std::vector<Column> columns_)
-    : name(std::move(name_)), columns(std::move(columns_))
-  {}
-  void add_row(const std::vector<double> &values) override { SeriesFile::check_row(name, columns, values); }
-
-private:
-  std::string name;
-  std::vector<Column> columns;
-};
-
-template <typename Value>
-void put(std::vector<std::pair<std::string, Value>> &list, const std::string &name, Value value)
-{
-  const auto there = std::find_if(list.begin(), list.end(), [&](const auto &item) { return item.first == name; });
-  if (there == list.end())
-    list.emplace_back(name, std::move(value));
-  else
-    there->second = std::move(value);
+  const std::time_t now = std::time(nullptr);
+  std::tm local = {};
+  char text[40];
+  return {text, std::strftime(text, sizeof(text), "%Y-%m-%dT%H:%M:%S%z", ::localtime_r(&now, &local))};
 }
 
-/// By trying, because permission bits do not tell for root, for /proc or for a read-only disk. Leaves no trace.
-void require_writable(const std::filesystem::path &directory)
-{
-  std::error_code problem;
-  if (std::filesystem::exists(directory, problem) && !std::filesystem::is_directory(directory, problem))
-    throw InputError("The output directory " + directory.string() + " is a file. Choose another with -o DIR.");
-  std::filesystem::path place = std::filesystem::absolute(directory).lexically_normal(), topmost_made;
-  while (!std::filesystem::exists(place, problem) && place != place.parent_path())
-    {
-      topmost_made = place;
-      place = place.parent_path();
-    }
-  std::filesystem::create_directories(directory, problem);
-  std::string reason = problem.message();
-  if (!problem)
-    {
-      const std::filesystem::path trial = directory / ".turgor_trial";
-      errno = 0;
-      const bool written = static_cast<bool>(std::ofstream(trial) << "x" << std::flush);
-      reason = std::strerror(errno);
-      std::error_code ignored;
-      std::filesystem::remove(trial, ignored);
-      if (written)
-        reason.clear();
-    }
-  if (!topmost_made.empty())
-    {
-      std::error_code ignored;
-      std::filesystem::remove_all(topmost_made, ignored);
-    }
-  if (!reason.empty())
-    throw InputError("The output directory " + directory.string() + " cannot be written: " + reason +
-                     ". Choose another with -o DIR.");
-}
+constexpr const char *fixed_names[] = {"summary.json", "input.prm", CheckpointStore::file_names[0], CheckpointStore::file_names[1]};
 } // namespace
 
 RunDirectory::RunDirectory(RunSettings settings_)
   : settings(std::move(settings_)),
-    checkpoints(settings.directory, settings.version, settings.input_hash),
+    checkpoints(settings.directory, settings.identity),
+    date(date_and_time()),
     bar(settings.writer && !settings.quiet)
 {
+  std::string refusal;
   if (settings.writer)
-    require_writable(settings.directory);
+    try
+      {
+        files.emplace(settings.directory);
+        require_replaceable();
+      }
+    catch (const InputError &problem)
+      {
+        refusal = problem.what();
+      }
+  if (settings.agree(!refusal.empty())) // no rank goes on alone
+    throw InputError(refusal);
   if (!settings.resume)
     return;
+  finished_already = has_finished_as(earlier_summary(settings.directory), settings.identity);
+  if (finished_already)
+    return;
   std::string damage;
-  resumed = checkpoints.read_newest(&damage);
+  resumed = checkpoints.read_newest(settings.overwrite, &damage);
   if (!damage.empty())
-    say(damage + " The other generation is used.");
+    say(damage + (resumed ? " The other generation is used." : ""));
   if (resumed)
-    restore_record(resumed->record);
+    {
+      const auto json = nlohmann::json::parse(resumed->record);
+      for (const auto &[name, length] : json.at("series").items())
+        resumed_lengths[name] = length.get<std::uint64_t>();
+      record.load(json);
+      meter.carry({json.at("wall_time_s"), json.at("cpu_time_s"), json.at("peak_memory_bytes")});
+      const std::string instructions = json.value("instruction_set", "");
+      if (instructions != settings.build.instruction_set)
+        say("The checkpoint was written with the instruction set " + instructions + ", this processor goes on with " +
+            settings.build.instruction_set + ": the last bits will differ.");
+    }
   else
-    say("There is no checkpoint in " + settings.directory.string() + "; the run starts at the beginning.");
+    {
+      refuse_to_replace_input();
+      say("There is no checkpoint in " + settings.directory.string() + "; the run starts at the beginning.");
+    }
+}
+
+bool RunDirectory::input_is_its_copy() const
+{
+  std::error_code ignored; // one of the two is not there
+  return !settings.input_file.empty() && std::filesystem::equivalent(settings.input_file, settings.directory / "input.prm", ignored);
+}
+
+void RunDirectory::refuse_to_replace_input() const
+{
+  if (input_is_its_copy())
+    throw InputError("The input file " + settings.input_file.string() + " would be replaced by the copy of it that a run leaves in its "
+                     "output directory. Choose another output directory with -o DIR.");
+}
+
+/// Throws InputError when something is in the way that this run must not replace.
+void RunDirectory::require_replaceable()
+{
+  const std::filesystem::path &directory = settings.directory;
+  if (!settings.resume)
+    refuse_to_replace_input();
+  for (const std::string name : fixed_names)
+    if (name != "input.prm" || !input_is_its_copy())
+      require_claimable(directory, name);
+  const nlohmann::json summary = earlier_summary(directory);
+  if (settings.overwrite || summary.value("status", "") != "finished")
+    return;
+  if (!settings.resume && summary.value("input_hash", "") != settings.identity.input_hash())
+    throw InputError(directory.string() + " holds a finished run of another input (" + (directory / "input.prm").string() +
+                     " shows it). Choose another directory with -o DIR, or replace it with --overwrite.");
+  if (settings.resume && !checkpoints.exists() && !has_finished_as(summary, settings.identity)) // else the checkpoint says whether it can go on
+    throw InputError(directory.string() + " holds a finished run of another input, end or program without a checkpoint to go on from. Choose another directory with -o DIR, or replace it with --overwrite.");
 }
 
 RunDirectory::~RunDirectory()
 {
   bar.finish();
-}
-
-void RunDirectory::restore_record(const std::string &record)
-{
-  const auto json = nlohmann::ordered_json::parse(record);
-  for (const auto &[name, length] : json.at("series").items())
-    resumed_lengths[name] = length.get<std::uint64_t>();
-  for (const auto &item : json.at("results"))
-    results.push_back({item[0], {item[1].get<double>(), item[2]}});
-  for (const auto &item : json.at("notes"))
-    notes.push_back({item[0], item[1]});
-  active_terms = json.at("active_terms").get<std::vector<std::string>>();
-  active_fields = json.at("fields").get<std::vector<std::string>>();
-  meter.carry({json.at("wall_time_s"), json.at("cpu_time_s"), json.at("peak_memory_bytes")});
 }
 
 void RunDirectory::prepare() const
@@ -150,21 +134,37 @@ void RunDirectory::prepare() const
   if (problem)
     throw OutputFailed("cannot make " + directory.string() + ": " + problem.message() + ".");
   if (!resumed)
-    {
-      const std::size_t count = remove_made(directory);
-      if (count > 0)
-        {
-          bar.clear();
-          if (!settings.quiet)
-            std::cout << "Overwriting the " << count << " files of an earlier run in " << directory.string() << "."
-                      << std::endl;
-        }
-    }
-  for (const char *name : {"summary.json", "input.prm", CheckpointStore::file_names[0], CheckpointStore::file_names[1]})
-    record_made(directory, name);
+    if (const std::size_t count = files->begin(); count > 0 && !settings.quiet)
+      {
+        bar.clear();
+        std::cout << "The " << count << " files of an earlier run in " << directory.string()
+                  << " are replaced as soon as this one has results." << std::endl;
+      }
+  const bool keeps_input = input_is_its_copy();
+  for (const std::string name : fixed_names)
+    if (!keeps_input || name != "input.prm")
+      claim(directory, name);
   if (!std::filesystem::remove(directory / "summary.json", problem) && problem) // a run that is killed must not leave an older one's
     throw OutputFailed("cannot replace " + (directory / "summary.json").string() + ": " + problem.message() + ".");
-  write_atomically(directory / "input.prm", settings.input_text);
+  if (!keeps_input)
+    write_atomically(directory / "input.prm", settings.input_text);
+  for (const RunIdentity::NamedFile &file : settings.identity.files)
+    {
+      claim(directory, "input_files");
+      std::filesystem::create_directories(directory / "input_files");
+      const std::string copy = "input_files/" + file.name;
+      claim(directory, copy);
+      write_atomically(directory / copy, file.bytes);
+    }
+}
+
+bool RunDirectory::withdraw()
+{
+  if (has_results())
+    return false;
+  if (prepared)
+    files->withdraw();
+  return true;
 }
 
 const std::filesystem::path &RunDirectory::directory() const
@@ -173,28 +173,13 @@ const std::filesystem::path &RunDirectory::directory() const
   return settings.directory;
 }
 
-void RunDirectory::result(const std::string &name, const double value, const std::string &unit)
-{
-  if (!std::isfinite(value))
-    throw RunFailed("The result '" + name + "' is not a finite number; the run has diverged.");
-  put(results, name, Result{value, unit});
-}
-
-void RunDirectory::note(const std::string &name, const std::string &text)
-{
-  put(notes, name, text);
-}
-
-void RunDirectory::active(const std::vector<std::string> &terms, const std::vector<std::string> &fields)
-{
-  active_terms = terms;
-  active_fields = fields;
-}
-
 std::unique_ptr<Series> RunDirectory::series(const std::string &name, const std::vector<Column> &columns)
 {
   if (!settings.writer)
     return std::make_unique<UnwrittenSeries>(name, columns);
+  const std::string file_name = name + ".csv";
+  if (open_series.count(name) == 0)
+    require_claimable(settings.directory, file_name);
   prepare();
   const auto there = open_series.find(name);
   std::shared_ptr<SeriesFile> file = there != open_series.end() ? there->second : nullptr;
@@ -202,15 +187,14 @@ std::unique_ptr<Series> RunDirectory::series(const std::string &name, const std:
     throw std::logic_error("Series " + name + " was opened twice with other columns.");
   if (!file)
     {
-      const std::string file_name = name + ".csv";
-      record_made(settings.directory, file_name);
+      claim(settings.directory, file_name);
       const auto path = settings.directory / file_name;
       const auto length = resumed_lengths.find(name);
       file = length != resumed_lengths.end() ? std::make_shared<SeriesFile>(path, name, columns, length->second) :
                                                std::make_shared<SeriesFile>(path, name, columns);
       open_series[name] = file; // only a file that could be opened
     }
-  return std::make_unique<SeriesHandle>(file);
+  return std::make_unique<SeriesHandle>(file, *files);
 }
 
 void RunDirectory::progress(const double fraction, const std::string &what)
@@ -250,22 +234,16 @@ void RunDirectory::save_checkpoint(const std::function<void(std::ostream &)> &wr
     series_lengths[name] = length; // a table finished before the checkpoint and not opened again
   for (const auto &[name, file] : open_series)
     series_lengths[name] = file->synchronise();
-  auto result_list = nlohmann::json::array(), note_list = nlohmann::json::array();
-  for (const auto &[name, result] : results)
-    result_list.push_back({name, result.value, result.unit});
-  for (const auto &[name, text] : notes)
-    note_list.push_back({name, text});
   const ResourceUse use = meter.now();
-  checkpoints.write({{"series", series_lengths},
-                     {"results", result_list},
-                     {"notes", note_list},
-                     {"active_terms", active_terms},
-                     {"fields", active_fields},
-                     {"wall_time_s", use.wall_time},
-                     {"cpu_time_s", use.cpu_time},
-                     {"peak_memory_bytes", use.peak_memory}},
-                    payload.view());
+  nlohmann::json json = {{"series", series_lengths},
+                         {"wall_time_s", use.wall_time},
+                         {"cpu_time_s", use.cpu_time},
+                         {"peak_memory_bytes", use.peak_memory},
+                         {"instruction_set", settings.build.instruction_set}};
+  record.save(json);
+  checkpoints.write(json, payload.view());
   saved = true;
+  files->keep();
 }
 
 bool RunDirectory::load_checkpoint(const std::function<void(std::istream &)> &read)
@@ -288,11 +266,11 @@ bool RunDirectory::load_checkpoint(const std::function<void(std::istream &)> &re
   return true;
 }
 
-void RunDirectory::finish(const std::string &status, const std::string &message)
+std::filesystem::path RunDirectory::finish(const std::string &status, const std::string &message)
 {
   bar.finish();
   if (!settings.writer)
-    return;
+    return settings.directory;
   prepare();
   std::string trouble;
   for (const auto &[name, file] : open_series)
@@ -305,29 +283,29 @@ void RunDirectory::finish(const std::string &status, const std::string &message)
         trouble += (trouble.empty() ? "" : " ") + std::string(why.what());
       }
   const ResourceUse use = meter.now();
-  auto result_map = nlohmann::ordered_json::object(), note_map = nlohmann::ordered_json::object();
-  for (const auto &[name, result] : results)
-    result_map[name] = {{"value", result.value}, {"unit", result.unit}};
-  for (const auto &[name, text] : notes)
-    note_map[name] = text;
   nlohmann::ordered_json summary;
   summary["scenario"] = settings.scenario;
-  summary["version"] = settings.version;
+  summary["version"] = settings.build.version;
   summary["status"] = trouble.empty() ? status : "failed";
   if (!message.empty() || !trouble.empty())
     summary["message"] = message.empty() || message == trouble ? trouble : trouble.empty() ? message : message + " " + trouble;
+  summary["date"] = date;
   summary["wall_time_s"] = use.wall_time;
   summary["cpu_time_s"] = use.cpu_time;
   summary["peak_memory_bytes"] = use.peak_memory;
   summary["threads"] = settings.threads;
   summary["ranks"] = settings.ranks;
-  summary["input_hash"] = settings.input_hash;
-  summary["active_terms"] = active_terms;
-  summary["fields"] = active_fields;
-  summary["results"] = result_map;
-  summary["notes"] = note_map;
+  summary["build"] = {{"hash", settings.identity.program}, {"commit", settings.build.commit}, {"compiler", settings.build.compiler}};
+  summary["instruction_set"] = settings.build.instruction_set;
+  write_identity(summary, settings.identity);
+  record.write(summary);
   write_atomically(settings.directory / "summary.json", summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   if (!trouble.empty())
     throw OutputFailed(trouble);
+  if (!files)
+    return settings.directory; // see take_over()
+  if (status == "finished" || resumed)
+    files->keep();
+  return files->give_up();
 }
 } // namespace turgor

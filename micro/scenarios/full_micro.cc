@@ -4,6 +4,7 @@
 #include "micro/engine/binary.h"
 #include "micro/engine/watched_steps.h"
 #include "micro/io/cpu_clock.h"
+#include "micro/io/entry_marks.h"
 #include "micro/io/field_output.h"
 #include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
@@ -52,7 +53,7 @@ void FullMicro::declare_parameters(InputEntries &prm)
 {
   using namespace Patterns;
   declare_block(prm, columns, rows, load);
-  prm.add_parameter("End time", end_time, "Simulated time. Units: s.", Double(1e-9, 10.));
+  prm.add_parameter("End time", end_time, "Simulated time, a whole number of steps. Units: s.", Double(1e-9, 10.));
   declare_step_fraction(prm, step_fraction);
   prm.add_parameter("Window", window,
                     "Share of the steps that is really run, to time a scene too large to finish; 0 runs all. Units: none.",
@@ -60,8 +61,8 @@ void FullMicro::declare_parameters(InputEntries &prm)
   declare_surfaces(prm, surfaces);
   prm.add_parameter("Relax steps", relax_steps, "Damped steps before t = 0 for free surfaces. Units: steps.",
                     Integer(0, 100000000));
-  prm.add_parameter("Samples", samples, "Rows of probe.csv. Units: none.", Integer(1, 1000000));
-  prm.add_parameter("Frames", frames, "Frames of the field file after the first; 0 writes no fields. Units: none.",
+  prm.add_parameter("Samples", samples, free_to_change("Rows of probe.csv. Units: none."), Integer(1, 1000000));
+  prm.add_parameter("Frames", frames, free_to_change("Frames of the field file after the first; 0 writes no fields. Units: none."),
                     Integer(0, 100000));
   declare_checkpoints(prm, checkpoints);
   declare_sph_cell(prm, cell, sph);

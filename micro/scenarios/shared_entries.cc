@@ -2,6 +2,7 @@
 
 #include "micro/cells/sph_parenchyma.h"
 #include "micro/io/input_entries.h"
+#include "micro/io/entry_marks.h"
 #include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 
@@ -46,7 +47,7 @@ void check_substeps(const unsigned int substeps, const SphParameters &sph)
 
 void declare_checkpoints(InputEntries &prm, unsigned int &checkpoints)
 {
-  prm.add_parameter("Checkpoints", checkpoints, "Checkpoints during the run; 0: none. Units: none.",
+  prm.add_parameter("Checkpoints", checkpoints, free_to_change("Checkpoints during the run; 0: none. Units: none."),
                     Patterns::Integer(0, 100000));
 }
 } // namespace turgor

@@ -1,6 +1,7 @@
 #include "micro/scenarios/spheroid_capsule.h"
 
 #include "micro/io/input_entries.h"
+#include "micro/io/entry_marks.h"
 #include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 
@@ -41,7 +42,7 @@ void SpheroidCapsule::declare_more(InputEntries &prm)
   prm.add_parameter("Hardening", capsule.hardening, "a of E (1 + a u/R) (C.6); 0 for thick capsules. Units: none.", Double(0., 100.));
   prm.add_parameter("Damping", capsule.damping, "gamma of the wall (C.8); 0: it follows the cells at once. Units: Pa s.", Double(0., 1e12));
   prm.add_parameter("Friction", wall_friction, "Of cells with the wall, of the contact's area. Units: N s/m^3.", Double(0., 1e20));
-  prm.add_parameter("Time confined", confined, "The run ends so long after confluence; 0: with Duration. Units: s.", Double(0., 1e12));
+  prm.add_parameter("Time confined", confined, end_of_run("The run ends so long after confluence; 0: with Duration. Units: s."), Double(0., 1e12));
   prm.leave_subsection();
 }
 

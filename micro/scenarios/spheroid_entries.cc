@@ -4,6 +4,7 @@
 #include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 #include "micro/io/user_text.h"
+#include "micro/io/word_or_file.h"
 
 #include <cmath>
 
@@ -44,8 +45,8 @@ void CultureEntries::declare(InputEntries &prm)
   prm.add_parameter("Local stiffness", stiffness,
                     "Rise of the modulus with the packing: none, C9 (repaired in errata, not confirmed), closest (derived: cells of a"
                     " closest packing fill all space and have the pressure of their volume), B19 or the name of a CSV file with a"
-                    " monotone table or polynomial (relative to the working directory). Units: none.",
-                    Anything());
+                    " monotone table or polynomial. Units: none.",
+                    WordOrFile("none|C9|closest|B19"));
   prm.add_parameter("Compression", compression,
                     "What the local stiffness goes by: the mean compression of each cell, or that of each contact, whose force is then"
                     " the slope of an energy. Units: none.",

@@ -6,6 +6,7 @@
 #include "micro/engine/gathered.h"
 #include "micro/io/field_output.h"
 #include "micro/io/input_entries.h"
+#include "micro/io/entry_marks.h"
 #include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 #include "micro/scenarios/shared_entries.h"
@@ -56,10 +57,10 @@ void SpheroidScene::declare_parameters(InputEntries &prm)
   prm.add_parameter("First phases", phases,
                     "Of the first cells: synchronous (all newborn) or spread (ages of exponential growth). Units: none.",
                     Selection("synchronous|spread"));
-  prm.add_parameter("Duration", duration, "Simulated time. Units: s.", Double(0., 1e12));
+  prm.add_parameter("Duration", duration, end_of_run("Simulated time. Units: s."), Double(0., 1e12));
   prm.add_parameter("Most cells", most_cells, "The run ends when there are so many; 0: no limit. Units: none.", Double(0., 1e9));
-  prm.add_parameter("Samples", samples, "Rows of growth.csv. Units: none.", Integer(10, 1000000));
-  prm.add_parameter("Frames", frames, "Frames of the field file after the first; 0 writes no fields. Units: none.",
+  prm.add_parameter("Samples", samples, end_of_run("Rows of growth.csv, over Duration. Units: none."), Integer(10, 1000000));
+  prm.add_parameter("Frames", frames, free_to_change("Frames of the field file after the first; 0 writes no fields. Units: none."),
                     Integer(0, 100000));
   declare_checkpoints(prm, checkpoints);
   entries.declare(prm);
@@ -166,13 +167,34 @@ FieldFrame SpheroidScene::frame_of(CellCulture &culture)
   return frame;
 }
 
+namespace
+{
+/// Of a resumed run with another Duration: the rows of growth.csv, from which results are taken, have to go on as they began.
+void require_same_rows(const double interval_before, const std::uint64_t before, const double interval, const std::uint64_t now)
+{
+  if (interval == interval_before && before == now)
+    return;
+  const std::string held = interval == interval_before ? "" : " and intervals of " + number_text(interval_before) + " s";
+  throw InputError("Duration and Samples give a row of growth.csv every " + number_text(double(now) * interval) + " s, but the run so far has one every "
+                   + number_text(double(before) * interval_before) + " s" + held
+                   + ". Take a Duration over Samples that gives the same, or run without --resume to start again.");
+}
+} // namespace
+
 void SpheroidScene::run(RunContext &context)
 {
   const CultureParameters parameters = culture_parameters();
   CellCulture culture(parameters, make_surroundings(), context.threads());
   GrowthTable table;
   std::uint64_t done = 0;
+  const std::uint64_t last = std::uint64_t(std::ceil(duration / culture.interval()));
+  const std::uint64_t sample_every = steps_between(last, samples), frame_every = steps_between(last, frames);
   const auto read_all = [&](std::istream &in) {
+    double interval = 0.;
+    std::uint64_t rows_every = 0;
+    read_binary(in, interval);
+    read_binary(in, rows_every);
+    require_same_rows(interval, rows_every, culture.interval(), sample_every);
     read_binary(in, done);
     std::uint64_t count = 0;
     read_binary(in, count);
@@ -182,6 +204,8 @@ void SpheroidScene::run(RunContext &context)
     culture.load(in);
   };
   const auto write_all = [&](std::ostream &out) {
+    write_binary(out, culture.interval());
+    write_binary(out, sample_every);
     write_binary(out, done);
     write_binary(out, std::uint64_t(table.rows.size()));
     for (const auto &row : table.rows)
@@ -228,8 +252,6 @@ void SpheroidScene::run(RunContext &context)
       if (fields)
         fields->write();
     }
-  const std::uint64_t last = std::uint64_t(std::ceil(duration / culture.interval()));
-  const std::uint64_t sample_every = steps_between(last, samples), frame_every = steps_between(last, frames);
   const StepCheckpoints keep(
     context, last, checkpoints, [&] { context.save_checkpoint(write_all); },
     [&] { return "at t = " + number_text(culture.time() / 3600.) + " h"; });
@@ -253,7 +275,8 @@ void SpheroidScene::run(RunContext &context)
       ++done;
       full = most_cells > 0. && double(culture.cells.size()) >= most_cells;
       const bool end = full || culture.time() >= duration;
-      if (end || done % sample_every == 0)
+      const bool on_schedule = done % sample_every == 0;
+      if (end || on_schedule)
         {
           record();
           full = full || finished(table);
@@ -263,6 +286,9 @@ void SpheroidScene::run(RunContext &context)
       context.progress(culture.time() / duration, number_text(culture.cells.size()) + " cells");
       if (!end && !full)
         keep.after_step(done);
+      // From here a longer run goes on: behind it lie only whole intervals and no row that such a run would not have.
+      if (checkpoints > 0 && (done + 1 == last || (full && on_schedule)))
+        context.save_checkpoint(write_all);
     }
   report_growth(context, table, culture);
   report(context, table, culture);

@@ -4,6 +4,7 @@
 #include "micro/engine/binary.h"
 #include "micro/engine/watched_steps.h"
 #include "micro/io/input_entries.h"
+#include "micro/io/entry_marks.h"
 #include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 #include "micro/processes/failure.h"
@@ -75,7 +76,7 @@ void SqueezedCell::declare_parameters(InputEntries &prm)
                     "lambda_c at which a bond of the wall breaks, above 1; 0: walls do not fail. Units: none.",
                     Double(0., 100.));
   prm.add_parameter("Samples", samples, "Rows of force.csv. Units: none.", Integer(2, 1000000));
-  prm.add_parameter("Frames", frames, "Frames of wall.xdmf and fluid.xdmf. Units: none.", Integer(0, 100000));
+  prm.add_parameter("Frames", frames, free_to_change("Frames of wall.xdmf and fluid.xdmf. Units: none."), Integer(0, 100000));
   declare_step_fraction(prm, step_fraction);
   declare_checkpoints(prm, checkpoints);
   prm.enter_subsection("Cell");

@@ -1,6 +1,7 @@
 #include "micro/scenarios/tissue_loading.h"
 
 #include "micro/cells/sph_cell_entries.h"
+#include "micro/io/entry_marks.h"
 #include "micro/io/input_entries.h"
 #include "micro/scenarios/shared_entries.h"
 #include "micro/scenarios/stepping.h"
@@ -33,7 +34,7 @@ void TissueLoading::declare_parameters(InputEntries &prm)
   declare_step_fraction(prm, step_fraction);
   declare_substeps(prm, substeps);
   prm.add_parameter("Samples", samples, "Rows of loading.csv. Units: none.", Integer(10, 1000000));
-  prm.add_parameter("Frames", frames, "Frames of the field file after the first; 0 writes no fields. Units: none.",
+  prm.add_parameter("Frames", frames, free_to_change("Frames of the field file after the first; 0 writes no fields. Units: none."),
                     Integer(0, 100000));
   declare_checkpoints(prm, checkpoints);
   declare_sph_cell(prm, cell, sph);

@@ -13,11 +13,21 @@ BOOST_AUTO_TEST_SUITE(checkpoint_store)
 
 namespace
 {
+RunIdentity identity(const std::string &rate = "1", const std::string &end = "10", const std::string &program = "aa")
+{
+  RunIdentity made;
+  made.deciding = {{"Law/Rate", rate}};
+  made.ends = {{"End", end}};
+  made.free = {{"Frames", "3"}};
+  made.program = program;
+  return made;
+}
+
 struct TwoGenerations
 {
   TwoGenerations()
   {
-    CheckpointStore store(directory.path, "1.0", "aa");
+    CheckpointStore store(directory.path, identity());
     store.write({{"n", 1}}, "first");
     store.write({{"n", 2}}, std::string("sec\0nd", 6));
   }
@@ -26,7 +36,7 @@ struct TwoGenerations
   std::filesystem::path older() const { return directory / "checkpoint.1"; }
   std::optional<Checkpoint> read(std::string *damage = nullptr) const
   {
-    return CheckpointStore(directory.path, "1.0", "aa").read_newest(damage);
+    return CheckpointStore(directory.path, identity()).read_newest(false, damage);
   }
   TemporaryDirectory directory;
 };
@@ -35,7 +45,7 @@ struct TwoGenerations
 BOOST_AUTO_TEST_CASE(nothing_there_gives_nothing)
 {
   const TemporaryDirectory directory;
-  BOOST_CHECK(!CheckpointStore(directory.path, "1.0", "aa").read_newest());
+  BOOST_CHECK(!CheckpointStore(directory.path, identity()).read_newest(false));
 }
 
 BOOST_FIXTURE_TEST_CASE(newest_is_read_back_to_the_byte, TwoGenerations)
@@ -80,18 +90,28 @@ BOOST_FIXTURE_TEST_CASE(all_damaged_is_said, TwoGenerations)
   BOOST_CHECK_EXCEPTION(read(), InputError, Says{"No usable checkpoint is left"});
 }
 
-BOOST_FIXTURE_TEST_CASE(other_input_and_other_version_are_refused, TwoGenerations)
+BOOST_FIXTURE_TEST_CASE(other_input_and_other_program_are_refused, TwoGenerations)
 {
-  BOOST_CHECK_EXCEPTION(CheckpointStore(directory.path, "1.0", "bb").read_newest(), InputError,
-                        Says{"belongs to another input"});
-  BOOST_CHECK_EXCEPTION(CheckpointStore(directory.path, "1.1", "aa").read_newest(), InputError,
-                        Says{"was written by turgor 1.0, this is 1.1"});
+  const auto read_as = [&](const RunIdentity &other) { return CheckpointStore(directory.path, other).read_newest(false); };
+  BOOST_CHECK_EXCEPTION(read_as(identity("2")), InputError, Says{"belongs to another input: 'Law/Rate' was 1 and is 2."});
+  BOOST_CHECK_EXCEPTION(read_as(identity("1", "10", "bb")), InputError, Says{"was written by another build"});
+  BOOST_CHECK(!CheckpointStore(directory.path, identity("2")).read_newest(true));
+}
+
+BOOST_FIXTURE_TEST_CASE(later_end_and_other_output_are_taken_up, TwoGenerations)
+{
+  RunIdentity other = identity("1", "1e1");
+  other.free = {{"Frames", "4"}};
+  BOOST_CHECK(CheckpointStore(directory.path, other).read_newest(false));
+  BOOST_CHECK(CheckpointStore(directory.path, identity("1", "11")).read_newest(false));
+  BOOST_CHECK_EXCEPTION(CheckpointStore(directory.path, identity("1", "9")).read_newest(false), InputError,
+                        Says{"'End' was 10 and is 9. A resumed run can end later, not earlier."});
 }
 
 BOOST_FIXTURE_TEST_CASE(writing_goes_on_in_the_older_file_after_reading, TwoGenerations)
 {
-  CheckpointStore store(directory.path, "1.0", "aa");
-  store.read_newest();
+  CheckpointStore store(directory.path, identity());
+  store.read_newest(false);
   const std::string second = content(newer());
   store.write({{"n", 3}}, "third");
   BOOST_TEST(content(newer()) == second);

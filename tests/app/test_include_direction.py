@@ -14,7 +14,8 @@ ALLOWED = {
     "app": {"app", "coupling", "macro", "rve", "micro"},
 }
 # What every folder may say to the person who runs it: the run's context, no particle.
-SHARED = {"micro/io/run_context.h", "micro/io/field_file.h", "micro/io/number_text.h", "micro/io/input_entries.h"}
+SHARED = {"micro/io/run_context.h", "micro/io/field_file.h", "micro/io/number_text.h", "micro/io/input_entries.h",
+          "micro/io/entry_marks.h"}
 
 
 def sources(folder, tree):

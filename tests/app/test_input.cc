@@ -101,17 +101,32 @@ BOOST_AUTO_TEST_CASE(overrides_win_and_are_checked)
 
 BOOST_AUTO_TEST_CASE(hash_names_the_values_not_the_spelling)
 {
-  const std::string hash = load("set Scenario = tiny\nsubsection Law\nset Rate = 100\nend\n").hash;
-  BOOST_TEST(load("# comment\nset Scenario = tiny\n").hash == hash); // 100 is the default
-  BOOST_TEST(load("set Scenario = tiny\n", {"Law/Rate=1.0e2"}).hash == hash);
-  BOOST_TEST(load("set Scenario = tiny\n", {"Law/Rate=101"}).hash != hash);
+  const std::string hash = load("set Scenario = tiny\nsubsection Law\nset Rate = 100\nend\n").identity.hash();
+  BOOST_TEST(load("# comment\nset Scenario = tiny\n").identity.hash() == hash); // 100 is the default
+  BOOST_TEST(load("set Scenario = tiny\n", {"Law/Rate=1.0e2"}).identity.hash() == hash);
+  BOOST_TEST(load("set Scenario = tiny\n", {"Law/Rate=101"}).identity.hash() != hash);
+}
+
+BOOST_AUTO_TEST_CASE(identity_knows_what_decides)
+{
+  const auto of = [](const std::vector<std::string> &overrides) { return load("set Scenario = tiny\n", overrides).identity; };
+  BOOST_TEST(of({"Remark=other"}).state_hash() == of({}).state_hash());
+  BOOST_TEST(of({"Remark=other"}).hash() != of({}).hash());
+  BOOST_TEST(of({"Steps=26"}).state_hash() == of({}).state_hash());
+  BOOST_TEST(of({"Steps=26"}).ends != of({}).ends);
+  BOOST_TEST(of({"Law/Rate=99"}).state_hash() != of({}).state_hash());
+  RunIdentity other = of({});
+  other.program = "another";
+  BOOST_TEST(other.state_hash() != of({}).state_hash());
+  BOOST_TEST(other.hash() != of({}).hash());
+  BOOST_TEST(other.input_hash() == of({}).input_hash());
 }
 
 BOOST_AUTO_TEST_CASE(printed_parameters_are_an_input)
 {
   const std::string text = parameters_text("tiny", tiny_registry());
   BOOST_TEST(text.find("# Decay rate. Units: 1/s. Allowed: a finite number from 0 to 1000.") != std::string::npos);
-  BOOST_TEST(load(text).hash == load("set Scenario = tiny\n").hash);
+  BOOST_TEST(load(text).identity.hash() == load("set Scenario = tiny\n").identity.hash());
   BOOST_CHECK_EXCEPTION(parameters_text("tinny", tiny_registry()), InputError, Says{"Did you mean 'tiny'?"});
 }
 

@@ -3,10 +3,13 @@
 #pragma once
 
 #include "app/input.h"
+#include "micro/io/entry_marks.h"
 #include "micro/io/input_entries.h"
 #include "micro/io/run_context.h"
 #include "micro/io/stop_flag.h"
+#include "micro/io/word_or_file.h"
 
+#include <fstream>
 #include <istream>
 #include <limits>
 #include <ostream>
@@ -23,7 +26,9 @@ public:
   void declare_parameters(InputEntries &prm) override
   {
     using namespace Patterns;
-    prm.add_parameter("Steps", steps, "Number of steps.", Integer(1, 100000));
+    prm.add_parameter("Steps", steps, end_of_run("Number of steps."), Integer(1, 100000));
+    prm.add_parameter("Remark", remark, free_to_change("For people."), Anything());
+    prm.add_parameter("Table", table, "Something to read.", WordOrFile("none|all"));
     prm.add_parameter("Mode", mode, "What happens in the middle.", Selection("decay|diverge|refuse"));
     prm.enter_subsection("Law");
     prm.add_parameter("Rate", rate, "Decay rate. Units: 1/s.", Double(0., 1e3));
@@ -41,6 +46,8 @@ public:
   {
     if (mode == "refuse")
       throw InputError("'Mode' = refuse is refused.");
+    if (table != "none" && !std::ifstream(table))
+      throw InputError("'Table' = " + table + " cannot be read.");
     double x = 1.;
     unsigned int step = 0;
     context.load_checkpoint([&](std::istream &in) {
@@ -82,7 +89,7 @@ public:
 
 private:
   unsigned int steps = 25;
-  std::string mode = "decay";
+  std::string mode = "decay", remark = "none", table = "none";
   double rate = 100.;
   std::vector<double> weights = {0.5};
 };
