@@ -174,7 +174,7 @@ int study_command(const StudyOptions &options, const ScenarioRegistry &registry)
     }
   const std::filesystem::path directory =
     options.directory.empty() ? std::filesystem::path("runs") / options.file.stem() : options.directory;
-  const DirectoryLock lock(directory, "Choose another directory with -o DIR.");
+  const DirectoryLock mine(directory, "Choose another directory with -o DIR.");
   const std::vector<StudyRow> before = committed(study);
   rows.insert(rows.begin(), before.begin(), before.end());
 
