@@ -202,6 +202,6 @@ int main(int argc, char **argv)
   catch (const std::exception &problem)
     {
       std::cerr << "turgor: " << words_of(problem) << std::endl;
-      return 1;
+      return code_of(problem);
     }
 }

@@ -19,6 +19,12 @@ std::string words_of(const std::exception &problem)
   return problem.what();
 }
 
+int code_of(const std::exception &problem)
+{
+  const auto *file = dynamic_cast<const std::filesystem::filesystem_error *>(&problem);
+  return file != nullptr && file->code() == std::errc::filename_too_long ? 2 : 1;
+}
+
 Ending ending_of(const std::function<void()> &action)
 {
   try
@@ -40,7 +46,7 @@ Ending ending_of(const std::function<void()> &action)
     }
   catch (const std::exception &why)
     {
-      return {1, "failed", words_of(why)};
+      return {code_of(why), "failed", words_of(why)};
     }
 }
 

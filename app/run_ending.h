@@ -25,6 +25,9 @@ Ending ending_of(const std::function<void()> &action);
 /// An exception as a sentence: file systems' and libraries' own words are replaced by ours.
 std::string words_of(const std::exception &problem);
 
+/// Exit code for it: 2 for a name that no file can have, which is wrong input; else 1.
+int code_of(const std::exception &problem);
+
 /// With ranks, a collective call at a run's end: the ending of the worst rank becomes everybody's. True if all ranks came to it;
 /// false when the others did not within some seconds: they wait for this rank inside the scene and have to be aborted.
 bool agree_on_ending(Ending &ending, const MpiSession *mpi);

@@ -54,7 +54,7 @@ struct Cell
     cell->system.compute_forces();
     neighbours = n * cell->fluid->mean_neighbours(p);
     const bool viscous = state.range(1) != 0;
-    wall = std::make_unique<WallView<3>>(lists.wall, g, WallSettings{1., viscous, cell->mesh.get()});
+    wall = std::make_unique<WallView<3>>(lists.wall, g, WallSettings{1., viscous, false, cell->mesh.get()});
     const std::size_t rows = std::size_t(n + 1) * sph::row_doubles, push = (n + 7) / 8 * 8;
     scratch.reset(static_cast<double *>(std::aligned_alloc(64, (rows + push + wall->doubles()) * sizeof(double))));
     view.n = n;

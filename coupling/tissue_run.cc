@@ -57,6 +57,7 @@ public:
     , observer(observer_)
     , end(settled(settings_.tissue.end_time, settings_.tissue.output_interval))
   {
+    memory.energy = EnergyCheck(1e-12 * rve.stiffness_bound() * tissue.size()[0] * tissue.size()[1]);
     if (law.shares().ranks() == 1) // several are asked together, batch by batch
       tissue.forces().ask = [] { stop_here("inside a step of the tissue"); };
   }
@@ -165,7 +166,10 @@ void Run::results()
   context.result("energy_dissipated", e.dissipated(), "J/m");
   context.result("energy_taken_share", memory.energy.taken_share(), "1");
   if (rve.knows_heating())
+  {
     context.result("energy_heat", e.heat, "J/m");
+    context.result("energy_unexplained_share", memory.energy.taken_share() - memory.energy.heat_share(), "1");
+  }
 
   const RveLawStatistics &s = law.statistics();
   const double cpu = memory.cpu_seconds + law.shares().sum(process_cpu_seconds() - cpu_at_start);
@@ -278,7 +282,11 @@ void Run::go()
       }
       row();
       if (tissue.time() >= frame_time(memory.frames))
+      {
         frame();
+        if (memory.energy.hopeless())
+          break;
+      }
       char what[96];
       std::snprintf(what, sizeof(what), "t = %.4f ms, step %.2e s", tissue.time() * 1e3, tissue.last_step());
       context.progress(tissue.time() / end, what);
@@ -304,6 +312,8 @@ void Run::go()
     throw RunFailed(why.what());
   }
   results();
+  if (const std::string complaint = memory.energy.complaint(); !complaint.empty())
+    throw RunFailed("At t = " + number_text(tissue.time() * 1e3) + " ms: " + complaint);
 }
 } // namespace
 

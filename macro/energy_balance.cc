@@ -15,11 +15,16 @@ void EnergyCheck::update(const TissueEnergies &now)
 
 std::string EnergyCheck::complaint() const
 {
-  const bool by_law = taken_share() < -allowed, by_steps = dissipated_share() < -allowed_lent;
+  const bool by_law = last.taken() < -allowed * work - resolution, by_steps = last.dissipated() < -allowed_lent * work - resolution;
   if (!by_law && !by_steps)
     return {};
   return "The tissue has gained energy from nothing: " + number_text(by_law ? -last.taken() : -last.dissipated()) +
          " J/m, where loads and tools have done " + number_text(work) + " J/m of work (allowed is a share of " +
          number_text(by_law ? allowed : allowed_lent) + "). Its motion means nothing; take a smaller Time/CFL fraction.";
+}
+
+bool EnergyCheck::hopeless() const
+{
+  return std::min(last.taken(), last.dissipated()) < -work - resolution;
 }
 } // namespace turgor

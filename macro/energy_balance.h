@@ -41,18 +41,28 @@ public:
   static constexpr double allowed = 1e-3;      ///< share of the largest work so far that a law may give
   static constexpr double allowed_lent = 0.25; ///< the same for what steps have lent besides: more is a step that is not stable
 
+  /// resolution: J, energies that are not judged (strains of 1e-6: round-off, tolerances of the law).
+  explicit EnergyCheck(double resolution_ = 0.)
+    : resolution(resolution_)
+  {}
+
   void update(const TissueEnergies &now);
 
   /// What the law has taken, and what is missing in all, over the largest work so far; 0 before any work.
   double taken_share() const { return share(last.taken()); }
   double dissipated_share() const { return share(last.dissipated()); }
+  double heat_share() const { return share(last.heat); } ///< what the law explains; NaN if it does not tell
 
   /// A sentence where energy came from nothing; empty where it did not.
   std::string complaint() const;
 
+  /// More has come from nothing than was ever put in: no use in going on.
+  bool hopeless() const;
+
 private:
   double share(double energy) const { return work > 0. ? energy / work : 0.; }
 
+  double resolution;
   double work = 0.; // J, largest so far
   TissueEnergies last;
 };

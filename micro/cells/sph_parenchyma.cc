@@ -38,9 +38,16 @@ void SphParameters::add_parameters(InputEntries &prm)
   prm.add_parameter("Ordering", ordering,
                     "Volume = exact: pressure that keeps the particles evenly spread, over Fluid modulus. Units: none.",
                     Double(0., 1.));
+  prm.add_parameter("Wall layer", wall_layer,
+                    "Formulation = variational: spaced: the density near a wall counts a particle's own image behind it, so that the first "
+                    "layer of particles rests half a spacing before the wall; free: without, it rests at 0.12 spacings, and the next at "
+                    "1.3. Units: none.",
+                    Selection("free|spaced"));
   prm.add_parameter("Viscosity law", viscosity_law,
-                    "monaghan: Eq. 2.25; morris: Eq. 2.24, with Formulation = thesis only. Units: none.",
-                    Selection("monaghan|morris"));
+                    "monaghan: Eq. 2.25; morris: Eq. 2.24, with Formulation = thesis only; least_squares: Newton's law of a velocity "
+                    "gradient per particle, exact for affine flow up to the wall and without resistance to a spin, with Formulation = "
+                    "variational only. Units: none.",
+                    Selection("monaghan|morris|least_squares"));
   prm.add_parameter("Wall range ratio", wall_range_ratio,
                     "Formulation = thesis: range r_0 of the wall's repulsion (Eq. 3.7) over particle spacing. Units: none.",
                     Double(0.6, 4.));
@@ -54,7 +61,13 @@ void SphParameters::check() const
 {
   if (viscosity_law == "morris" && formulation != "thesis")
     throw std::invalid_argument("SPH/Viscosity law is morris, which only SPH/Formulation = thesis has; with "
-                                "SPH/Formulation = variational use monaghan.");
+                                "SPH/Formulation = variational use monaghan or least_squares.");
+  if (wall_layer == "spaced" && formulation != "variational")
+    throw std::invalid_argument("SPH/Wall layer is spaced, which only SPH/Formulation = variational has; with "
+                                "SPH/Formulation = thesis use free.");
+  if (viscosity_law == "least_squares" && formulation != "variational")
+    throw std::invalid_argument("SPH/Viscosity law is least_squares, which only SPH/Formulation = variational has; with "
+                                "SPH/Formulation = thesis use monaghan or morris.");
 }
 
 ReferenceCell unannealed_cell(const ParenchymaPatch &patch, const SphParameters &sph)
@@ -107,6 +120,10 @@ std::unique_ptr<CellFluid<2>> make_cell_fluid(const ParenchymaParameters &p, con
   fluid.skin = sph.skin_ratio * dx;
   fluid.depth = p.depth;
   fluid.viscosity = p.fluid_viscosity;
+  if (sph.viscosity_law == "least_squares")
+    fluid.viscosity_form = SphViscosity::least_squares;
+  if (sph.wall_layer == "spaced")
+    fluid.layer = wall_layer<2>(sph.support_ratio);
   fluid.exact_volume = sph.volume == "exact";
   fluid.ordering = sph.ordering * p.fluid_modulus;
   fluid.barrier = damage ? p.fluid_modulus : 0.; // an opened cell must not leak through what is left of its wall

@@ -48,6 +48,7 @@ void KickDriftKick<dim>::step(const double dt, const double damping)
           for (std::uint32_t i = g.begin; i < g.end; ++i)
             v[i] += half * f[i] * im[i];
       }
+    system.damp_group(group, dt);
   });
 }
 

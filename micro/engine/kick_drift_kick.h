@@ -1,6 +1,6 @@
 // Symplectic kick-drift-kick (velocity Verlet) for inertial scenes.
 //
-//   v += dt/2 f/m;  x += dt v (and what follows a rate, Term::drift);  f = f(x, v);  v += dt/2 f/m
+//   v += dt/2 f/m;  x += dt v (and what follows a rate, Term::drift);  f = f(x, v);  v += dt/2 f/m;  impulses (Term::damp)
 //
 // A drag sees the velocity of the half step before: that is stable up to drag dt = 2, where a velocity
 // predicted at the new time would only reach 1; its lag of dt/2 is w dt/2 of the drag at a motion's

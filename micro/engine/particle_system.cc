@@ -50,6 +50,13 @@ void ParticleSystem<dim>::drift_of_group(const std::size_t group, const double d
 }
 
 template <int dim>
+void ParticleSystem<dim>::damp_group(const std::size_t group, const double dt)
+{
+  for (const auto &term : terms)
+    term->damp(particles, box, group, dt);
+}
+
+template <int dim>
 void ParticleSystem<dim>::forces_of_group(const std::size_t group)
 {
   const Group &g = particles.groups[group];
@@ -126,7 +133,7 @@ Tensor2<dim> ParticleSystem<dim>::virial() const
             own(a, b) -= sum;
           }
       for (const auto &term : terms)
-        own += term->image_virial(particles, box, group);
+        own += term->image_virial(particles, box, group) + term->damping_virial(particles, group);
       total += own;
     }
   return total;

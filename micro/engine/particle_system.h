@@ -51,6 +51,9 @@ public:
   /// Tells all terms that the group's positions have moved by dt times its velocities.
   void drift_of_group(std::size_t group, double dt);
 
+  /// Lets all terms that act by impulses change the group's velocities after a step of dt.
+  void damp_group(std::size_t group, double dt);
+
   /// f = sum of all terms, or of those of one pace, for one group.
   void forces_of_group(std::size_t group);
   void forces_of_group(std::size_t group, Pace pace);

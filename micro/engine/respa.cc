@@ -94,6 +94,7 @@ void Respa<dim>::step(const double dt, const double damping)
           for (std::uint32_t i = g.begin; i < g.end; ++i)
             p.v[d][i] = rest * (p.v[d][i] + half_slow * slow[d][i] * im[i]);
         add_up(group);
+        system.damp_group(group, dt);
       });
     }
 }

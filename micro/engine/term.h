@@ -61,6 +61,13 @@ public:
   /// f += forces on the particles of the group.
   virtual void add_forces(Particles<dim> &particles, const Box<dim> &box, std::size_t group) = 0;
 
+  /// A step of dt (s) has ended, forces are those of the present positions: a drag that acts by impulses changes the group's velocities. Its
+  /// forces are then in no f; a mode that it damps loses energy whatever its phase, where a drag in f sees half a step before.
+  virtual void damp(Particles<dim> &, const Box<dim> &, std::size_t /*group*/, double /*dt*/) {}
+
+  /// N m; -sum f_k (x) x_k of what damp() does, for the virial.
+  virtual Tensor2<dim> damping_virial(const Particles<dim> &, std::size_t /*group*/) const { return Tensor2<dim>::Zero(); }
+
   /// J; the part of the term's energy that belongs to the group. 0 for dissipative laws.
   /// Valid after add_forces at the same positions.
   virtual double energy(const Particles<dim> &particles, const Box<dim> &box, std::size_t group) const = 0;

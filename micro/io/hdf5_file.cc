@@ -16,6 +16,8 @@ std::int64_t Hdf5Writer::checked(const std::int64_t result) const
 Hdf5Writer::Hdf5Writer(const std::filesystem::path &path_)
   : path(path_)
 {
+  // Before anything else of HDF5: at exit it would flush once more what a full disk has refused, and crash. Every file is closed here.
+  [[maybe_unused]] static const herr_t no_exit_handler = H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // our sentences instead of HDF5's stack on stderr
   file = checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
 }

@@ -128,6 +128,8 @@ std::size_t move_made(const fs::path &from, const fs::path &to)
 {
   if (!fs::exists(from / manifest_name))
     return 0;
+  if (!is_file(from / manifest_name))
+    refuse(from / manifest_name, "is no file");
   const std::vector<std::string> names = recorded(from);
   std::size_t count = 0;
   move_file(from / manifest_name, to / manifest_name);

@@ -1,7 +1,7 @@
 // Heat in scenes of kick-drift-kick: what damping and the fluid's viscosity take from the motion.
 //
 //   damping    v <- v exp(-c dt) at the end of a step: E_kin (exp(2 c dt) - 1), exactly, E_kin after the step
-//   viscosity  -sum v . (f with viscosity - f without it), W; for samples, two force evaluations each
+//   viscosity  -sum v . (f with viscosity - f without it), W; for samples, two force evaluations each (or the forces of its impulses)
 #pragma once
 
 #include "micro/engine/particle_system.h"
@@ -25,6 +25,19 @@ double heat_of_viscosity(ParticleSystem<dim> &system, SphFluid<dim> *fluid)
   if (fluid == nullptr || fluid->viscosity() == 0.)
     return 0.;
   Particles<dim> &p = system.particles;
+  if (fluid->by_impulses())
+    {
+      double power = 0.;
+      for (std::size_t group = 0; group < p.groups.size(); ++group)
+        {
+          const auto f = fluid->viscous_forces(p, group);
+          const std::uint32_t begin = p.groups[group].begin;
+          for (int d = 0; d < dim; ++d)
+            for (std::size_t i = 0; i < f[d].size(); ++i)
+              power -= p.v[d][begin + i] * f[d][i];
+        }
+      return power;
+    }
   const typename Particles<dim>::Components current = p.f;
   const double viscosity = fluid->viscosity();
   typename Particles<dim>::Components with;

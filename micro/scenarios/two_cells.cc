@@ -87,7 +87,8 @@ bool TwoCells::holds(const double force) const
   };
   Overdamped motion({.method = OverdampedMethod::heun, .tolerance = 1e-5, .first_step = 1e-3, .least_step = 1e-15},
                     contacts, solver, pull, 1);
-  // At rest where the net force is a hundredth of the accuracy asked for, or free. The net force itself: beside the friction between
+  // It holds once the net force apart is a hundredth of the accuracy asked for, or turns: between there and the start it was nothing.
+  // It is free where there is no contact any more. The net force itself: beside the friction between
   // the cells that of the medium may be nothing, so that velocity times Medium friction says nothing.
   for (int step = 0; step < 1000000; ++step)
     {
@@ -99,7 +100,7 @@ bool TwoCells::holds(const double force) const
       if (contacts.contacts().empty() || !(contacts.contacts()[0].area > 0.))
         return false;
       pull(p);
-      if (std::abs(p.f[0][1]) < 0.01 * accuracy * force)
+      if (p.f[0][1] < 0.01 * accuracy * force)
         return true;
     }
   throw RunFailed("the pair neither came to rest nor separated within a million steps: use a larger Accuracy.");

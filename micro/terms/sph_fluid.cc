@@ -3,6 +3,7 @@
 #include "micro/engine/binary.h"
 #include "micro/io/number_text.h"
 #include "micro/terms/sph_barrier.h"
+#include "micro/terms/sph_scratch.h"
 #include "micro/terms/sph_wall_view.h"
 
 #include <algorithm>
@@ -29,32 +30,6 @@ void eos_pressure_free(const void *data, const std::uint32_t n, const double *rh
     p[i] = rho[i] > eos.reference_density() ? eos.pressure(rho[i]) : 0.;
 }
 
-/// Scratch of one thread, grown to the largest cell it met.
-class Scratch
-{
-public:
-  double *get(std::size_t doubles)
-  {
-    if (doubles > size)
-      {
-        size = doubles + doubles / 2;
-        memory.reset(static_cast<double *>(std::aligned_alloc(64, (size * sizeof(double) + 63) / 64 * 64)));
-        if (!memory)
-          throw std::bad_alloc();
-      }
-    return memory.get();
-  }
-
-private:
-  struct Free
-  {
-    void operator()(double *p) const { std::free(p); }
-  };
-  std::unique_ptr<double, Free> memory;
-  std::size_t size = 0;
-};
-
-std::size_t round_up(std::size_t n) { return (n + 7) / 8 * 8; }
 } // namespace
 
 template <int dim>
@@ -156,21 +131,23 @@ void SphFluid<dim>::add_forces(Particles<dim> &particles, const Box<dim> &, cons
   if (!cell.built)
     build(g, group);
 
-  const bool viscous = parameters.viscosity > 0.;
+  if (by_impulses() && !cell.impulses.within_step)
+    cell.impulses.virial_known = false; // velocities may be others
+  const bool viscous = parameters.viscosity > 0. && !by_impulses();
   const std::size_t rows = std::size_t(n + 1) * sph::row_doubles;
-  WallView<dim> wall(cell.lists.wall, g, {parameters.depth, viscous, mesh.get()});
-  thread_local Scratch scratch;
-  double *memory = scratch.get(rows + round_up(n) + wall.doubles());
+  WallView<dim> wall(cell.lists.wall, g, {parameters.depth, viscous, false, mesh.get()});
+  thread_local SphScratch scratch;
+  double *memory = scratch.get(rows + SphScratch::round_up(n) + wall.doubles());
 
   sph::CellView<dim> view;
   view.n = n;
   view.rows = memory;
   view.push = memory + rows;
-  wall.attach(view, particles, memory + rows + round_up(n));
+  wall.attach(view, particles, view.push + SphScratch::round_up(n));
   view.support = parameters.support;
   view.mass = mass[group];
   view.depth = parameters.depth;
-  view.viscosity = parameters.viscosity;
+  view.viscosity = viscous ? parameters.viscosity : 0.;
   view.eos = &eos_pressure;
   view.eos_data = &eos;
   view.neighbours = cell.lists.fluid.neighbours.data();
@@ -185,6 +162,8 @@ void SphFluid<dim>::add_forces(Particles<dim> &particles, const Box<dim> &, cons
       view.f[d] = particles.f[d].data() + g.fluid;
     }
   view.fourth_order = parameters.fourth_order;
+  view.layer_linear = parameters.layer.linear;
+  view.layer_square = parameters.layer.square;
   view.open = open(group);
   if (view.open)
     {
@@ -238,7 +217,8 @@ Rates SphFluid<dim>::rates(const Particles<dim> &particles) const
   bound.fluid.frequency_squared = stiffest * stiffest * c * c;
   // Wendland C2, continuous limit, in 2D and 3D: sum V |W'|/r = 14/R^2; the central pair drag takes 1/d of
   // it in one direction, chi mu/2 = 2 (d + 2) mu, and the highest mode moves neighbours oppositely.
-  bound.fluid.drag = 2. * (dim == 2 ? 8. * 7. : 10. * 14. / 3.) * parameters.viscosity / (rho * R * R);
+  if (!by_impulses())
+    bound.fluid.drag = 2. * (dim == 2 ? 8. * 7. : 10. * 14. / 3.) * parameters.viscosity / (rho * R * R);
   if (particles.groups.empty())
     return bound;
   const Group &g = particles.groups.front(); // all cells start as copies
@@ -246,7 +226,7 @@ Rates SphFluid<dim>::rates(const Particles<dim> &particles) const
     return bound;
   const double lightest =
     *std::max_element(particles.inverse_mass.begin() + g.begin, particles.inverse_mass.begin() + g.fluid);
-  const WallBulk wall = WallView<dim>::bulk(particles, g, {parameters.depth, false, mesh.get()});
+  const WallBulk wall = WallView<dim>::bulk(particles, g, {parameters.depth, false, false, mesh.get()});
   // All nodes together against the fluid's bulk modulus: B sum_k |dV/dx_k|^2 / (V m_node).
   if (parameters.exact_volume)
     bound.wall.frequency_squared = rho * c * c * wall.slopes_squared / wall.volume * lightest;
@@ -258,7 +238,8 @@ Rates SphFluid<dim>::rates(const Particles<dim> &particles) const
     }
   // No slip drags the wall's light nodes: mu times a node's area over the least gap that counts, half a
   // spacing (doc/validation.md has the measured limit beside this bound).
-  bound.wall.drag = parameters.viscosity * wall.node_area * lightest / (0.5 * R / 2.6);
+  if (!by_impulses())
+    bound.wall.drag = parameters.viscosity * wall.node_area * lightest / (0.5 * R / 2.6);
   return bound;
 }
 
@@ -266,7 +247,10 @@ template <int dim>
 void SphFluid<dim>::forget_lists()
 {
   for (Cell &cell : cells)
-    cell.built_at.forget();
+    {
+      cell.built_at.forget();
+      cell.impulses = {};
+    }
 }
 
 template <int dim>
@@ -323,6 +307,8 @@ void SphFluid<dim>::save(std::ostream &out, const Particles<dim> &) const
       cell.built_at.save(out);
       if (damage)
         write_binary(out, cell.scale);
+      if (by_impulses())
+        cell.impulses.save(out);
     }
 }
 
@@ -336,6 +322,8 @@ void SphFluid<dim>::load(std::istream &in, Particles<dim> &particles)
       cell.built_at.load(in);
       if (damage)
         read_binary(in, cell.scale);
+      if (by_impulses())
+        cell.impulses.load(in);
       set_particle_mass(particles, group, mass[group]);
       cell.built = false; // built from there at the next forces, when the damage is known as well
     }

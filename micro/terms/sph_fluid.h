@@ -12,23 +12,34 @@
 #include "micro/cells/triangle_mesh.h"
 #include "micro/terms/cell_fluid.h"
 #include "micro/terms/list_origin.h"
+#include "micro/terms/sph_impulses.h"
 #include "micro/terms/sph_lists.h"
+#include "micro/terms/sph_wall_layer.h"
 #include "micro/terms/wall_damage.h"
 
+#include <array>
 #include <memory>
 #include <vector>
 
 namespace turgor
 {
+enum class SphViscosity
+{
+  pair_drag,     ///< Monaghan's, with no slip along faces: what results so far have
+  least_squares, ///< Newton's of a velocity gradient per particle (sph_viscosity.inc.h): exact for affine flow, objective; by impulses
+};
+
 struct SphFluidParameters
 {
   double support = 0.;    ///< m, radius of the kernel (2 h)
   double skin = 0.;       ///< m
   double depth = 1.;      ///< m, slab depth; not used in 3D
   double viscosity = 0.;  ///< Pa s
+  SphViscosity viscosity_form = SphViscosity::pair_drag;
   bool exact_volume = true; ///< volumes of the particles fill the cell exactly; else as summed
   double ordering = 0.;     ///< Pa, p_0; with exact_volume
   bool fourth_order = false; ///< kernel without second moment (sph_kernels.inc.h); closed cells only
+  WallLayer layer;          ///< a particle's image behind the wall keeps the first layer half a spacing from it; ordinary kernel
   double barrier = 0.;      ///< Pa, P_b of sph_barrier.h, about K; walls that fail need it, or what is left of them leaks
 };
 
@@ -50,6 +61,9 @@ public:
   /// kernel of fourth order.
   void declare(Particles<dim> &particles) override;
   void add_forces(Particles<dim> &particles, const Box<dim> &box, std::size_t group) override;
+  void drift(Particles<dim> &particles, std::size_t group, double dt) override;
+  void damp(Particles<dim> &particles, const Box<dim> &box, std::size_t group, double dt) override;
+  Tensor2<dim> damping_virial(const Particles<dim> &particles, std::size_t group) const override;
   double energy(const Particles<dim> &particles, const Box<dim> &box, std::size_t group) const override;
   Rates rates(const Particles<dim> &particles) const override;
   void save(std::ostream &out, const Particles<dim> &particles) const override;
@@ -59,6 +73,13 @@ public:
   void set_particle_mass(Particles<dim> &particles, std::size_t group, double value) override;
   void set_viscosity(double value) { parameters.viscosity = value; }
   double viscosity() const { return parameters.viscosity; }
+  /// Whether viscosity acts by damp(), not by forces.
+  bool by_impulses() const { return parameters.viscosity > 0. && parameters.viscosity_form == SphViscosity::least_squares; }
+  /// N, of the particles of the group in their order: what damp() acts with at the present positions and velocities. Needs the lists of a force
+  /// evaluation at these positions.
+  std::array<std::vector<double>, dim> viscous_forces(const Particles<dim> &particles, std::size_t group) const;
+  /// 1/s: no motion of the group is damped faster by damp().
+  double damping_bound(const Particles<dim> &particles, std::size_t group) const;
   void set_ordering(double value) { parameters.ordering = value; } ///< Pa
   const EquationOfState &equation_of_state() const override { return eos; }
   double support() const override { return parameters.support; }
@@ -83,6 +104,7 @@ private:
     double ordering_energy = 0., barrier_energy = 0.; ///< J
     double scale = 1.;
     std::uint32_t crossed = 0;
+    SphImpulses<dim> impulses;
     std::size_t builds = 0;
   };
 

@@ -94,12 +94,13 @@ inline void to_rows(const V c[4], const Give &give)
   for (int k = 0; k < 4; ++k)
     give(k + 4, _mm512_extractf64x4_pd(r[k], 1));
 }
-/// The rows j[0..7], transposed: c[k] holds column k of the eight rows.
-inline void load_rows(const double *rows, const std::uint16_t *j, V c[row_doubles])
+/// Columns 0 to 7 of the rows j[0..7], `stride` doubles apart: c[k] holds column k of the eight rows.
+template <unsigned int stride = row_doubles>
+inline void load_rows(const double *rows, const std::uint16_t *j, V c[8])
 {
   V r[8];
   for (int k = 0; k < 8; ++k)
-    r[k] = _mm512_load_pd(rows + std::uint32_t(j[k]) * row_doubles);
+    r[k] = _mm512_load_pd(rows + std::uint32_t(j[k]) * stride);
   V t[8];
   for (int k = 0; k < 8; k += 2)
     {
@@ -171,10 +172,11 @@ inline void to_rows(const V c[4], const Give &give)
   for (int k = 0; k < 4; ++k)
     give(k, r[k]);
 }
-inline void load_rows(const double *rows, const std::uint16_t *j, V c[row_doubles])
+template <unsigned int stride = row_doubles>
+inline void load_rows(const double *rows, const std::uint16_t *j, V c[8])
 {
-  load_half_rows<row_doubles>(rows, j, c);
-  load_half_rows<row_doubles>(rows + 4, j, c + 4);
+  load_half_rows<stride>(rows, j, c);
+  load_half_rows<stride>(rows + 4, j, c + 4);
 }
 #endif
 
@@ -214,16 +216,32 @@ inline void sums(const V a[n], double to[n])
 #endif
 }
 
+/// to[k] = the sum of a[k], eight at once.
+inline void sums_of_eight(const V a[8], double to[8])
+{
+#if defined(TURGOR_AVX512_LANES)
+  V pairs[4], halves[2];
+  for (int k = 0; k < 4; ++k)
+    pairs[k] = _mm512_unpacklo_pd(a[2 * k], a[2 * k + 1]) + _mm512_unpackhi_pd(a[2 * k], a[2 * k + 1]);
+  for (int k = 0; k < 2; ++k)
+    halves[k] = _mm512_shuffle_f64x2(pairs[2 * k], pairs[2 * k + 1], 0x88) + _mm512_shuffle_f64x2(pairs[2 * k], pairs[2 * k + 1], 0xdd);
+  store(to, _mm512_shuffle_f64x2(halves[0], halves[1], 0x88) + _mm512_shuffle_f64x2(halves[0], halves[1], 0xdd));
+#else
+  sums<8>(a, to);
+#endif
+}
+
 /// Four doubles side by side: a row, or half of one.
 typedef double Row __attribute__((vector_size(32)));
 inline Row load_row(const double *p) { Row a; __builtin_memcpy(&a, p, sizeof a); return a; }
 inline void store_row(double *p, Row a) { __builtin_memcpy(p, &a, sizeof a); }
 inline Row splat_row(double a) { return Row{a, a, a, a}; }
-/// Lane k of the four columns is added to row j[k], 4 doubles apart; lanes in order.
+/// Lane k of the four columns is added to row j[k], `stride` doubles apart; lanes in order.
+template <unsigned int stride = 4>
 inline void add_to_rows(double *rows, const std::uint16_t *j, const V c[4])
 {
   to_rows(c, [&](const int k, const Row add) {
-    double *row = rows + std::uint32_t(j[k]) * 4;
+    double *row = rows + std::uint32_t(j[k]) * stride;
     store_row(row, load_row(row) + add);
   });
 }

@@ -117,7 +117,22 @@ inline void correct(CellView<dim> &c, const std::uint32_t i, double gamma)
     }
   if (gamma < 0.02)
     gamma = 0.02;
+  double image_slope = 0.;
+  if (c.layer_square > 0.)
+    { // its own image behind the wall
+      const double peak = c.mass * Kernel<dim, fourth_order>::peak(c.support) / c.depth, q = gamma > 0.5 ? 1. - gamma : 0.5;
+      double x = q * (c.layer_linear + c.layer_square * q), slope = gamma > 0.5 ? -c.layer_linear - 2. * c.layer_square * q : 0.;
+      if (x > 0.)
+        {
+          const double bound = 1. / (1. + 4. * x);
+          x *= bound;
+          slope *= bound * bound;
+        }
+      c.rho[i] += peak * x;
+      image_slope = peak * slope;
+    }
   c.rho[i] /= gamma;
+  side *= 1. - image_slope / c.rho[i];
   c.gamma[i] = gamma;
   c.push[i] = side;
 }

@@ -8,6 +8,7 @@
 //   E       = sum_i m e(rho_i) + p_0 V (1 - s)
 //   f_k     = -dE/dx_k = (p_mean - p_0) dV/dx_k - sum_i (m s / rho_i^2) (p_i - p_mean + s p_0) dr_i/dx_k
 //             p_mean = sum_i (m / rho_i) p_i / V            for fluid and wall alike
+// With a WallLayer (sph_wall_layer.h) a particle's own image behind the wall is added: r_i = (m/gamma_i) (sum_j W_ij + W(0) X(gamma_i)).
 // s makes the particles' volumes fill the cell exactly: how the particles happen to be packed (0.05 % of density
 // are 10 % of turgor) no longer decides the pressure, which acts on the wall's own polygon or polyhedron, while the sums
 // carry what differs from it. Nothing would then keep the particles evenly spread (any packing
@@ -33,9 +34,11 @@
 //
 // Kernel: Wendland C2 (no pairing instability), W = C (1 - u)^4 (4 u + 1), u = r / support; or (fourth_order) W times a polynomial that
 // takes its second moment away, so that sound of wave number k runs at c (1 - O(k^4)), not c (1 - O(k^2)): sph_kernels.inc.h.
-// Viscosity (thesis Eq. 2.25, corrected, chi = 4 (d + 2)): central pair drag, renormalised at the wall by the
-// mean of 1/gamma_i and 1/gamma_j (2D: arithmetic; 3D: geometric, so that volume and 1/gamma are one number
-// and a row is still one cache line), and no slip against the wall's faces.
+// Viscosity, either of two:
+//   sph_viscosity.inc.h: a velocity gradient per particle by least squares, exact for affine flow and objective
+//   pair drag (thesis Eq. 2.25, corrected, chi = 4 (d + 2)): central, renormalised at the wall by the
+//     mean of 1/gamma_i and 1/gamma_j (2D: arithmetic; 3D: geometric, so that volume and 1/gamma are one number
+//     and a row is still one cache line), and no slip against the wall's faces, which is not objective.
 #pragma once
 
 #include <cstdint>
@@ -44,6 +47,8 @@
 namespace turgor::sph
 {
 constexpr unsigned int row_doubles = 8;  ///< a row is one cache line
+template <int dim>
+constexpr unsigned int viscous_row = dim == 2 ? 8 : 16; ///< doubles of a particle's row in sph_viscosity.inc.h
 constexpr unsigned int list_padding = 8; ///< lists are padded with the dummy row to this many entries
 
 /// Columns of a particle's row. All that pressure forces need is in the first half:
@@ -71,12 +76,16 @@ struct CellBase
   double support = 0.;               ///< m
   double mass = 0.;                  ///< kg, of one fluid particle
   double depth = 1.;                 ///< m, slab depth: in 2D W is per area, rho per volume; 1 in 3D
-  double viscosity = 0.;             ///< Pa s; 0 compiles the viscous part out
+  double viscosity = 0.;             ///< Pa s; 0 compiles the pair drag out of density() and force()
+  double particle_volume = 0.;       ///< m^3, the same for all; of viscosity() alone, as the next two
+  double *viscous_rows = nullptr;    ///< (n + 1) * viscous_row<dim>, 64-byte aligned scratch; may be rows if these are as long
+  double *moments = nullptr;         ///< n * viscous_row<dim>, 64-byte aligned scratch
   void (*eos)(const void *, std::uint32_t n, const double *rho, double *p) = nullptr; ///< p(rho), Pa
   const void *eos_data = nullptr;
   double volume = 0.;                ///< m^3, inside the wall; 0, with ordering 0: s is given
   double ordering = 0.;              ///< Pa, p_0
   bool open = false;                 ///< faces are missing
+  double layer_linear = 0., layer_square = 0.; ///< a particle's image behind the wall (sph_wall_layer.h); square 0: none
   bool fourth_order = false;         ///< the kernel of the sums and gamma; closed cells only
   double scale = 1.;                 ///< out, s; in, where volume is 0
   double mean_pressure = 0.;         ///< out, Pa, p_mean; the caller applies (p_mean - p_0) dV/dx to the wall
@@ -153,6 +162,7 @@ struct CellView<3> : CellBase<3>
   double *own = nullptr, *pull = nullptr, *own_drag = nullptr; ///< 4 (n + 1) each; own_drag unused without viscosity
   double *rim_pull = nullptr;                        ///< 4 for every rim node: 8 pi support * d gamma / d node
   double *rim_scratch = nullptr;                     ///< 8 (longest rim + 2 list_padding)
+  double *kept_rays = nullptr;                       ///< of viscosity(): 6 for every particle of face_particles
   double *kept = nullptr;                            ///< for every particle of face_particles 1 + points of its quadrature
   std::uint16_t *active = nullptr;                   ///< quadratures for every face: chunks within the support
 };
@@ -164,6 +174,9 @@ struct Sweeps
   void (*density)(CellView<dim> &) = nullptr;
   /// The forces between fluid particles; needs density() at the same positions.
   void (*force)(CellView<dim> &) = nullptr;
+  /// Adds Newton's viscosity by the particles' velocity gradients (sph_viscosity.inc.h), of fluid and wall; the others then have
+  /// none. After them: it overwrites the wall's scratch.
+  void (*viscosity)(CellView<dim> &) = nullptr;
   const char *name = ""; ///< its word in TURGOR_SIMD
 };
 

@@ -3,6 +3,8 @@
 // for a wide machine must never be the one the linker keeps for all.
 #pragma once
 
+#include "micro/terms/sph_viscous_edges.inc.h"
+#include "micro/terms/sph_viscous_triangles.inc.h"
 #include "micro/terms/sph_wall_edges.inc.h"
 #include "micro/terms/sph_wall_triangles.inc.h"
 

@@ -7,7 +7,7 @@ namespace turgor::sph
 template <int dim>
 const Sweeps<dim> &sweeps_portable()
 {
-  static const Sweeps<dim> chosen{&density_any<dim>, &force_any<dim>, "portable"};
+  static const Sweeps<dim> chosen{&density_any<dim>, &force_any<dim>, &viscosity<dim>, "portable"};
   return chosen;
 }
 

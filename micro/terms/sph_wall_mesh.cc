@@ -46,7 +46,7 @@ std::size_t WallView<3>::doubles() const
   // Wall: positions, velocities, forces, drags, slopes. Fluid: places, pulls, drags. Rims; what is kept of the faces.
   return round_up(4 * std::size_t(group.wall_count())) * 5 + round_up(4 * (std::size_t(group.fluid_count()) + 1)) * 3
          + 4 * lists.rim_nodes.size() + 8 * (round_up(lists.longest) + 2 * sph::list_padding) + lists.kept
-         + round_up(lists.faces.size());
+         + round_up(lists.faces.size()) + (settings.rays ? 6 * lists.particles.size() : 0);
 }
 
 template <>
@@ -67,6 +67,7 @@ void WallView<3>::attach(sph::CellView<3> &view, const Particles<3> &particles, 
   view.rim_scratch = view.rim_pull + 4 * lists.rim_nodes.size();
   view.kept = view.rim_scratch + 8 * (round_up(lists.longest) + 2 * sph::list_padding);
   view.active = reinterpret_cast<std::uint16_t *>(view.kept + lists.kept);
+  view.kept_rays = view.kept + lists.kept + round_up(lists.faces.size());
   view.corners = settings.mesh->faces.data()->data();
   view.face_lists = lists.faces.data();
   view.n_faces = std::uint32_t(lists.faces.size());
@@ -88,6 +89,14 @@ void WallView<3>::attach(sph::CellView<3> &view, const Particles<3> &particles, 
       }
   enclosed = add_volume(*settings.mesh, x, slope);
   slopes = slope;
+}
+
+template <>
+void WallView<3>::add_forces(const sph::CellView<3> &view, double *const (&f)[3]) const
+{
+  for (int d = 0; d < 3; ++d)
+    for (std::uint32_t k = 0; k < group.wall_count(); ++k)
+      f[d][k] += view.wall_f[4 * k + d];
 }
 
 template <>

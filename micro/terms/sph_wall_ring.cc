@@ -67,6 +67,20 @@ void WallView<2>::attach(sph::CellView<2> &view, const Particles<2> &particles, 
 }
 
 template <>
+void WallView<2>::add_forces(const sph::CellView<2> &view, double *const (&f)[2]) const
+{
+  const std::uint32_t nw = group.wall_count();
+  const std::size_t used = 2 * nw + sph::list_padding;
+  for (int d = 0; d < 2; ++d)
+    for (std::size_t k = 0, node = 0; k < used; ++k)
+      {
+        f[d][node] += view.wall_f[d][k];
+        node = node + 1 < nw ? node + 1 : 0;
+        f[d][node] += view.wall_f_next[d][k];
+      }
+}
+
+template <>
 void WallView<2>::collect(const sph::CellView<2> &view, const double pressure, Particles<2> &particles) const
 {
   const std::uint32_t nw = group.wall_count();
@@ -77,15 +91,9 @@ void WallView<2>::collect(const sph::CellView<2> &view, const double pressure, P
       const double *across = view.wall_x[1 - d], sign = d == 0 ? push : -push;
       for (std::uint32_t k = 0; k < nw; ++k)
         f[k] += sign * (across[k + 1] - across[k > 0 ? k - 1 : nw - 1]);
-      const double *own = view.wall_f[d], *next = view.wall_f_next[d];
-      const std::size_t used = 2 * nw + sph::list_padding;
-      for (std::size_t k = 0, node = 0; k < used; ++k)
-        {
-          f[node] += own[k];
-          node = node + 1 < nw ? node + 1 : 0;
-          f[node] += next[k];
-        }
     }
+  double *const forces[2] = {particles.f[0].data() + group.begin, particles.f[1].data() + group.begin};
+  add_forces(view, forces);
 }
 
 template <>

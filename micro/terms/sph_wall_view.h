@@ -15,6 +15,7 @@ struct WallSettings
 {
   double depth = 1.; ///< m, 2D
   bool viscous = false;
+  bool rays = false; ///< viscosity by velocity gradients, 3D
   const TriangleMesh *mesh = nullptr; ///< 3D
 };
 
@@ -37,6 +38,8 @@ public:
   /// Points the view to memory (64-byte aligned), with positions, velocities and lists filled in.
   void attach(sph::CellView<dim> &view, const Particles<dim> &particles, double *memory);
   double volume() const { return enclosed; } ///< m^3; after attach
+  /// Adds the wall's forces (N) to f of the wall's nodes.
+  void add_forces(const sph::CellView<dim> &view, double *const (&f)[dim]) const;
   /// Adds the wall's forces, and pressure (Pa) times d volume / d node, to the wall's nodes.
   void collect(const sph::CellView<dim> &view, double pressure, Particles<dim> &particles) const;
 

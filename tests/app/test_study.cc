@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(mistakes_are_told_before_the_first_run)
   says(measure(force + "set Reference = 2*(time\n"), "no expression");
   says(measure(both + "set Reference = 2*time\n"), "one expression for each column");
   says(measure(both + "set Reference = curve.csv\n"), "has no column 'x'");
-  says(measure(force + "set Reference = old\n"), "t.csv is missing");
+  says(measure(force + "set Reference = old\n"), "old/t.csv: No such file");
   says(measure("set Result = p\nset Reference = curve.csv\n"), "without 'Match', 'Parts' or a CSV");
 }
 

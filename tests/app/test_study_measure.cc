@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_there_is_named)
   runs.asked.columns = {"x"};
   BOOST_CHECK_EXCEPTION(runs.of("0,0,1\n1,0,1\n0.5,0,1\n", "0,0,1\n"), std::runtime_error, Says{"'time' of"});
   runs.asked.table = "u";
-  BOOST_CHECK_EXCEPTION(runs.of("0,0,1\n", "0,0,1\n"), std::runtime_error, Says{"u.csv is missing"});
+  BOOST_CHECK_EXCEPTION(runs.of("0,0,1\n", "0,0,1\n"), std::runtime_error, Says{"u.csv: No such file"});
 }
 
 BOOST_AUTO_TEST_CASE(expressions)

@@ -129,7 +129,8 @@ BOOST_AUTO_TEST_CASE(displacement_is_linear_in_small_loads)
       const auto answer = tissue.settle();
       const double now = tissue.displacement_at(dealii::Point<2>(width, 0.5 * width))[1] / load;
       BOOST_TEST_MESSAGE("load " << load << " Pa: " << now << " m/Pa, residual " << answer.residuals.back() << ", of round-off " << answer.round_off);
-      BOOST_TEST(answer.iterations < 12u);
+      if (load < 1e5) // that one is taken in increments
+        BOOST_TEST(answer.iterations < 12u);
       if (load == 1.)
         per_load = now;
       else if (load < 1.)

@@ -24,7 +24,7 @@ void run_small(Scenario &scene, MemoryContext &context, const Entries &more = {}
 {
   InputEntries prm;
   scene.declare_parameters(prm);
-  Entries entries{{"Columns", "2"}, {"Rows", "3"}, {"End strain", "0.06"}, {"Inflation time", "15e-6"}, {"Samples", "20"},
+  Entries entries{{"Columns", "2"}, {"Rows", "3"}, {"End strain", "0.06"}, {"Samples", "20"},
                   {"Frames", "0"}, {"Checkpoints", "0"}, {"Cell/Nodes per side", "8"}, {"Cell/Lamella ratio", "1"},
                   {"SPH/Particles per side", "6"}};
   entries.insert(entries.end(), more.begin(), more.end());
@@ -226,7 +226,7 @@ BOOST_AUTO_TEST_CASE(wrong_input_says_what_is_allowed)
     {{{"Gap", "30e-6"}}, "less than a quarter of Cell/Period"},
     {{{"Critical stretch", "0.9"}}, "above 1, or 0"},
     {{{"SPH/Formulation", "thesis"}}, "use variational"},
-    {{{"Yielding", "plastic"}, {"Yield drop", "1"}, {"Yield sharpness", "1000"}}, "carries at most"},
+    {{{"Yielding", "plastic"}, {"Yield drop", "1"}, {"Yield sharpness", "1000"}}, "beyond it walls stretch without end"},
     {{{"Speed", "1e-4"}, {"Cell/Wall stiffness", "1e9"}}, "larger Speed"}};
   for (const auto &[entries, sentence] : cases)
     {
@@ -234,13 +234,6 @@ BOOST_AUTO_TEST_CASE(wrong_input_says_what_is_allowed)
       MemoryContext context(disk, false);
       BOOST_CHECK_EXCEPTION(run_small(*make_tissue_impact(), context, entries), std::exception, Says{sentence});
     }
-}
-
-BOOST_AUTO_TEST_CASE(too_short_an_inflation_is_a_failure_with_a_sentence)
-{
-  Disk disk;
-  MemoryContext context(disk, false);
-  BOOST_CHECK_EXCEPTION(run_small(*make_tissue_impact(), context, {{"Inflation time", "1e-7"}}), RunFailed, Says{"use a longer one"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

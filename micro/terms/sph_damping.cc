@@ -1,0 +1,139 @@
+// The viscosity of the SPH fluid that acts by impulses (sph_impulses.h, sph_viscosity.inc.h).
+#include "micro/terms/sph_fluid.h"
+#include "micro/terms/sph_scratch.h"
+#include "micro/terms/sph_wall_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace turgor
+{
+template <int dim>
+std::array<std::vector<double>, dim> SphFluid<dim>::viscous_forces(const Particles<dim> &particles, const std::size_t group) const
+{
+  const Group &g = particles.groups[group];
+  const std::uint32_t n = g.fluid_count(), nw = g.wall_count();
+  std::array<std::vector<double>, dim> f;
+  for (auto &component : f)
+    component.assign(nw + n, 0.);
+  const Cell &cell = cells[group];
+  if (n == 0 || !cell.built)
+    return f;
+  const std::size_t rows = std::size_t(n + 1) * sph::viscous_row<dim>;
+  WallView<dim> wall(cell.lists.wall, g, {parameters.depth, true, true, mesh.get()});
+  thread_local SphScratch scratch;
+  double *memory = scratch.get(2 * rows + wall.doubles());
+
+  sph::CellView<dim> view;
+  view.n = n;
+  view.viscous_rows = memory;
+  view.moments = memory + rows;
+  wall.attach(view, particles, memory + 2 * rows);
+  view.support = parameters.support;
+  view.depth = parameters.depth;
+  view.viscosity = parameters.viscosity;
+  view.particle_volume = open(group) || !(wall.volume() > 0.) ? mass[group] / eos.reference_density() : wall.volume() / n;
+  view.neighbours = cell.lists.fluid.neighbours.data();
+  view.first_neighbour = cell.lists.fluid.first_neighbour.data();
+  double *on_wall[dim];
+  for (int d = 0; d < dim; ++d)
+    {
+      view.x[d] = particles.x[d].data() + g.fluid;
+      view.v[d] = particles.v[d].data() + g.fluid;
+      view.f[d] = f[d].data() + nw;
+      on_wall[d] = f[d].data();
+    }
+  sph::sweeps<dim>().viscosity(view);
+  wall.add_forces(view, on_wall);
+  return f;
+}
+
+namespace
+{
+/// N m: - sum f (x) x.
+template <int dim>
+Tensor2<dim> virial_of(const Particles<dim> &particles, const Group &g, const std::array<std::vector<double>, dim> &f)
+{
+  Tensor2<dim> virial;
+  for (int a = 0; a < dim; ++a)
+    for (int b = 0; b < dim; ++b)
+      {
+        double sum = 0.;
+        for (std::uint32_t i = g.begin; i < g.end; ++i)
+          sum += f[a][i - g.begin] * particles.x[b][i];
+        virial(a, b) = -sum;
+      }
+  return virial;
+}
+} // namespace
+
+template <int dim>
+void SphFluid<dim>::drift(Particles<dim> &, const std::size_t group, double)
+{
+  cells[group].impulses.within_step = true;
+}
+
+template <int dim>
+void SphFluid<dim>::damp(Particles<dim> &particles, const Box<dim> &, const std::size_t group, const double dt)
+{
+  if (!by_impulses() || !(dt > 0.))
+    return;
+  SphImpulses<dim> &impulses = cells[group].impulses;
+  if (!impulses.due(dt))
+    return;
+  const Group &g = particles.groups[group];
+  impulses.longest = impulses.safe / damping_bound(particles, group);
+  const int parts = impulses.parts();
+  const double time = impulses.waited / parts;
+  impulses.virial.setZero();
+  for (int part = 0; part < parts; ++part)
+    {
+      const std::array<std::vector<double>, dim> f = viscous_forces(particles, group);
+      impulses.virial += virial_of<dim>(particles, g, f) / parts;
+      for (int d = 0; d < dim; ++d)
+        for (std::uint32_t i = g.begin; i < g.end; ++i)
+          particles.v[d][i] += time * particles.inverse_mass[i] * f[d][i - g.begin];
+    }
+  impulses.waited = 0.;
+  impulses.fresh = false;
+  impulses.virial_known = true;
+}
+
+template <int dim>
+Tensor2<dim> SphFluid<dim>::damping_virial(const Particles<dim> &particles, const std::size_t group) const
+{
+  if (!by_impulses())
+    return Tensor2<dim>::Zero();
+  const SphImpulses<dim> &impulses = cells[group].impulses;
+  return impulses.virial_known ? impulses.virial : virial_of<dim>(particles, particles.groups[group], viscous_forces(particles, group));
+}
+
+template <int dim>
+double SphFluid<dim>::damping_bound(const Particles<dim> &particles, const std::size_t group) const
+{
+  const Group &g = particles.groups[group];
+  const auto lightest = [&](const std::uint32_t from, const std::uint32_t to) {
+    return from < to ? *std::max_element(particles.inverse_mass.begin() + from, particles.inverse_mass.begin() + to) : 0.;
+  };
+  const double R = parameters.support, dx = R / 2.6;
+  // In the highest mode neighbours move oppositely and no velocity gradient is seen: 2 beta times twice sum w = 14/R^2.
+  const double volume = mass[group] / eos.reference_density();
+  double bound = 56. * (4. / 3.) / (R * R) * volume * lightest(g.fluid, g.end);
+  if (g.wall_count() > 0)
+    {
+      const WallBulk wall = WallView<dim>::bulk(particles, g, {parameters.depth, false, false, mesh.get()});
+      const double width = dim == 2 ? parameters.depth : std::sqrt(wall.node_area);
+      bound += (3.1 * wall.node_area / dx + 1.3 * width) * lightest(g.begin, g.fluid);
+    }
+  return parameters.viscosity * bound;
+}
+
+#define TURGOR_INSTANTIATE(dim)                                                                                                              \
+  template std::array<std::vector<double>, dim> SphFluid<dim>::viscous_forces(const Particles<dim> &, std::size_t) const;                     \
+  template void SphFluid<dim>::drift(Particles<dim> &, std::size_t, double);                                                                  \
+  template void SphFluid<dim>::damp(Particles<dim> &, const Box<dim> &, std::size_t, double);                                                 \
+  template Tensor2<dim> SphFluid<dim>::damping_virial(const Particles<dim> &, std::size_t) const;                                             \
+  template double SphFluid<dim>::damping_bound(const Particles<dim> &, std::size_t) const;
+TURGOR_INSTANTIATE(2)
+TURGOR_INSTANTIATE(3)
+} // namespace turgor
