@@ -1,5 +1,7 @@
 #include "micro/terms/sph_sweeps.h"
 
+#include "micro/io/run_context.h"
+
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
@@ -35,7 +37,7 @@ const Sweeps<dim> &sweeps()
           return *one;
         words += std::string(words.empty() ? "" : ", ") + one->name;
       }
-    throw std::invalid_argument("TURGOR_SIMD=" + std::string(wish) + " in the environment is not among what this program has for this"
+    throw InputError("TURGOR_SIMD=" + std::string(wish) + " in the environment is not among what this program has for this"
                                 " processor: " + words + ".");
   }();
   return chosen;

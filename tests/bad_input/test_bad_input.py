@@ -89,7 +89,7 @@ def of_every_scene(scene):
         ("unknown_entry", head + "set Xyzzyx = 1\n", RUN, ["IN, line 2: there is no entry 'Xyzzyx' in the top level"]),
         ("unknown_subsection", head + "subsection Xyzzyx\nend\n", RUN, ["line 2: there is no subsection 'Xyzzyx'"]),
         ("no_write_permission", head, ["run", "IN", "-o", "/proc/turgor_out"], ["cannot be written", "-o DIR"]),
-        ("corrupt_checkpoint", head, RUN + ["--resume"], ["out/checkpoint.0 is damaged", "No usable checkpoint is left"],
+        ("corrupt_checkpoint", head, RUN + ["--resume"], ["out/checkpoint.0 was not written by this program"],
          [("out/checkpoint.0", "TURGORcp torn"), ("out/checkpoint.1", "")]),
         ("output_is_a_file", head, ["run", "IN", "-o", "IN"], ["is a file"]),
     ]
