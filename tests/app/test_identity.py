@@ -10,7 +10,6 @@ import unittest
 PROGRAM = os.path.join(os.environ["TURGOR_BUILD"], "app", "turgor")
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.insert(0, os.path.join(SOURCE, "inputs", "studies"))
-import table_of_runs  # noqa: E402
 
 FE2 = ["tissue_gravity", "Time/Output interval=2e-6"]
 SPHEROID = ["spheroid_free", "Checkpoints=3", "Frames=4", "First cells=10", "Most cells=0"]
@@ -86,15 +85,6 @@ class Identity(unittest.TestCase):
                 self.run_scene(scene, scene[0] + "_more", *more)
                 self.assertEqual(self.rows(scene[0] + "_less", table), self.rows(scene[0] + "_more", table))
                 self.assertEqual(self.results(scene[0] + "_less"), self.results(scene[0] + "_more"))
-
-    def test_scripts_know_a_run_by_its_identity(self):
-        """table_of_runs.py: not by the label of its directory."""
-        self.run_scene(["wall_uniaxial"], "label")
-        place = os.path.join(self.directory, "label")
-        question = [os.path.join(SOURCE, "inputs", "wall_uniaxial.prm")]
-        self.assertTrue(table_of_runs.is_finished(PROGRAM, place, question))
-        self.assertFalse(table_of_runs.is_finished(PROGRAM, place, question + ["--set", "Largest stretch=1.2"]))
-        self.assertFalse(table_of_runs.is_finished(PROGRAM, place + "_not_there", question))
 
 
 if __name__ == "__main__":
