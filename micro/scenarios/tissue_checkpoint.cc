@@ -60,18 +60,18 @@ void TissueLoading::Run::require_finite(const std::string &where) const
   for (std::size_t c = 0; c < p.groups.size(); ++c)
     for (std::uint32_t i = p.groups[c].begin; i < p.groups[c].end; ++i)
       {
-        const double far = std::max(std::abs(p.x[0][i]), std::abs(p.x[1][i])), speed = std::hypot(p.v[0][i], p.v[1][i]);
-        if (far < reach && speed < most) // false for what is no number
+        const double far = std::max(std::abs(p.x[0][i]), std::abs(p.x[1][i])), fast = std::hypot(p.v[0][i], p.v[1][i]);
+        if (far < reach && fast < most) // false for what is no number
           continue;
         std::ostringstream sentence;
         sentence << "the run diverged " << where << " (step " << step << "): a " << (i < p.groups[c].fluid ? "wall node" : "fluid particle")
                  << " of cell (" << c % scene.brick.columns << ", " << c / scene.brick.columns << ") ";
-        if (!std::isfinite(p.x[0][i]) || !std::isfinite(p.x[1][i]) || !std::isfinite(speed))
+        if (!std::isfinite(p.x[0][i]) || !std::isfinite(p.x[1][i]) || !std::isfinite(fast))
           sentence << "has a position or velocity that is no number any more";
         else if (!(far < reach))
           sentence << "has left the scene, to (" << p.x[0][i] << ", " << p.x[1][i] << ") m";
         else
-          sentence << "moves at " << speed << " m/s, more than twice the speed of sound";
+          sentence << "moves at " << fast << " m/s, more than twice the speed of sound";
         if (load_steps == 0)
           sentence << ": no state at rest is found for this Cell/Turgor and Cell/Wall stiffness.";
         else

@@ -60,7 +60,7 @@ FieldFrame TissueLoading::Run::frame() const
   FieldFrame f;
   f.time = double(step) * dt;
   NamedField velocity{"velocity [m/s]", 3, {}, false}, pressure{"pressure [Pa]", 1, {}, false}, wall{"wall [-]", 1, {}, false},
-    cell{"cell [-]", 1, {}, false}, failed{"failed [-]", 1, {}, false};
+    of_cell{"cell [-]", 1, {}, false}, failed{"failed [-]", 1, {}, false};
   for (std::size_t c = 0; c < p.groups.size(); ++c)
     for (std::uint32_t i = p.groups[c].begin; i < p.groups[c].end; ++i)
       {
@@ -73,10 +73,10 @@ FieldFrame TissueLoading::Run::frame() const
         velocity.values.push_back(0.);
         pressure.values.push_back(p.field("pressure")[i]);
         wall.values.push_back(i < p.groups[c].fluid);
-        cell.values.push_back(double(c));
+        of_cell.values.push_back(double(c));
         failed.values.push_back(tissue->damage && tissue->damage->cells[c].failed());
       }
-  f.fields = {velocity, pressure, wall, cell, failed};
+  f.fields = {velocity, pressure, wall, of_cell, failed};
   return f;
 }
 
