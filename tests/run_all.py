@@ -8,6 +8,7 @@ the start of all scenes moved by round-off in N ways (TURGOR_DISTURB, see distur
 trajectory for an exact outcome.
 """
 import argparse
+import concurrent.futures
 import json
 import os
 import re
@@ -53,23 +54,50 @@ def run_program(name, command, fast):
     return passed, failed
 
 
-def run_python(build):
-    os.environ["TURGOR_BUILD"] = os.path.abspath(build)
-    suite = unittest.TestSuite()
+def python_classes():
+    """(file name without .py, name of a test class) of every Python test, files with many tests first: they last longest."""
+    classes = []
     for folder, _, files in sorted(os.walk(HERE)):
         for name in sorted(files):
             if name.startswith("test_") and name.endswith(".py"):
                 sys.path.insert(0, folder)
-                suite.addTests(unittest.defaultTestLoader.loadTestsFromName(name[:-3]))
+                found = {}
+                for test in flat(unittest.defaultTestLoader.loadTestsFromName(name[:-3])):
+                    found.setdefault(f"{name[:-3]}.{type(test).__name__}", []).append(test)
+                classes += [(len(tests), name) for name, tests in found.items()]
+    return [name for _, name in sorted(classes, reverse=True)]
+
+
+def flat(suite):
+    for test in suite:
+        yield from flat(test) if isinstance(test, unittest.TestSuite) else [test]
+
+
+def run_class(name):
+    """(name, seconds, run, skipped, [(what failed, text)]) of one class of Python tests."""
     start = time.time()
     with open(os.devnull, "w") as nowhere:
-        result = unittest.TextTestRunner(stream=nowhere).run(suite)
-    bad = result.failures + result.errors
-    passed = result.testsRun - len({test.id() for test, _ in bad}) - len(result.skipped)
-    print(f"python: {passed} passed, {len(bad)} failed, {len(result.skipped)} skipped ({time.time() - start:.1f} s)", flush=True)
+        result = unittest.TextTestRunner(stream=nowhere).run(unittest.defaultTestLoader.loadTestsFromName(name))
+    bad = [(test.id(), text) for test, text in result.failures + result.errors]
+    bad += [(test.id(), "It was expected to fail and has passed.") for test in result.unexpectedSuccesses]
+    return name, time.time() - start, result.testsRun, len(result.skipped), bad
+
+
+def run_python(build):
+    """Classes beside each other, as many as there are processors to use: most of their time goes into programs they start."""
+    os.environ["TURGOR_BUILD"] = os.path.abspath(build)
+    names = python_classes()
+    start, run, skipped, bad, times = time.time(), 0, 0, [], []
+    with concurrent.futures.ProcessPoolExecutor(min(4, len(os.sched_getaffinity(0)))) as pool:
+        for name, seconds, run_here, skipped_here, bad_here in pool.map(run_class, names):
+            run, skipped, bad = run + run_here, skipped + skipped_here, bad + bad_here
+            times.append((seconds, name))
+    failed = len({test for test, _ in bad})
+    slowest = ", ".join(f"{name} {seconds:.0f} s" for seconds, name in sorted(times, reverse=True)[:4])
+    print(f"python: {run - failed - skipped} passed, {failed} failed, {skipped} skipped ({time.time() - start:.1f} s; {slowest})", flush=True)
     for test, text in bad:
-        print(f"{test.id()}\n{text}", flush=True)
-    return max(passed, 0), len(bad)
+        print(f"{test}\n{text}", flush=True)
+    return max(run - failed - skipped, 0), failed
 
 
 def main():

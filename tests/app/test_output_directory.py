@@ -98,8 +98,7 @@ class OutputDirectory(Case):
         self.assertFalse(os.path.exists(self.path("out", ".turgor.lock")))
 
     def test_two_studies_at_once(self):
-        self.write(f"subsection Axis x\nset Input = {LONG[0]}\nset Overrides = {LONG[2]}\nset Entry = Samples\nset Values = 10|20\nend\n"
-                   "set Picture = stability\n", "study.prm")
+        self.write(f"subsection Run x\nset Input = {LONG[0]}\nset Overrides = {LONG[2]}\nset Axes = Samples = 10 | 20\nend\n", "study.prm")
         first = self.started("study", "study.prm", "-o", "out")
         self.wait_for(lambda: os.path.exists(self.path("out", ".turgor.lock")))
         second = self.turgor("study", "study.prm", "-o", "out")
