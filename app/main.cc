@@ -197,6 +197,7 @@ int main(int argc, char **argv)
     {
       if (*problem.what() != '\0') // see require_alone
         std::cerr << "turgor: " << problem.what() << std::endl;
+      wait_for_refused_copies(surrounding_job(), argc, argv);
       return 2;
     }
   catch (const std::exception &problem)

@@ -47,6 +47,23 @@ void require_alone(const SurroundingJob &job, const std::string &instead)
     throw InputError(job.rank == 0 ? "This program was started " + number_text(job.size) + " times at once by " + job.launcher + ". " + instead : "");
 }
 
+void wait_for_refused_copies(const SurroundingJob &job, int &argc, char **&argv)
+{
+  int begun = 0;
+  MPI_Initialized(&begun);
+  if (!job.is_shared() || begun != 0)
+    return;
+  if (!job.can_be_joined)
+    {
+      if (job.rank != 0)
+        std::this_thread::sleep_for(std::chrono::seconds(1));
+      return;
+    }
+  MpiSession mpi(argc, argv);
+  if (!mpi.worst_at_end(2, 5.)) // a copy that was not refused has gone on
+    mpi.abort(2);
+}
+
 int run_ranks(const unsigned int ranks, const std::vector<std::string> &arguments)
 {
   // mpirun's own way with SIGINT is to kill; SIGUSR1 it hands on to the ranks, who take it as the wish to stop. They then

@@ -33,6 +33,10 @@ SurroundingJob surrounding_job();
 /// copy has. `instead`: what to do.
 void require_alone(const SurroundingJob &job, const std::string &instead);
 
+/// Before the end of copies that were refused before they met: waits until all of them have said what they say, because mpirun
+/// kills the others as soon as one ends with a code that is not 0, and the sentence of the first copy would be lost.
+void wait_for_refused_copies(const SurroundingJob &job, int &argc, char **&argv);
+
 /// Initialised MPI, for the time of a run under mpirun.
 class MpiSession
 {

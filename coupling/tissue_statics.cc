@@ -114,7 +114,7 @@ void TissueStatics::run(RunContext &context)
   }
   catch (const RunStopped &)
   {
-    throw;
+    throw RunStopped("stopped before the full load was carried"); // wherever the wish was heard, in an RVE too
   }
   catch (const TissueFailed &e)
   {
