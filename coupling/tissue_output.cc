@@ -77,12 +77,12 @@ FieldFrame failing_tissue_frame(const Tissue<2> &tissue)
   return frame;
 }
 
-void write_cell_displacement(RunContext &context, const Tissue<2> &tissue, unsigned int cells, double period,
+void write_cell_displacement(RunContext &context, const Tissue<2> &tissue, const std::array<unsigned int, 2> &cells, double period,
                              unsigned int samples)
 {
   std::vector<Point<2>> points;
-  for (unsigned int j = 0; j < cells; ++j)
-    for (unsigned int i = 0; i < cells; ++i)
+  for (unsigned int j = 0; j < cells[1]; ++j)
+    for (unsigned int i = 0; i < cells[0]; ++i)
       for (unsigned int b = 0; b < samples; ++b)
         for (unsigned int a = 0; a < samples; ++a)
           points.emplace_back((i + (a + 0.5) / samples) * period, (j + (b + 0.5) / samples) * period);
@@ -91,12 +91,12 @@ void write_cell_displacement(RunContext &context, const Tissue<2> &tissue, unsig
   const auto table = context.series("cell_displacement",
                                     {{"cell_x", "1"}, {"cell_y", "1"}, {"displacement_x", "m"}, {"displacement_y", "m"}});
   const std::size_t per_cell = std::size_t(samples) * samples;
-  for (unsigned int j = 0; j < cells; ++j)
-    for (unsigned int i = 0; i < cells; ++i)
+  for (unsigned int j = 0; j < cells[1]; ++j)
+    for (unsigned int i = 0; i < cells[0]; ++i)
     {
       Tensor<1, 2> mean;
       for (std::size_t k = 0; k < per_cell; ++k)
-        mean += u[(std::size_t(j) * cells + i) * per_cell + k];
+        mean += u[(std::size_t(j) * cells[0] + i) * per_cell + k];
       mean /= static_cast<double>(per_cell);
       table->add_row({double(i), double(j), mean[0], mean[1]});
     }

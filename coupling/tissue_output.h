@@ -21,9 +21,9 @@ FieldFrame tissue_frame(const Tissue<2> &tissue, const RveLaw<2> &law);
 /// where none has.
 FieldFrame failing_tissue_frame(const Tissue<2> &tissue);
 
-/// cell_displacement.csv: the displacement averaged over each of the cells x cells squares of side `period` (m),
-/// by samples x samples points each. The square piece is [0, cells period]^2.
-void write_cell_displacement(RunContext &context, const Tissue<2> &tissue, unsigned int cells, double period,
+/// cell_displacement.csv: the displacement averaged over each of the cells[0] x cells[1] squares of side `period` (m),
+/// by samples x samples points each. The piece is [0, cells[0] period] x [0, cells[1] period].
+void write_cell_displacement(RunContext &context, const Tissue<2> &tissue, const std::array<unsigned int, 2> &cells, double period,
                              unsigned int samples);
 
 /// rve_outlines.csv: rings of points (m) of the RVEs nearest to some places of the piece, with their

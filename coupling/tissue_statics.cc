@@ -23,7 +23,7 @@ constexpr double means_nothing = 0.1;       // relative residual, where rounding
 
 std::string TissueStatics::description() const
 {
-  return "The static state of a clamped square of tissue under a body force, by Newton's method over two scales: what "
+  return "The static state of a clamped block of tissue under a body force, by Newton's method over two scales: what "
          "tissue_gravity swings about.";
 }
 
@@ -31,8 +31,10 @@ void TissueStatics::declare_parameters(InputEntries &prm)
 {
   prm.enter_subsection("Tissue statics");
   prm.add_parameter("Cells", cells,
-                    "Cells along each side of the square; its width is W = Cells * Cell/Period. Units: 1.",
+                    "Cells from the clamp to the free end; its width is W = Cells * Cell/Period. Units: 1.",
                     Patterns::Integer(1, 100000));
+  prm.add_parameter("Cells across", cells_across, "Cells along the clamp; 0: as many as Cells, a square. Units: 1.",
+                    Patterns::Integer(0, 100000));
   prm.add_parameter("Load", load,
                     "Body force as the stress rho b W it would make at the clamp if spread evenly; acts downwards. "
                     "Units: Pa.",
@@ -40,7 +42,9 @@ void TissueStatics::declare_parameters(InputEntries &prm)
   prm.add_parameter("Cell samples", cell_samples,
                     "Points per direction over which the displacement of a cell is averaged. Units: 1.",
                     Patterns::Integer(1, 100));
-  prm.add_parameter("Elements", elements, "Elements along each side. Units: 1.", Patterns::Integer(1, 1000));
+  prm.add_parameter("Elements", elements, "Elements from the clamp to the free end. Units: 1.", Patterns::Integer(1, 1000));
+  prm.add_parameter("Elements across", elements_across, "Elements along the clamp; 0: as many as Elements. Units: 1.",
+                    Patterns::Integer(0, 1000));
   prm.add_parameter("Degree", tissue.degree, "Polynomial degree of the elements: 1 bilinear, 2 biquadratic. Units: 1.",
                     Patterns::Integer(1, 2));
   prm.add_parameter("Locking treatment", tissue.locking,
@@ -58,24 +62,36 @@ void TissueStatics::declare_parameters(InputEntries &prm)
   rve_parameters.add_parameters(prm);
 }
 
+std::array<unsigned int, 2> TissueStatics::block() const
+{
+  return {{cells, cells_across > 0 ? cells_across : cells}};
+}
+
+TissueParameters<2> TissueStatics::piece() const
+{
+  TissueParameters<2> it = tissue;
+  it.elements = {{elements, elements_across > 0 ? elements_across : elements}};
+  it.size = {{block()[0] * rve_parameters.cell.period, block()[1] * rve_parameters.cell.period}};
+  return it;
+}
+
 void TissueStatics::check() const
 {
   if (rve_parameters.fluid != "hydrostatic" || rve_parameters.rule == "constrained_runs")
     throw InputError("RVE/Fluid = " + rve_parameters.fluid + " with RVE/Rule = " + rve_parameters.rule +
                      " gives no tangents; a static state needs 'Fluid = hydrostatic' with 'Rule = elastic_equilibrium' or "
                      "'cauchy_born'.");
-  TissueParameters<2> piece = tissue;
-  piece.elements.fill(elements);
+  const TissueParameters<2> whole = piece();
   try
   {
-    piece.check();
+    whole.check();
   }
   catch (const std::invalid_argument &e)
   {
     // the same rule under the name the entry has here
     throw InputError("Tissue statics/Elements is " + number_text(elements) + ": " + e.what());
   }
-  check_tissue_size(piece, *make_rve(rve_parameters), double(cells) * cells * cell_samples * cell_samples);
+  check_tissue_size(whole, *make_rve(rve_parameters), double(block()[0]) * block()[1] * cell_samples * cell_samples);
 }
 
 void TissueStatics::run(RunContext &context)
@@ -90,15 +106,13 @@ void TissueStatics::run(RunContext &context)
                 " Pa the cells would not feel what " + number_text(rve_parameters.equilibrium_tolerance()) + " of turgor leaves out of balance.");
   const std::shared_ptr<const Rve<2>> rve = make_rve(cells_inside);
   const double period = rve_parameters.cell.period, width = cells * period;
-  TissueParameters<2> piece = tissue;
-  piece.elements.fill(elements);
-  piece.size = {{width, width}};
-  piece.body_force = dealii::Tensor<1, 2>();
-  piece.body_force[1] = -load / (rve->density() * width);
+  TissueParameters<2> whole = piece();
+  whole.body_force = dealii::Tensor<1, 2>();
+  whole.body_force[1] = -load / (rve->density() * width);
   RveLawSettings shares;
   shares.threads = context.threads();
   RveLaw<2> law(rve, shares);
-  Tissue<2> body(piece, law);
+  Tissue<2> body(whole, law);
 
   FieldOutput fields(context, "tissue", false, [&] { return tissue_frame(body, law); }, [&] { return failing_tissue_frame(body); });
   context.progress(0.1, "Newton's method");
@@ -128,7 +142,7 @@ void TissueStatics::run(RunContext &context)
   if (answer.residuals.back() > means_nothing)
     throw RunFailed("The load of " + number_text(load) + " Pa drowns in the rounding of forces, which leaves " +
                     number_text(100. * answer.residuals.back()) + " % of it out of balance; take a larger load: displacement is linear in small ones.");
-  const dealii::Tensor<1, 2> u = body.displacement_at(dealii::Point<2>(width, 0.5 * width));
+  const dealii::Tensor<1, 2> u = body.displacement_at(dealii::Point<2>(width, 0.5 * whole.size[1]));
   const auto [least, most] = std::minmax_element(law.pressure().begin(), law.pressure().end());
   context.result("tip_displacement_x", u[0], "m");
   context.result("tip_displacement_y", u[1], "m");
@@ -144,9 +158,9 @@ void TissueStatics::run(RunContext &context)
   context.result("rve_cpu_time", law.statistics().rve_cpu_seconds, "s");
   context.result("width", width, "m");
   context.result("density", rve->density(), "kg/m^3");
-  context.result("body_force", piece.body_force.norm(), "N/kg");
+  context.result("body_force", whole.body_force.norm(), "N/kg");
   context.result("solve_time", std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count(), "s");
-  write_cell_displacement(context, body, cells, period, cell_samples);
+  write_cell_displacement(context, body, block(), period, cell_samples);
   fields.write();
 }
 

@@ -3,8 +3,9 @@
 
   inputs/studies/error_split.py
 
-Runs tissue_statics (FE^2) over meshes and static_lattice (every cell) over n with each kind of surface, and writes
-static.csv, limits.csv and static.png to doc/results/error_split. Two minutes of CPU time.
+Runs tissue_statics (FE^2) over meshes and static_lattice (every cell) over n with each kind of surface, for a square and for a
+beam three times as long as high, and writes static.csv, limits.csv and static.png to doc/results/error_split. Some minutes of
+CPU time.
 """
 import csv
 import os
@@ -21,6 +22,9 @@ OUT = os.path.join(ROOT, "doc", "results", "error_split")
 MESHES = {1: [4, 8, 16, 32], 2: [4, 8, 16, 32]}
 BLOCKS = {"slab": [4, 8, 16, 32], "frozen": [4, 8, 16, 24, 32, 48, 64], "free": [4, 8, 16, 24, 32, 48],
           "osmosis": [4, 8, 16, 24, 32, 48]}
+BEAM = {"frozen": [4, 8, 16, 24], "free": [4, 8, 16, 24], "osmosis": [4, 8, 16, 24]}  # cells across; three times as many along
+BEAM_MESHES = [4, 8, 16]
+BEAM_LOAD = 1000.  # Pa, where the beam is still linear: tip below 1 % of its length
 # How much of what is left over at frozen surfaces goes with the stiffness of the fluid (Pa), see README.md.
 MODULI = ["6e5", "1.2e5"]
 
@@ -37,9 +41,21 @@ def lattice(n, surfaces, modulus=None):
             {**entries, "Cell/Fluid modulus": modulus} if modulus else entries)
 
 
+def tissue_beam(across):
+    return (f"tissue_beam_{across}", "tissue_statics",
+            {"Tissue statics/Cells": 48, "Tissue statics/Cells across": 16, "Tissue statics/Elements": 3 * across,
+             "Tissue statics/Elements across": across, "Tissue statics/Degree": 2, "Tissue statics/Load": BEAM_LOAD})
+
+
+def lattice_beam(n, surfaces):
+    return (f"lattice_beam_{surfaces}_{n}", "static_lattice",
+            {"Columns": 3 * n, "Rows": n, "Surfaces": surfaces, "Fields": "false", "Load": BEAM_LOAD})
+
+
 SLAB, SLAB_COARSE = tissue(16, 2, "periodic"), tissue(8, 1, "periodic")
 RUNS = [*(tissue(m, d) for d, sizes in MESHES.items() for m in sizes), SLAB, SLAB_COARSE,
         *(lattice(n, s) for s, sizes in BLOCKS.items() for n in sizes),
+        *(tissue_beam(m) for m in BEAM_MESHES), *(lattice_beam(n, s) for s, sizes in BEAM.items() for n in sizes),
         *(run for k in MODULI for run in (tissue(16, 2, modulus=k), lattice(16, "frozen", k), lattice(32, "frozen", k)))]
 
 
@@ -74,6 +90,9 @@ def main():
     fe = limits[2][0]
     slab_fe, slab_coarse = of(SLAB), of(SLAB_COARSE)
     block = {s: [of(lattice(n, s)) for n in sizes] for s, sizes in BLOCKS.items()}
+    beam_mesh = [of(tissue_beam(m)) for m in BEAM_MESHES]
+    beam_fe = richardson([r["tip"] for r in beam_mesh])[0]
+    beam = {s: [of(lattice_beam(n, s)) for n in sizes] for s, sizes in BEAM.items()}
     soft = {k: (of(tissue(16, 2, modulus=k)), [of(lattice(n, "frozen", k)) for n in (16, 32)]) for k in MODULI}
 
     def percent(tip, against=fe):
@@ -97,6 +116,11 @@ def main():
         for s, sizes in BLOCKS.items():
             for n, r in zip(sizes, block[s]):
                 row("lattice", s, n, r, slab_fe["tip"] if s == "slab" else fe)
+        for m, r in zip(BEAM_MESHES, beam_mesh):
+            row("fe2", "degree 2, beam 3 : 1", m, r, beam_fe)
+        for s, sizes in BEAM.items():
+            for n, r in zip(sizes, beam[s]):
+                row("lattice", f"{s}, beam 3 : 1", n, r, beam_fe)
         for k, (r, blocks) in soft.items():
             row("fe2", "degree 2", 16, r, r["tip"], k)
             for n, b in zip((16, 32), blocks):
@@ -116,7 +140,14 @@ def main():
                 table.writerow([f"lattice {s}", f"{name} through the largest {len(powers) + 1}", f"{limit:.7f}",
                                 f"{percent(limit, slab_fe['tip'] if s == 'slab' else fe):.3f}"])
 
-    figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.4))
+        for s, sizes in BEAM.items():
+            tips = [r["tip"] for r in beam[s]]
+            for name, powers in {"1/n": [-1], "1/n + 1/n^2": [-1, -2]}.items():
+                limit = limit_in_cells(sizes, tips, powers)[0]
+                table.writerow([f"lattice {s}, beam 3 : 1", f"{name} through the largest {len(powers) + 1}", f"{limit:.7f}",
+                                f"{percent(limit, beam_fe):.3f}"])
+
+    figure, (left, right, third) = plt.subplots(1, 3, figsize=(16, 4.4))
     for d, sizes in MESHES.items():
         errors = [-percent(r["tip"]) for r in mesh[d]]
         left.loglog(sizes, errors, "os"[d - 1] + "-", label=f"FE², degree {d} (order {limits[d][1]:.1f})")
@@ -133,7 +164,8 @@ def main():
     left.grid(True, alpha=0.3)
 
     fine = numpy.linspace(0., 1. / 16., 100)
-    for s, colour in (("free", "tab:red"), ("osmosis", "tab:orange"), ("frozen", "tab:blue")):
+    colours = (("free", "tab:red"), ("osmosis", "tab:orange"), ("frozen", "tab:blue"))
+    for s, colour in colours:
         sizes, tips = BLOCKS[s], [percent(r["tip"]) for r in block[s]]
         shown = [i for i, size in enumerate(sizes) if size >= 8]
         a, b, c = limit_in_cells(sizes, tips, [-1, -2])
@@ -147,9 +179,20 @@ def main():
     right.set_xticks([1. / size for size in sizes] + [0.], [f"1/{size}" for size in sizes] + ["0"])
     right.set_xlabel("1/n, cells along a side")
     right.set_ylabel("tip against the FE² limit [%]")
-    right.set_title("What surfaces do (dotted: a + b/n + c/n²)")
+    right.set_title("What surfaces do to a square (dotted: a + b/n + c/n²)")
     right.legend(fontsize=8, loc="upper left")
     right.grid(True, alpha=0.3)
+    for s, colour in colours:
+        sizes, tips = BEAM[s], [percent(r["tip"], beam_fe) for r in beam[s]]
+        third.plot([1. / size for size in sizes], tips, "o-", color=colour, label=s)
+    third.axhline(0., color="k", lw=1, label="FE² limit")
+    third.set_xticks([1. / size for size in BEAM["free"]] + [0.], [f"1/{size}" for size in BEAM["free"]] + ["0"])
+    third.set_xlim(0., 0.26)
+    third.set_xlabel("1/n, cells across the beam")
+    third.set_ylabel("tip against the FE² limit [%]")
+    third.set_title("What surfaces do to a beam, 3n × n cells")
+    third.grid(True, alpha=0.3)
+    third.legend(fontsize=8)
     figure.tight_layout()
     figure.savefig(os.path.join(OUT, "static.png"), dpi=120)
 
