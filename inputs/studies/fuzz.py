@@ -4,12 +4,14 @@ hang, no NaN in any file, no wrong input without a sentence, no energy from noth
 
     /usr/bin/python3 inputs/studies/fuzz.py -n 1000 -o doc/results/fuzz          all scenes of `turgor list`, in turn
     /usr/bin/python3 inputs/studies/fuzz.py --repeat 417                         one again, with what it was given and said
+    /usr/bin/python3 inputs/studies/fuzz.py --edges --time 0.3                   every entry of every scene at its limits, one at a time
 
 Drawn: one to four entries over their whole range (logarithmically where it spans decades), a third of the others
 within a factor of three of their default. The tables SMALL and DRAWN size the scenes down and know entries that are texts.
 
 Verdicts: ok, refused (exit code 2, a sentence, nothing written), failed (1, a sentence), long (alive after --time seconds of CPU, then stopped
-cleanly when asked), and the bad ones: crash (or a sanitizer's report), hang, nan, silent (no sentence), energy.
+cleanly when asked), and the bad ones: crash (or a sanitizer's report), hang, nan, silent (no sentence), energy, unchecked (refused by
+`run` before its first step, but called ok by `check`).
 """
 import argparse
 import collections
@@ -27,7 +29,7 @@ import tempfile
 import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-BAD = ("crash", "hang", "nan", "silent", "energy")
+BAD = ("crash", "hang", "nan", "silent", "energy", "unchecked")
 
 # Entries of every scene that only decide how long it takes, or that most draws would have refused: (least, most) to draw from, a list to choose
 # from, or a fixed value. "Section/" of any depth.
@@ -129,6 +131,18 @@ def draw(rng, scene, entries, sizes_only=False):
         elif allowed == "true or false":
             chosen[name] = rng.choice(["true", "false"])
     return chosen
+
+
+def edges(scene, entries):
+    """Settings: every entry at its limits and at each of its words, the scene small otherwise."""
+    small = draw(random.Random(1), scene, entries, sizes_only=True)
+    for name, default, allowed in entries:
+        numbers = re.match(r"a (finite|whole) number from (\S+) to (\S+)", allowed)
+        values = list(numbers.groups()[1:]) if numbers else allowed[len("one of "):].split(", ") if allowed.startswith("one of ") else \
+            ["true", "false"] if allowed == "true or false" else []
+        for value in values:
+            if value != default:
+                yield {**small, name: value}
 
 
 def energy_gain(directory, least_rows):
@@ -233,6 +247,9 @@ def run_scene(program, scene, settings, seconds):
             verdict = "silent"
         elif code == 2:
             verdict = "refused" if not os.path.exists(os.path.join(out, "summary.json")) else "failed"
+            checked = [program, "check", source] + command[command.index("1") + 1:]
+            if subprocess.run(checked, capture_output=True, cwd=directory, stdin=subprocess.DEVNULL, timeout=300).returncode != 2:
+                verdict = "unchecked"
         else:
             verdict = "failed"
         return verdict, sentence
@@ -281,13 +298,20 @@ def main():
     parser.add_argument("--scenes", help="names, separated by commas (default: all)")
     parser.add_argument("-o", "--output", help="directory for verdicts.csv and bad.csv")
     parser.add_argument("--add", action="store_true", help="to what is in that directory: the seeds from --seed on, in pieces")
+    parser.add_argument("--edges", action="store_true", help="every entry at its limits instead")
     parser.add_argument("--repeat", type=int, help="one seed, in full")
     parser.add_argument("--program", default=os.path.join(ROOT, "build", "app", "turgor"))
     options = parser.parse_args()
     names = options.scenes.split(",") if options.scenes else listed(options.program)
     entries = {name: entries_of(options.program, name) for name in names}
 
+    cases = [(name, settings) for name in names for settings in edges(name, entries[name])] if options.edges else []
+    first, count = (0, len(cases)) if options.edges else (options.seed, options.n)
+
     def one(seed):
+        if options.edges:
+            scene, settings = cases[seed]
+            return (seed, scene) + run_scene(options.program, scene, settings, options.time) + (settings,)
         scene = names[seed % len(names)]
         return run_one(options.program, scene, entries[scene], seed, options.time)
 
@@ -297,7 +321,7 @@ def main():
         return 0
     counts, example, bad = read(options.output) if options.add else (collections.Counter(), {}, [])
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        for done, result in enumerate(pool.map(one, range(options.seed, options.seed + options.n)), 1):
+        for done, result in enumerate(pool.map(one, range(first, first + count)), 1):
             seed, scene, verdict, sentence, settings = result
             key = (scene, verdict, kind_of(sentence))
             counts[key] += 1
@@ -306,8 +330,8 @@ def main():
                 bad.append((seed, scene, verdict, kind_of(sentence), json.dumps(settings)))
                 print(f"seed {seed}: {scene}: {verdict}: {sentence}", flush=True)
             if done % 50 == 0:
-                print(f"{done} of {options.n}", file=sys.stderr, flush=True)
-            if options.output and (done % 50 == 0 or done == options.n):
+                print(f"{done} of {count}", file=sys.stderr, flush=True)
+            if options.output and (done % 50 == 0 or done == count):
                 write(options.output, counts, example, bad)
     total = collections.Counter()
     for (_, verdict, _), n in counts.items():

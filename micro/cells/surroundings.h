@@ -9,6 +9,7 @@
 #include "micro/cells/cell_population.h"
 #include "micro/engine/tensor.h"
 
+#include <cmath>
 #include <iosfwd>
 #include <string>
 #include <utility>
@@ -38,6 +39,9 @@ public:
 
   /// At time t (s): the cells have grown and divided, the steps of an interval are about to begin.
   virtual void update(const CellPopulation &, double /*t*/) {}
+
+  /// m, of a place below its surface, from which the viable rim counts; infinite where it has none.
+  virtual double depth_of(const Vector<3> & /*x*/) const { return HUGE_VAL; }
 
   /// virial[i] += sum of f (x) r over its contacts with cell i (N m): f on the cell, r from its centre to the contact.
   virtual void add_virial(const Particles<3> &, std::vector<Tensor2<3>> & /*virial*/) const {}

@@ -1,6 +1,8 @@
 // Necrosis and lysis (thesis 2.2.2, 5.3.1 H.I, C.1.3, C.2.2).
 //
-//   necrosis   a cell deeper than the viable rim, edge - r > lambda, dies when its pressure reaches its own threshold p_th
+//   rim        cells deeper than lambda: below the surface near by (depth_below_surface.h) or a wall that they press, or, as the thesis
+//              has it (5.4.2), below the mean edge of the spheroid, edge - r > lambda (outer_cells.h)
+//   necrosis   a cell deeper than the viable rim dies when its pressure reaches its own threshold p_th
 //   lysis      fluid drains until the solid part is left, V_s = phi V_ref(death); V_ref is the volume the cell would have without
 //              pressure with the fluid it still has:
 //     delayed  V follows by C.3 with T_lys in place of T_rel towards V_s under its pressure (C.1.3)
@@ -28,9 +30,16 @@ enum class Rim
   necrotic   ///< deeper cells die at p_th (Model I)
 };
 
+enum class RimFrom
+{
+  surface, ///< the nearest
+  edge     ///< the mean of the spheroid's
+};
+
 struct CellDeath
 {
   Rim rim = Rim::none;
+  RimFrom from = RimFrom::surface;
   double rim_thickness = 20e-6;       ///< lambda, m
   double necrosis_pressure = 1500.;   ///< mean p_th, Pa
   double lysis_time = 5. * 86400.;    ///< mean T_lys, s

@@ -1,6 +1,7 @@
 #include "micro/processes/cell_life.h"
 
 #include "micro/cells/cell_stress.h"
+#include "micro/cells/depth_below_surface.h"
 #include "micro/cells/outer_cells.h"
 #include "micro/engine/gathered.h"
 
@@ -64,6 +65,26 @@ const std::vector<double> &CellLife::measure_pressures(const CellPopulation &cel
   return pressure;
 }
 
+std::vector<unsigned char> CellLife::below_rim(const Particles<3> &p, const std::vector<std::unique_ptr<Surroundings>> &surroundings) const
+{
+  const CellDeath &death = parameters.death;
+  std::vector<unsigned char> below(p.size(), 0);
+  if (death.rim == Rim::none)
+    return below;
+  const OuterCells outer = find_outer_cells(p);
+  if (death.from == RimFrom::edge)
+    {
+      for (std::size_t i = 0; i < p.size(); ++i)
+        below[i] = outer.edge - (p.position(i) - outer.centre).norm() > death.rim_thickness;
+      return below;
+    }
+  below = deeper_than(death.rim_thickness, p, outer);
+  for (const auto &around : surroundings)
+    for (std::size_t i = 0; i < p.size(); ++i)
+      below[i] = below[i] && around->depth_of(p.position(i)) > death.rim_thickness;
+  return below;
+}
+
 void CellLife::advance(CellPopulation &cells, const SphereContacts &contacts,
                        const std::vector<std::unique_ptr<Surroundings>> &surroundings, const double dt,
                        const unsigned int threads,
@@ -76,7 +97,7 @@ void CellLife::advance(CellPopulation &cells, const SphereContacts &contacts,
   std::vector<double> *V_at_death = p.has("volume_at_death") ? &p.field("volume_at_death") : nullptr;
   const CellDeath &death = parameters.death;
   const CellCycle &cycle = parameters.cycle;
-  const OuterCells outer = death.rim != Rim::none ? find_outer_cells(p) : OuterCells();
+  const std::vector<unsigned char> below = below_rim(p, surroundings);
 
   struct Division
   {
@@ -107,7 +128,7 @@ void CellLife::advance(CellPopulation &cells, const SphereContacts &contacts,
           continue;
         }
       eps[i] = relaxed_strain(eps[i], rest, dt, parameters.relaxation);
-      const bool deep = death.rim != Rim::none && outer.edge - (p.position(i) - outer.centre).norm() > death.rim_thickness;
+      const bool deep = below[i];
       if (deep && death.rim == Rim::necrotic
           && death.dies(HUGE_VAL, pressure[i],
                         parameters.variability(death.necrosis_pressure, cells.id[i], Varied::necrosis_pressure)))

@@ -71,6 +71,8 @@ public:
 
 private:
   void draw(CellPopulation &cells, std::size_t i) const; ///< what depends on the id
+  /// Of each cell: whether it is deeper than the viable rim.
+  std::vector<unsigned char> below_rim(const Particles<3> &p, const std::vector<std::unique_ptr<Surroundings>> &surroundings) const;
 
   CellLifeParameters parameters;
   double V_0;

@@ -7,6 +7,18 @@ namespace turgor
 Monolayer::Monolayer()
 {
   flat = true;
+  first_cells = 4;
+  phases = "spread";
+  duration = 10. * 61200.; // cycles
+  samples = 300;
+  frames = 8;
+  entries.stiffness = "closest"; // without it the soft contacts let cells pile up in the plane
+  entries.inhibition = "hill";
+  entries.step_coarsely();
+  entries.numbers.growth_tolerance = 2e-3;
+  entries.numbers.friction.tolerance = 1e-5;
+  entries.numbers.medium_friction = 5e9; // of the substrate
+  entries.numbers.motility = 0.;
   entries.direction = "random_in_plane";
   entries.in_plane = true;
 }

@@ -1,5 +1,6 @@
 #include "micro/scenarios/spheroid_capsule.h"
 
+#include "micro/cells/compact_cluster.h"
 #include "micro/io/input_entries.h"
 #include "micro/io/entry_marks.h"
 #include "micro/io/number_text.h"
@@ -24,6 +25,19 @@ double at(const std::vector<double> &time, const std::vector<double> &value, con
   return value[k - 1] + share * (value[k] - value[k - 1]);
 }
 } // namespace
+
+SpheroidCapsule::SpheroidCapsule()
+{
+  first_cells = 1500;
+  phases = "spread";
+  duration = 1.5e6;
+  samples = 600;
+  frames = 6;
+  entries.stiffness = "closest";
+  entries.rim = "necrotic";
+  entries.step_coarsely();
+  entries.numbers.motility = 1e-16;
+}
 
 std::string SpheroidCapsule::description() const
 {
@@ -51,11 +65,13 @@ void SpheroidCapsule::check_more() const
   if (capsule.radius < 3. * entries.numbers.life.birth_radius)
     throw InputError("Capsule/Radius is " + number_text(capsule.radius) + " m, but has to be at least three times Cell/Birth radius ("
                      + number_text(3. * entries.numbers.life.birth_radius) + " m).");
-  // the first cluster: cells on a closest lattice, in the sphere of their number
-  const double first = entries.numbers.life.birth_radius * std::cbrt(1.2 * first_cells);
-  if (first > 0.95 * capsule.radius)
-    throw InputError("First cells is " + number_text(first_cells) + ": their cluster of radius " + number_text(first)
-                     + " m does not fit into Capsule/Radius (" + number_text(capsule.radius) + " m).");
+  // The wall may take off of a cell at the start what twice the neighbours of the lattice do.
+  const double largest = entries.numbers.life.birth_radius * (phases == "spread" ? std::cbrt(2.) : 1.);
+  const std::size_t fit = cluster_within(capsule.radius - 0.8 * largest, first_spacing(), first_cells);
+  if (fit < first_cells)
+    throw InputError("First cells is " + number_text(first_cells) + ", but " + number_text(first_cells - fit)
+                     + " of them would lie in the wall: a cluster of at most " + number_text(fit) + " has room in Capsule/Radius ("
+                     + number_text(capsule.radius) + " m).");
 }
 
 std::vector<std::unique_ptr<Surroundings>> SpheroidCapsule::make_surroundings() const

@@ -1,5 +1,7 @@
 // Scene `spheroid_capsule`: a spheroid grows against an elastic capsule (experiment I, thesis 5.2, 5.4.2; Fig. 5.5, 5.6, C.2).
 //
+// Defaults: CT26 in the thin capsule, Model I; contacts of a closest packing until a calibration exists (errata, C.9).
+//
 // Confluence, t = 0, is when the spheroid's edge comes within 1 % of the capsule's radius at rest. From then on
 //   transition   the straight lines of the fastest 12 h and of the residual growth cross: time, and the capsule's pressure then
 //   residual     slope of the capsule's radius from 48 h (runs shorter than 72 h: their last third) to the end
@@ -14,6 +16,7 @@ namespace turgor
 class SpheroidCapsule : public SpheroidScene
 {
 public:
+  SpheroidCapsule();
   std::string description() const override;
 
 protected:

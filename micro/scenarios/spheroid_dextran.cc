@@ -8,6 +8,20 @@
 
 namespace turgor
 {
+SpheroidDextran::SpheroidDextran()
+{
+  first_cells = 2000;
+  phases = "spread";
+  duration = 9. * 86400.;
+  samples = 300;
+  frames = 6;
+  entries.stiffness = "closest";
+  entries.rim = "quiescent";
+  entries.numbers.life.death.rim_thickness = 30e-6;
+  entries.step_coarsely();
+  entries.numbers.motility = 1e-16;
+}
+
 std::string SpheroidDextran::description() const
 {
   return "A tumour spheroid under the osmotic pressure of a dextran solution: five cell lines and their controls.";

@@ -13,6 +13,7 @@ namespace turgor
 class SpheroidDextran : public SpheroidScene
 {
 public:
+  SpheroidDextran();
   std::string description() const override;
 
 protected:

@@ -19,6 +19,15 @@ Vector<3> vector_of(const std::string &text, const std::string &entry)
 }
 } // namespace
 
+void CultureEntries::step_coarsely()
+{
+  method = "implicit";
+  numbers.motion.tolerance = 1e-2;
+  numbers.motion.mean_error = true;
+  numbers.growth_tolerance = 1e-2;
+  numbers.friction.tolerance = 1e-4;
+}
+
 void CultureEntries::declare(InputEntries &prm)
 {
   using namespace Patterns;
@@ -43,10 +52,10 @@ void CultureEntries::declare(InputEntries &prm)
                     Selection("hertz|extended_hertz|jkr"));
   prm.add_parameter("Adhesion", numbers.adhesion, "Energy of adhesion W. Units: J/m^2.", Double(0., 1e3));
   prm.add_parameter("Local stiffness", stiffness,
-                    "Rise of the modulus with the packing: none, C9 (repaired in errata, not confirmed), closest (derived: cells of a"
-                    " closest packing fill all space and have the pressure of their volume), B19 or the name of a CSV file with a"
-                    " monotone table or polynomial. Units: none.",
-                    WordOrFile("none|C9|closest|B19"));
+                    "Rise of the modulus with the packing: none, closest (derived: cells of a closest packing fill all space and have the"
+                    " pressure of their volume), C9 (the thesis's, as errata repairs it; refuted: under it the space between cells grows"
+                    " with the pressure), B19 or the name of a CSV file with a monotone table or polynomial. Units: none.",
+                    WordOrFile("none|closest|C9|B19"));
   prm.add_parameter("Compression", compression,
                     "What the local stiffness goes by: the mean compression of each cell, or that of each contact, whose force is then"
                     " the slope of an energy. Units: none.",
@@ -86,7 +95,11 @@ void CultureEntries::declare(InputEntries &prm)
   prm.enter_subsection("Death");
   prm.add_parameter("Rim", rim, "What happens below the viable rim: none, quiescent (Model II) or necrotic (Model I). Units: none.",
                     Selection("none|quiescent|necrotic"));
-  prm.add_parameter("Rim thickness", life.death.rim_thickness, "lambda. Units: m.", Double(0., 1.));
+  prm.add_parameter("Rim thickness", life.death.rim_thickness, "lambda, depth to which cells live or proliferate. Units: m.", Double(0., 1.));
+  prm.add_parameter("Rim from", rim_from,
+                    "What its depth counts from: surface (the nearest outer cell or wall) or edge (the thesis's mean edge of the whole"
+                    " spheroid, under which whatever stands out runs ahead). Units: none.",
+                    Selection("surface|edge"));
   prm.add_parameter("Necrosis pressure", life.death.necrosis_pressure, "Mean p_th. Units: Pa.", Double(0., 1e12));
   prm.add_parameter("Lysis time", life.death.lysis_time, "Mean T_lys. Units: s.", Double(1., 1e12));
   prm.add_parameter("Solid fraction", life.death.solid_fraction, "phi. Units: none.", Double(0.01, 1.));
@@ -161,6 +174,7 @@ CultureParameters CultureEntries::parameters() const
   life.division.least_energy = distance == "least_energy";
   life.division.seed = life.variability.seed = std::uint64_t(seed);
   life.death.rim = rim == "none" ? Rim::none : rim == "quiescent" ? Rim::quiescent : Rim::necrotic;
+  life.death.from = rim_from == "edge" ? RimFrom::edge : RimFrom::surface;
   life.death.linear = lysis == "linear";
   if (stiffness == "C9")
     result.stiffness = LocalStiffness::repaired_C9();

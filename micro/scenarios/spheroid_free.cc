@@ -28,6 +28,16 @@ double doubling_time(const double T, const double spread)
   return T * std::numbers::ln2 / growth;
 }
 
+SpheroidFree::SpheroidFree()
+{
+  duration = 9. * 61200.; // cycles
+  samples = 400;
+  frames = 9;
+  entries.inhibition = "none";
+  entries.numbers.motion.tolerance = 2e-3;
+  entries.numbers.motility = 1e-16;
+}
+
 std::string SpheroidFree::description() const
 {
   return "A tumour spheroid from a few centre-based cells in free suspension: growth, division, a viable rim.";
@@ -43,7 +53,8 @@ void SpheroidFree::report(RunContext &context, const GrowthTable &table, CellCul
   if (from >= 0.)
     {
       const double rate = fitted_slope(time, cells, from, end, true);
-      if (rate > 0.)
+      const std::size_t begin = std::size_t(std::lower_bound(time.begin(), time.end(), from) - time.begin());
+      if (rate > 0. && cells.back() >= 2. * cells[begin]) // else it would be guessed from a part of it, or from nothing but rounding
         {
           context.result("doubling_time", std::numbers::ln2 / rate, "s");
           context.result("doubling_time_error", std::numbers::ln2 / rate / expected - 1., "1");

@@ -17,6 +17,7 @@ namespace turgor
 class SpheroidFree : public SpheroidScene
 {
 public:
+  SpheroidFree();
   std::string description() const override;
 
 protected:

@@ -1,6 +1,7 @@
 #include "micro/scenarios/spheroid_relaxation.h"
 
 #include "micro/io/input_entries.h"
+#include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 #include "micro/io/stop_flag.h"
 
@@ -11,7 +12,10 @@ namespace turgor
 SpheroidRelaxation::SpheroidRelaxation()
 {
   first_cells = 300;
+  phases = "spread";
   duration = 86400.;
+  samples = 400;
+  frames = 4;
 }
 
 std::string SpheroidRelaxation::description() const
@@ -25,6 +29,12 @@ void SpheroidRelaxation::declare_more(InputEntries &prm)
   prm.add_parameter("Compressed size", size, "Of the spheroid before it is let go, over its size at rest. Units: none.",
                     Double(0.5, 0.999));
   prm.add_parameter("Settling time", settling, "In which the first cluster comes to rest. Units: s.", Double(0., 1e12));
+}
+
+void SpheroidRelaxation::check_more() const
+{
+  if (first_cells < 2)
+    throw InputError("First cells is " + number_text(first_cells) + ", but a spheroid that can be compressed has at least 2.");
 }
 
 CultureParameters SpheroidRelaxation::culture_parameters() const

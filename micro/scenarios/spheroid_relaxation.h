@@ -19,6 +19,7 @@ public:
 
 protected:
   void declare_more(InputEntries &prm) override;
+  void check_more() const override;
   CultureParameters culture_parameters() const override;
   void seed(CellCulture &culture) const override;
   void report(RunContext &context, const GrowthTable &table, CellCulture &culture) const override;

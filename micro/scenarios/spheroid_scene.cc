@@ -1,5 +1,6 @@
 #include "micro/scenarios/spheroid_scene.h"
 
+#include "micro/cells/compact_cluster.h"
 #include "micro/cells/outer_cells.h"
 #include "micro/engine/binary.h"
 #include "micro/engine/counter_random.h"
@@ -13,7 +14,6 @@
 #include "micro/scenarios/stepping.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -71,6 +71,7 @@ void SpheroidScene::check() const
 {
   entries.check();
   check_more();
+  CellCulture(culture_parameters(), make_surroundings(), 1); // what the laws refuse a run would refuse only once it has begun
 }
 
 double SpheroidScene::first_phase(const std::size_t i) const
@@ -80,21 +81,16 @@ double SpheroidScene::first_phase(const std::size_t i) const
   return -std::log2(1. - 0.5 * random_uniform(mix_bits(std::uint64_t(entries.seed) ^ 0x7068617365ull), i));
 }
 
+double SpheroidScene::first_spacing() const
+{
+  return 1.8 * entries.numbers.life.birth_radius * (phases == "spread" ? std::cbrt(2.) : 1.);
+}
+
 void SpheroidScene::seed(CellCulture &culture) const
 {
-  // The sites of a face-centred cubic (a monolayer: square) lattice nearest to the origin, wide enough for the largest.
-  const double spacing = 1.8 * entries.numbers.life.birth_radius * (phases == "spread" ? std::cbrt(2.) : 1.);
-  const int reach = int(std::ceil(flat ? std::sqrt(double(first_cells)) : std::cbrt(double(first_cells)))) + 2;
-  std::vector<std::array<int, 4>> sites; // distance squared, then the site
-  for (int z = flat ? 0 : -reach; z <= (flat ? 0 : reach); ++z)
-    for (int y = -reach; y <= reach; ++y)
-      for (int x = -reach; x <= reach; ++x)
-        if (flat || (x + y + z) % 2 == 0)
-          sites.push_back({x * x + y * y + z * z, x, y, z});
-  std::sort(sites.begin(), sites.end());
-  const double unit = flat ? spacing : spacing / std::numbers::sqrt2;
-  for (std::size_t i = 0; i < first_cells; ++i)
-    culture.life.add(culture.cells, unit * Vector<3>(sites[i][1], sites[i][2], sites[i][3]), first_phase(i));
+  std::size_t i = 0;
+  for (const Vector<3> &x : compact_cluster(first_cells, first_spacing(), flat))
+    culture.life.add(culture.cells, x, first_phase(i++));
 }
 
 std::vector<double> SpheroidScene::row_of(CellCulture &culture) const

@@ -61,6 +61,8 @@ protected:
 
   /// Phases of the first cells: 0, or of the age distribution of exponential growth, 2^(1 - a).
   double first_phase(std::size_t i) const;
+  /// m, between neighbours of the first cluster: the largest of its cells overlap by a tenth of their size.
+  double first_spacing() const;
 
 private:
   std::vector<double> row_of(CellCulture &culture) const;

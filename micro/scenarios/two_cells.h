@@ -31,7 +31,7 @@ private:
   bool holds(double force) const;
 
   std::string law = "jkr";
-  double radius = 7e-6, modulus = 450., poisson = 0.4, adhesion = 1e-4, gamma = 1e-2, friction = 5e10;
+  double radius = 7e-6, modulus = 450., poisson = 0.485, adhesion = 1e-4, gamma = 1e-2, friction = 5e10;
   double deepest = 0.3; ///< of a radius
   unsigned int samples = 400;
   double accuracy = 1e-7;

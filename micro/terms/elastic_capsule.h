@@ -38,6 +38,7 @@ public:
   void add_friction(const Particles<3> &, std::vector<double> &gamma) const override;
   void add_stiffness(const Particles<3> &, std::vector<double> &stiffness) const override;
   double energy_of(const Vector<3> &x, double radius, double reference, double modulus) const override;
+  double depth_of(const Vector<3> &x) const override { return R - x.norm(); }
   void advance(const Particles<3> &particles, double dt) override;
   void add_virial(const Particles<3> &, std::vector<Tensor2<3>> &virial) const override;
   void gather(const std::vector<std::uint32_t> &) override { touches.clear(); }

@@ -1,4 +1,6 @@
 // Capsule, walls and dextran around cells: closed forms, F = -dE/dx, order of convergence in the step.
+#include "micro/cells/compact_cluster.h"
+#include "micro/cells/depth_below_surface.h"
 #include "micro/engine/counter_random.h"
 #include "micro/engine/overdamped.h"
 #include "micro/terms/dextran_pressure.h"
@@ -223,6 +225,74 @@ BOOST_AUTO_TEST_CASE(exposure_is_what_others_leave_open)
   // of all directions the cell in the middle has all but those to the others: (1/20)^2/4 and (1/60)^2/4 of the sphere
   BOOST_TEST(outer.exposure[3] == 1. - 0.25 * (1. / 400. + 1. / 3600.), boost::test_tools::tolerance(1e-3));
   BOOST_TEST(outer.edge == 1. + 30., boost::test_tools::tolerance(1e-12)); // all four are at least half seen
+}
+
+// Any number of first cells is a ball without a missing side: its centroid is moved by no more than one cell that has no opposite.
+BOOST_AUTO_TEST_CASE(a_first_cluster_has_no_missing_side)
+{
+  for (const bool flat : {false, true})
+    for (const std::size_t n : {2u, 3u, 5u, 9u, 10u, 11u, 30u, 100u, 333u})
+      {
+        const std::vector<Vector<3>> sites = compact_cluster(n, 1., flat);
+        BOOST_TEST_REQUIRE(sites.size() == n);
+        Vector<3> middle = Vector<3>::Zero();
+        double nearest = 1e9;
+        for (std::size_t i = 0; i < n; ++i)
+          {
+            middle += sites[i] / double(n);
+            for (std::size_t j = 0; j < i; ++j)
+              nearest = std::min(nearest, (sites[i] - sites[j]).norm());
+          }
+        BOOST_TEST(nearest == 1., boost::test_tools::tolerance(1e-12));
+        BOOST_TEST(middle.norm() <= sites.back().norm() / double(n) * (1. + 1e-12), n << " cells, flat " << flat << ": " << middle.norm());
+      }
+}
+
+// A smooth ball: as deep as below its mean edge. With a small one on top of it: that one's cells lie beyond the mean edge, its foot all the
+// same more than a rim below its own top.
+BOOST_AUTO_TEST_CASE(depth_counts_from_the_nearest_surface)
+{
+  Particles<3> p;
+  p.declare("radius");
+  const auto ball = [&](const Vector<3> &middle, const double R) {
+    for (const Vector<3> &x : compact_cluster(6000, 1.7, false))
+      if (x.norm() < R)
+        {
+          const std::size_t i = p.size();
+          p.resize(i + 1);
+          for (int d = 0; d < 3; ++d)
+            p.x[d][i] = middle[d] + x[d];
+          p.field("radius")[i] = 1.;
+        }
+  };
+  ball(Vector<3>::Zero(), 13.);
+  const OuterCells outer = find_outer_cells(p);
+  const std::vector<unsigned char> deep = deeper_than(4., p, outer);
+  double at_odds = 0., below = 0.;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    {
+      const bool by_edge = outer.edge - (p.position(i) - outer.centre).norm() > 4.;
+      below += by_edge;
+      at_odds += by_edge != bool(deep[i]);
+    }
+  BOOST_TEST(below > 0.2 * double(p.size()));
+  BOOST_TEST(at_odds < 0.05 * below);
+
+  const std::size_t large = p.size();
+  ball(Vector<3>(16., 0., 0.), 4.5);
+  const std::vector<unsigned char> both = deeper_than(4., p, find_outer_cells(p));
+  double deep_in_small = 0.;
+  for (std::size_t i = large; i < p.size(); ++i)
+    deep_in_small += both[i];
+  BOOST_TEST(deep_in_small > 0.3 * double(p.size() - large));
+  const OuterCells of_both = find_outer_cells(p);
+  std::size_t by_edge = 0;
+  for (std::size_t i = large; i < p.size(); ++i)
+    by_edge += of_both.edge - (p.position(i) - of_both.centre).norm() > 4.;
+  BOOST_TEST(by_edge == 0u);
+  const std::vector<unsigned char> none = deeper_than(0., p, of_both);
+  BOOST_TEST(std::accumulate(none.begin(), none.end(), 0.) > 0.95 * double(p.size()));
+  BOOST_CHECK(deeper_than(100., p, of_both) == std::vector<unsigned char>(p.size(), 0));
 }
 
 BOOST_AUTO_TEST_CASE(dextran_forces_balance_and_carry_the_given_virial)

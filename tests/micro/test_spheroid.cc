@@ -177,6 +177,29 @@ subsection Cell
   BOOST_TEST(slow.at("relaxation_time") > fast.at("relaxation_time"));
 }
 
+// Nothing doubles where nothing grows: no time is made up from rounding.
+BOOST_AUTO_TEST_CASE(a_population_that_does_not_double_has_no_doubling_time)
+{
+  const Outcome out = run<SpheroidFree>(R"(
+set First cells = 20
+set First phases = spread
+set Duration = 300000
+set Samples = 40
+set Frames = 0
+subsection Death
+  set Rim = quiescent
+  set Rim thickness = 0
+end
+subsection Motion
+  set Tolerance = 1e-2
+  set Growth tolerance = 1e-2
+end
+)");
+  BOOST_TEST(out.rows.back()[1] < 40.);
+  BOOST_TEST(out.results.count("doubling_time") == 0u);
+  BOOST_TEST(out.results.count("doubling_time_error") == 0u);
+}
+
 BOOST_AUTO_TEST_CASE(wrong_entries_are_named)
 {
   const auto says = [](const std::string &text, const std::string &part) {
@@ -189,6 +212,9 @@ BOOST_AUTO_TEST_CASE(wrong_entries_are_named)
   says("subsection Growth\nset Mitosis time = 50000\nend", "at most half of Cell/Cycle time");
   says("subsection Cell\nset Seed = 1.5\nend", "has to be a whole number");
   says("subsection Division\nset Direction = given\nset Axis = 0, 0, 0\nend", "one that is not zero");
+  SpheroidRelaxation one;
+  BOOST_CHECK_EXCEPTION(read(one, "set First cells = 1\n"), InputError,
+                        [](const InputError &e) { return std::string(e.what()).find("at least 2") != std::string::npos; });
 }
 
 BOOST_AUTO_TEST_SUITE_END()

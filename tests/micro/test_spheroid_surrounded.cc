@@ -1,7 +1,9 @@
 // Spheroids in a capsule and under dextran: same bits on two threads and after a stop, balance of pressures, order in memory, bad input.
+#include "micro/cells/compact_cluster.h"
 #include "micro/engine/gathered.h"
 #include "micro/engine/space_order.h"
 #include "micro/io/input_entries.h"
+#include "micro/io/number_text.h"
 #include "micro/scenarios/spheroid_capsule.h"
 #include "micro/scenarios/spheroid_dextran.h"
 #include "tests/micro/run_of_scene.h"
@@ -16,15 +18,15 @@ namespace
 {
 using test::Outcome, test::run;
 
-/// A ball of 60 cells, all that a run of the thesis has; deaths from a low pressure on.
+/// A ball of 43 cells, all that a run of the thesis has; deaths from a low pressure on.
 const std::string cells = R"(
-set First cells = 60
+set First cells = 43
 set First phases = spread
 set Samples = 20
 set Frames = 0
 set Checkpoints = 0
 subsection Contact
-  set Local stiffness = C9
+  set Local stiffness = closest
 end
 subsection Growth
   set Inhibition = hill
@@ -37,7 +39,7 @@ subsection Motion
 end
 )";
 const std::string capsule = cells + R"(
-set Duration = 150000
+set Duration = 180000
 subsection Death
   set Rim = necrotic
   set Rim thickness = 12e-6
@@ -115,6 +117,28 @@ BOOST_AUTO_TEST_CASE(dextran_holds_the_pressure_and_has_the_same_bits_always)
   BOOST_CHECK(run<SpheroidDextran>(dextran, 1, 23).rows == whole.rows);
 }
 
+// What check lets begin lies in its capsule: of every cell at least four fifths of its radius from the wall.
+BOOST_AUTO_TEST_CASE(the_largest_cluster_that_is_let_begin_lies_inside)
+{
+  for (const double R : {25e-6, 30e-6, 40e-6})
+    {
+      const double spacing = 1.8 * 6e-6 * std::cbrt(2.), largest = 6e-6 * std::cbrt(2.);
+      const std::size_t fit = cluster_within(R - 0.8 * largest, spacing, 1000);
+      BOOST_TEST(fit > 5u);
+      double farthest = 0.;
+      for (const Vector<3> &x : compact_cluster(fit, spacing, false))
+        farthest = std::max(farthest, x.norm());
+      BOOST_TEST(farthest <= (R - 0.8 * largest) * (1. + 1e-12));
+      const auto of = [&](const std::size_t count) {
+        SpheroidCapsule scene;
+        test::read(scene, "set First cells = " + number_text(count) + "\nset First phases = spread\nsubsection Capsule\nset Radius = "
+                            + number_text(R) + "\nend\n");
+      };
+      BOOST_CHECK_NO_THROW(of(fit));
+      BOOST_CHECK_THROW(of(fit + 1), InputError);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(bad_input_is_refused)
 {
   const auto refused = [](Scenario &scene, const std::string &text, const std::string &words) {
@@ -124,9 +148,11 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused)
     BOOST_CHECK_EXCEPTION(scene.check(), InputError,
                           [&](const InputError &e) { return std::string(e.what()).find(words) != std::string::npos; });
   };
-  SpheroidCapsule a, b, c;
+  SpheroidCapsule a, b, c, d;
   refused(a, "subsection Capsule\nset Radius = 10e-6\nend\n", "Capsule/Radius is 1e-05");
-  refused(b, "set First cells = 100000\n", "does not fit into Capsule/Radius");
+  refused(b, "set First cells = 100000\n", "of them would lie in the wall");
+  // The ball of 200 whose outer third was in a wall of 40 um.
+  refused(d, "set First cells = 200\nset First phases = spread\nsubsection Capsule\nset Radius = 40e-6\nend\n", "a cluster of at most");
   refused(c, "subsection Contact\nset Local stiffness = no/such.csv\nend\n", "cannot read no/such.csv");
 }
 
