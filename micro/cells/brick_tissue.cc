@@ -1,5 +1,6 @@
 #include "micro/cells/brick_tissue.h"
 
+#include "micro/cells/even_points.h"
 #include "micro/engine/counter_random.h"
 #include "micro/engine/start_disturbance.h"
 
@@ -125,26 +126,19 @@ std::vector<LamellaTie> tie(BrickTissue &tissue, const Neighbours &neighbours, c
 }
 } // namespace
 
-void lay_fluid(Particles<2> &particles, const std::size_t cell, const unsigned int per_side, const unsigned int seed)
+void lay_fluid(Particles<2> &particles, const std::size_t cell, const unsigned int seed)
 {
   const Group &g = particles.groups[cell];
-  const std::uint32_t ring = g.wall_count(), n = ring / 4;
-  // At s in [0, 1] along one side of the ring's four, from node `from` on.
-  const auto along = [&](const std::uint32_t from, const double s) {
-    const std::uint32_t k = std::min(std::uint32_t(s * n), n - 1);
-    const Vector<2> a = particles.position(g.begin + (from + k) % ring), b = particles.position(g.begin + (from + k + 1) % ring);
-    return Vector<2>(a + (s * n - k) * (b - a));
-  };
-  const std::array<Vector<2>, 4> corner{along(0, 0.), along(n, 0.), along(2 * n, 0.), along(3 * n, 0.)};
+  std::vector<Vector<2>> ring;
+  for (std::uint32_t k = g.begin; k < g.fluid; ++k)
+    ring.push_back(particles.position(k));
+  const std::vector<EvenPoint> points = even_points(ring, g.fluid_count());
   for (std::uint32_t k = 0; k < g.fluid_count(); ++k)
     {
+      // a perfect lattice melts violently later
       const std::uint64_t counter = 2 * (std::uint64_t(cell) * g.fluid_count() + k);
-      const double s = (k % per_side + 0.5 + 0.2 * (2. * random_uniform(seed, counter) - 1.)) / per_side;
-      const double t = (k / per_side + 0.5 + 0.2 * (2. * random_uniform(seed, counter + 1) - 1.)) / per_side;
-      const Vector<2> x = (1. - t) * along(0, s) + t * along(2 * n, 1. - s) + s * along(n, t) + (1. - s) * along(3 * n, 1. - t)
-                          - (1. - t) * ((1. - s) * corner[0] + s * corner[1]) - t * (s * corner[2] + (1. - s) * corner[3]);
       for (int d = 0; d < 2; ++d)
-        particles.x[d][g.fluid + k] = x[d];
+        particles.x[d][g.fluid + k] = points[k].at[d] + 0.1 * (2. * random_uniform(seed, counter + std::uint64_t(d)) - 1.) * points[k].size[d];
     }
 }
 
@@ -184,7 +178,7 @@ std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, co
       std::fill_n(particles.inverse_mass.begin() + begin, ring_nodes, 1. / single.node_mass);
       std::fill_n(particles.inverse_mass.begin() + begin + ring_nodes, inside, 1. / mass.back());
       if (filled)
-        lay_fluid(particles, c, sph.particles_per_side, sph.seed);
+        lay_fluid(particles, c, sph.seed);
     }
   begin_at(particles.x);
   tissue->junctions.resize(cells);

@@ -79,7 +79,6 @@ enum class BrickFilling
 std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &cell, const SphParameters &sph, const BrickParameters &brick,
                                                BrickFilling filling = BrickFilling::particles);
 
-/// Places the cell's fluid within its ring of 4 n nodes, which may have any shape like a square's: a jittered lattice of per_side x
-/// per_side between opposite sides (Coons' patch).
-void lay_fluid(Particles<2> &particles, std::size_t cell, unsigned int per_side, unsigned int seed);
+/// Places the cell's fluid evenly within its ring, whatever its shape, a little at random (even_points.h).
+void lay_fluid(Particles<2> &particles, std::size_t cell, unsigned int seed);
 } // namespace turgor

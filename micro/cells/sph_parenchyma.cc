@@ -36,7 +36,8 @@ void SphParameters::add_parameters(InputEntries &prm)
                     "their packing does not decide the pressure; summed: densities as the kernel sums give them. Units: none.",
                     Selection("exact|summed"));
   prm.add_parameter("Ordering", ordering,
-                    "Volume = exact: pressure that keeps the particles evenly spread, over Fluid modulus. Units: none.",
+                    "Volume = exact: pressure that keeps the particles evenly spread, over Fluid modulus; never more than 0.3 of Cell/Turgor, beyond "
+                    "which the packing of the particles would hold the walls' shape against the pressure. Units: none.",
                     Double(0., 1.));
   prm.add_parameter("Wall layer", wall_layer,
                     "Formulation = variational: spaced: the density near a wall counts a particle's own image behind it, so that the first "
@@ -95,6 +96,12 @@ ReferenceCell unannealed_cell(const ParenchymaPatch &patch, const SphParameters 
   return cell;
 }
 
+double ordering_pressure(const ParenchymaParameters &p, const SphParameters &sph)
+{
+  const double asked = sph.ordering * p.fluid_modulus;
+  return p.turgor > 0. ? std::min(asked, most_ordering * p.turgor) : asked;
+}
+
 std::unique_ptr<CellFluid<2>> make_cell_fluid(const ParenchymaParameters &p, const SphParameters &sph,
                                               const double wall_spacing, const std::vector<double> &mass,
                                               std::shared_ptr<const WallDamage> damage)
@@ -125,7 +132,7 @@ std::unique_ptr<CellFluid<2>> make_cell_fluid(const ParenchymaParameters &p, con
   if (sph.wall_layer == "spaced")
     fluid.layer = wall_layer<2>(sph.support_ratio);
   fluid.exact_volume = sph.volume == "exact";
-  fluid.ordering = sph.ordering * p.fluid_modulus;
+  fluid.ordering = ordering_pressure(p, sph);
   fluid.barrier = damage ? p.fluid_modulus : 0.; // an opened cell must not leak through what is left of its wall
   return std::make_unique<SphFluid<2>>(fluid, eos, mass, std::move(damage));
 }

@@ -63,6 +63,12 @@ struct SphPatch
 std::unique_ptr<SphPatch> make_sph_patch(const ParenchymaPatch &patch, const SphParameters &sph,
                                          const ReferenceCell &reference);
 
+/// Pa, p_0: Ordering times Fluid modulus, but not more than 0.3 of turgor. A packing of particles resists shear by a share of p_0 and yields
+/// only beyond it; from about turgor on it holds the walls' shape, and an aggregate does not come to rest (0.3 of 1 kPa: in 2 000 steps,
+/// 1.0: 30 000, 3 and more: not in 60 000).
+double ordering_pressure(const ParenchymaParameters &cell, const SphParameters &sph);
+constexpr double most_ordering = 0.3;
+
 /// The fluid that the entries ask for; wall_spacing: m, mass: kg of one fluid particle, per cell;
 /// damage: of walls that may fail (variational formulation only).
 std::unique_ptr<CellFluid<2>> make_cell_fluid(const ParenchymaParameters &cell, const SphParameters &sph, double wall_spacing,

@@ -1,9 +1,9 @@
 #include "micro/cells/tissue_inflation.h"
 
 #include "micro/engine/binary.h"
+#include "micro/engine/measured_step.h"
 #include "micro/io/number_text.h"
 #include "micro/processes/wall_yielding.h"
-#include "micro/terms/sph_fluid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,8 @@ namespace turgor
 {
 namespace
 {
-constexpr std::uint64_t settle_steps = 600, look_every = 50, still_for = 500, most_steps = 1000000;
+constexpr std::uint64_t ordering_steps = 400, settle_steps = 600, look_every = 50, still_for = 500, most_steps = 1000000;
+constexpr double step_fraction = 0.8, largest_move = 0.1; // of the stable step; of a particle's spacing, in a step while the fluid settles
 
 double largest_force(const Particles<2> &p)
 {
@@ -58,22 +59,14 @@ std::unique_ptr<BrickTissue> rest_of_the_walls(const ParenchymaParameters &cell,
 
 TissueInflation::TissueInflation(BrickTissue &tissue_, const ParenchymaParameters &cell_, const SphParameters &sph_,
                                  const BrickParameters &brick_)
-  : tissue(tissue_), cell(cell_), sph(sph_), brick(brick_), descent(tissue.system), damped(tissue.system)
+  : tissue(tissue_), cell(cell_), sph(sph_), brick(brick_), fluid(dynamic_cast<SphFluid<2> &>(*tissue.fluid)), descent(tissue.system),
+    damped(tissue.system)
 {
-  ParticleSystem<2> &system = tissue.system;
-  const double particle = cell.fluid_density * cell.period * cell.period * cell.depth / system.particles.groups.front().fluid_count();
-  const double mass = std::max(tissue.node_mass, 0.5 * particle);
-  heavy = 1. / mass;
+  const double particle = cell.fluid_density * cell.period * cell.period * cell.depth / tissue.system.particles.groups.front().fluid_count();
+  heavy = 1. / std::max(tissue.node_mass, 0.5 * particle);
   scale = cell.turgor * tissue.spacing * cell.depth;
-  SphFluid<2> &fluid = dynamic_cast<SphFluid<2> &>(*tissue.fluid);
-  fluid.set_viscosity(0.);
-  const double slow = system.stable_time_step(Pace::slow), fast = system.stable_time_step(Pace::fast);
-  dt = 0.8 / std::sqrt(1. / (slow * slow) + tissue.node_mass / (mass * fast * fast));
-  fluid.set_ordering(cell.fluid_modulus); // as while it settles
-  settle_dt = 0.8 * system.stable_time_step(Pace::slow);
-  fluid.set_ordering(sph.ordering * cell.fluid_modulus);
-  fluid.set_viscosity(cell.fluid_viscosity);
-  settle_rate = tissue.fluid->equation_of_state().sound_speed(cell.fluid_density) / cell.period * sph.particles_per_side;
+  spacing = fluid.support() / sph.support_ratio;
+  settle_rate = fluid.equation_of_state().sound_speed(cell.fluid_density) / spacing;
 }
 
 void TissueInflation::set_walls(const double inverse_mass)
@@ -92,47 +85,76 @@ void TissueInflation::begin(const BrickTissue &walls)
       const Group &from = walls.system.particles.groups[c], &to = p.groups[c];
       for (int d = 0; d < 2; ++d)
         std::copy_n(walls.system.particles.x[d].begin() + from.begin, from.wall_count(), p.x[d].begin() + to.begin);
-      lay_fluid(p, c, sph.particles_per_side, sph.seed);
+      lay_fluid(p, c, sph.seed);
       tissue.fluid->set_particle_mass(p, c, density * tissue.cell_area(c) * cell.depth / to.fluid_count());
     }
   tissue.fluid->forget_lists();
-  for (int d = 0; d < 2; ++d)
-    std::fill(p.v[d].begin(), p.v[d].end(), 0.);
   count = 0;
   at_rest = still = false;
   first = last = 0.;
   angle_then = -1.;
   set_walls(0.);
-  set_fluid();
-  tissue.system.compute_forces();
+  begin_part();
 }
 
 void TissueInflation::set_fluid()
 {
-  SphFluid<2> &fluid = dynamic_cast<SphFluid<2> &>(*tissue.fluid);
   fluid.set_viscosity(at_rest ? cell.fluid_viscosity : 0.);
-  fluid.set_ordering((count < settle_steps * 2 / 3 ? 1. : sph.ordering) * cell.fluid_modulus);
+  fluid.set_ordering(count < ordering_steps ? cell.fluid_modulus : ordering_pressure(cell, sph));
+}
+
+void TissueInflation::begin_part()
+{
+  ParticleSystem<2> &system = tissue.system;
+  for (int d = 0; d < 2; ++d)
+    std::fill(system.particles.v[d].begin(), system.particles.v[d].end(), 0.);
+  set_fluid();
+  system.compute_forces();
+  dt = step_fraction * measure_stable_step(system, system.stable_time_step()).dt;
+  descent.stop();
+}
+
+void TissueInflation::keep_step_stable()
+{
+  if (step_eigenvalue(tissue.system, dt / step_fraction) > 4.)
+    dt = step_fraction * measure_stable_step(tissue.system, dt / step_fraction).dt;
 }
 
 void TissueInflation::step()
 {
   if (count < settle_steps)
-    damped.step(settle_dt, (count < settle_steps / 3 ? 0.05 : 0.5) * settle_rate);
+    {
+      damped.step(dt, (count < settle_steps / 3 ? 0.05 : 0.5) * settle_rate);
+      limit_speed();
+    }
   else
     descent.step(dt);
   ++count;
-  if (count == settle_steps * 2 / 3)
-    set_fluid();
+  if (count == ordering_steps)
+    begin_part();
   if (count == settle_steps)
     {
       set_walls(heavy);
-      tissue.system.compute_forces();
-      descent.stop();
+      begin_part();
+      angle_then = tissue.angle_deviation();
+      stretch_then = tissue.mean_stretch();
     }
-  if (count % 10 == 0 && count >= settle_steps)
+  if (count % 10 == 0 && count >= ordering_steps)
     take_up();
   if (count % look_every == 0)
     look();
+  if (count % (count < settle_steps ? look_every : still_for) == 0)
+    keep_step_stable();
+}
+
+void TissueInflation::limit_speed()
+{
+  Particles<2> &p = tissue.system.particles;
+  const double most = largest_move * spacing / dt;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (const double speed = std::hypot(p.v[0][i], p.v[1][i]); speed > most)
+      for (int d = 0; d < 2; ++d)
+        p.v[d][i] *= most / speed;
 }
 
 void TissueInflation::take_up()
@@ -160,9 +182,9 @@ void TissueInflation::look()
 {
   const double left = residual();
   if (!std::isfinite(left))
-    throw std::runtime_error("the tissue diverged while it was inflated (step " + number_text(count)
-                             + "): no state at rest is found for this Cell/Turgor and Cell/Wall stiffness.");
-  if (count < settle_steps)
+    throw std::runtime_error("the tissue diverged while it was inflated: its forces are no numbers any more at step " + number_text(count)
+                             + " of its way to rest.");
+  if (count <= settle_steps)
     return;
   first = std::max(first, left);
   last = left;
@@ -177,7 +199,8 @@ void TissueInflation::look()
   if (!at_rest && count >= brick.rest_steps)
     throw std::runtime_error("the inflated tissue has not come to rest within Rest steps = " + number_text(brick.rest_steps)
                              + " (unbalanced force " + number_text(left) + " of turgor times the wall of a node, allowed "
-                             + number_text(brick.rest_residual) + "): use more Rest steps or a larger Rest residual.");
+                             + number_text(brick.rest_residual) + (still ? "" : "; angles or stretch of the walls still change")
+                             + "): use more Rest steps" + (left <= brick.rest_residual ? "." : " or a larger Rest residual."));
 }
 
 double TissueInflation::residual() const { return largest_force(tissue.system.particles) / scale; }
@@ -204,6 +227,7 @@ void TissueInflation::save(std::ostream &out) const
   for (const double value : {first, last, angle_then, stretch_then})
     write_binary(out, value);
   write_binary(out, still);
+  write_binary(out, dt);
   descent.save(out);
 }
 
@@ -214,6 +238,7 @@ void TissueInflation::load(std::istream &in)
   for (double *value : {&first, &last, &angle_then, &stretch_then})
     read_binary(in, *value);
   read_binary(in, still);
+  read_binary(in, dt);
   descent.load(in);
   set_fluid();
 }

@@ -2,9 +2,12 @@
 // does not depend on the way, so the short way is taken).
 //
 //   1  walls alone, turgor held in every cell (E = -p V): descent of the energy until nothing moves. Yielding walls follow their curve.
-//   2  the fluid is laid in the cells at the density of turgor and comes to rest, the walls held
+//   2  the fluid is laid evenly in the cells at the density of turgor and comes to rest, the walls held
 //   3  everything: descent, while osmosis (Eq. 3.2) keeps each cell's mean pressure at turgor, until the largest unbalanced
 //      force is below Rest residual and neither angles nor stretch go on
+//
+// Steps are 0.8 of the stable one as measured in the state (measured_step.h), at the start of every part and again where the state has
+// outgrown it: fluid that is just laid is stiffer than the terms' bounds know, by its density and by the ordering of part 2.
 //
 // Residual: largest force on a particle over turgor times a bond's wall area (spacing times depth). Walls are as heavy as half a
 // fluid particle meanwhile, which allows longer steps.
@@ -17,6 +20,7 @@
 
 #include "micro/cells/brick_tissue.h"
 #include "micro/engine/descent.h"
+#include "micro/terms/sph_fluid.h"
 
 #include <functional>
 #include <iosfwd>
@@ -50,7 +54,10 @@ public:
 
 private:
   void set_walls(double inverse_mass); ///< 1/kg, of all nodes
-  void take_up();   ///< water, by osmosis
+  void begin_part();       ///< velocities zero, the stable step measured
+  void keep_step_stable(); ///< measured anew where the state has outgrown it
+  void limit_speed();
+  void take_up(); ///< water, by osmosis
   double pressure(std::size_t cell) const; ///< Pa; leaves the cell's forces those of the fluid alone
   void set_fluid(); ///< as this part needs it
   void look();      ///< is it at rest?
@@ -59,10 +66,12 @@ private:
   ParenchymaParameters cell;
   SphParameters sph;
   BrickParameters brick;
+  SphFluid<2> &fluid;
   Descent<2> descent;
   KickDriftKick<2> damped;
-  double heavy, settle_dt, settle_rate, dt, scale; ///< 1/kg, s, 1/s, s, N
+  double heavy, settle_rate, scale, spacing; ///< 1/kg, 1/s, N, m
   // what changes
+  double dt = 0.;                              ///< s
   std::uint64_t count = 0;
   bool at_rest = false, still = false;         ///< still: angles and stretch have not changed for a while
   double first = 0., last = 0.;                ///< residuals: the largest, the last

@@ -73,7 +73,7 @@ void TissueLoading::Run::require_finite(const std::string &where) const
         else
           sentence << "moves at " << fast << " m/s, more than twice the speed of sound";
         if (load_steps == 0)
-          sentence << ": no state at rest is found for this Cell/Turgor and Cell/Wall stiffness.";
+          sentence << ", before any plate has moved.";
         else
           sentence << ". The last checkpoint, where there is one, holds the last good state; use a smaller Step fraction (now "
                    << scene.step_fraction << ") or a smaller Speed (now " << scene.speed << " m/s).";
