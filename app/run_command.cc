@@ -10,9 +10,6 @@
 #include "micro/io/run_directory.h"
 #include "micro/io/stop_flag.h"
 
-#include <deal.II/base/exceptions.h>
-#include <deal.II/base/multithread_info.h>
-
 #include <tbb/global_control.h>
 
 #include <sys/resource.h>
@@ -70,12 +67,6 @@ Start::Start(const RunOptions &options, const ScenarioRegistry &registry, MpiSes
                      " does not share its work over ranks; use --threads N.");
 
   const unsigned int threads = options.threads > 0 ? options.threads : default_threads(mpi);
-  dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
-  // Never one for deal.II: with one thread its FEValues reuses the geometry of the cell before it
-  // where the two look alike, with more it does not, and the last bits of a run would depend on
-  // --threads. TBB's own limit below is what counts.
-  ::unsetenv("DEAL_II_NUM_THREADS");
-  dealii::MultithreadInfo::set_thread_limit(std::max(2u, threads));
   limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, threads);
 
   settings.directory = options.directory.empty() ? default_directory(options.file) : options.directory;

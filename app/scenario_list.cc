@@ -1,9 +1,10 @@
 #include "app/scenario_list.h"
 
+#include "app/tissue_module.h"
+
 namespace turgor
 {
 #define TURGOR_SCENARIO(name, factory) std::unique_ptr<Scenario> factory();
-#include "coupling/scenarios.def"
 #include "micro/scenarios/scenarios.def"
 #include "rve/scenarios.def"
 #undef TURGOR_SCENARIO
@@ -24,9 +25,13 @@ std::unique_ptr<Scenario> make_scenario([[maybe_unused]] const std::string &want
 #define TURGOR_SCENARIO(name, factory) \
   if (wanted == #name)                 \
     return factory();
-#include "coupling/scenarios.def"
 #include "micro/scenarios/scenarios.def"
 #include "rve/scenarios.def"
+#undef TURGOR_SCENARIO
+#define TURGOR_SCENARIO(name, factory) \
+  if (wanted == #name)                 \
+    return make_tissue_scenario(#name);
+#include "coupling/scenarios.def"
 #undef TURGOR_SCENARIO
   return nullptr;
 }

@@ -107,12 +107,13 @@ class Product(unittest.TestCase):
                 results.append(json.load(file)["results"])
         self.assertEqual(*results)
 
-    def stop(self, *arguments, after=None):
+    def stop(self, *arguments, after="input.prm"):
         """Ctrl-C while the scene works, once it has written the file `after`: what it said, if it ended as it should."""
+        shutil.rmtree(os.path.join(self.directory, "out"), ignore_errors=True)
         child = subprocess.Popen(self.command("run", *arguments, "-o", "out", "--quiet"), cwd=self.directory,
                                  stderr=subprocess.PIPE, text=True)
         while child.poll() is None and not (catches_interrupt(child.pid) and
-                                            (after is None or os.path.exists(os.path.join(self.directory, "out", after)))):
+                                            os.path.exists(os.path.join(self.directory, "out", after))):
             time.sleep(0.005)
         time.sleep(0.3)
         self.assertIsNone(child.poll(), "it was done before it could be stopped")
@@ -150,6 +151,11 @@ class Product(unittest.TestCase):
                       self.stop(os.path.join(SOURCE, "inputs", "static_lattice.prm"), "--set", "Columns=40", "--set", "Rows=40"))
         self.assertIn("stopped before the full load was carried",
                       self.stop(os.path.join(SOURCE, "inputs", "tissue_statics.prm"), "--set", "Tissue statics/Elements=24"))
+
+    def test_particles_start_without_finite_elements(self):
+        needed = subprocess.run(["ldd", PROGRAM], capture_output=True, text=True, timeout=60).stdout
+        self.assertIn("libtbb", needed)
+        self.assertNotRegex(needed, "deal.ii|trilinos|sundials")
 
     def test_ranks_are_refused_by_a_scene_without_them(self):
         done = subprocess.run(self.command("run", *FULL, "-o", "out", "--ranks", "2"), cwd=self.directory,
