@@ -87,6 +87,33 @@ def draw_data(axis, first, column, unit_first=1.0, unit=1.0):
             axis.plot(table[first] * unit_first, table[column] * unit, "D", color=INK, markersize=4.5, linestyle="none", label=name)
 
 
+def in_prefix(unit, values):
+    """(factor, unit with an SI prefix) in which the largest of the values is a number from 1 to 1000: (1e6, "\u00b5m") for 3e-5 m. Times of an
+    hour and more are told in hours. Units that take no prefix stay."""
+    largest = max((float(np.max(np.abs(v))) for v in values if len(v)), default=0.0)
+    if unit == "s" and largest >= 3600.0:
+        return 1.0 / 3600.0, "h"
+    if unit not in ("s", "m", "Pa", "N", "J", "N/m", "J/m", "m/s", "Hz", "J/m^3") or largest <= 0.0:
+        return 1.0, unit
+    prefixes = {-15: "f", -12: "p", -9: "n", -6: "\u00b5", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
+    power = int(np.clip(3 * np.floor(np.log10(largest * 1.0001) / 3), -15, 9))
+    return 10.0 ** -power, prefixes[power] + unit
+
+
+def of_one_scale(columns, spread=30.0):
+    """Splits {name: values} into lists of names whose largest values are within a factor of each other, so that none is a line along zero
+    only because another is large. Second: the names that are zero throughout."""
+    size = {name: float(np.max(np.abs(values))) for name, values in columns.items()}
+    groups = []
+    for name in sorted((name for name in columns if size[name] > 0.0), key=lambda name: -size[name]):
+        if groups and size[groups[-1][0]] <= spread * size[name]:
+            groups[-1].append(name)
+        else:
+            groups.append([name])
+    order = list(columns)
+    return [sorted(group, key=order.index) for group in groups], [name for name in columns if size[name] == 0.0]
+
+
 def round_length(length):
     """The nearest 1, 2 or 5 times a power of ten below a length."""
     power = 10.0 ** np.floor(np.log10(length))

@@ -7,35 +7,56 @@ import importlib
 import json
 import os
 import sys
+import textwrap
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import numpy as np  # noqa: E402
 
-from drawing import DATA, draw_data, line_styles, plt, read_table  # noqa: E402
+from drawing import DATA, draw_data, in_prefix, line_styles, of_one_scale, plt, read_table  # noqa: E402
+
+
+def unit_of(column):
+    return column[column.rfind("[") + 1:-1] if "[" in column else "1"
+
+
+def words_of(column):
+    return column.split(" [")[0].replace("_", " ")
 
 
 def plot_series(path):
-    """One panel per unit below each other; the picture beside the table. Its path, or None where there is nothing to follow from row to row."""
+    """One panel per unit and order of size below each other; the picture beside the table. Its path, or None where there is nothing to follow from row to row."""
     table = read_table(path)
     names = list(table)
     if len(names) < 2 or len(table[names[0]]) < 2 or np.any(np.diff(table[names[0]]) <= 0):
         return None
-    units = {}
+    units, panels_of, zeros = {}, [], []
     for name in names[1:]:
-        units.setdefault(name[name.rfind("[") + 1:-1] if "[" in name else "1", []).append(name)
-    figure, panels = plt.subplots(len(units), 1, figsize=(7.5, 1 + 2.6 * len(units)), sharex=True, squeeze=False,
+        units.setdefault(unit_of(name), {})[name] = table[name]
+    for unit, columns in units.items():
+        groups, zero = of_one_scale(columns)
+        panels_of += [(unit, group) for group in groups]
+        zeros += [words_of(name) for name in zero]
+    if not panels_of:
+        return None
+    figure, panels = plt.subplots(len(panels_of), 1, figsize=(7.5, 1.2 + 2.6 * len(panels_of)), sharex=True, squeeze=False,
                                   layout="constrained")
-    for panel, (unit, columns) in zip(panels[:, 0], units.items()):
-        for name, (colour, dash) in zip(columns, line_styles(len(columns))):
-            panel.plot(table[names[0]], table[name], label=name.split(" [")[0].replace("_", " "), color=colour, linestyle=dash, lw=1.2)
-            draw_data(panel, names[0], name)
-        panel.set_ylabel("no unit" if unit in ("", "1") else unit)
+    along, unit_along = in_prefix(unit_of(names[0]), [table[names[0]]])
+    for panel, (unit, columns) in zip(panels[:, 0], panels_of):
+        factor, prefixed = in_prefix(unit, [table[name] for name in columns])
+        for k, (name, (colour, dash)) in enumerate(zip(columns, line_styles(len(columns)))):
+            # Each line is thinner than those it is drawn over, so that equal ones are seen as such.
+            panel.plot(along * table[names[0]], factor * table[name], label=words_of(name), color=colour, linestyle=dash,
+                       lw=1.2 + 1.6 * (len(columns) - 1 - k) / max(len(columns), 4))
+            draw_data(panel, names[0], name, along, factor)
+        panel.set_ylabel("no unit" if prefixed in ("", "1") else prefixed)
         panel.grid(alpha=0.3)
         panel.legend(fontsize=8 if len(columns) <= 8 else 6, ncols=1 + len(columns) // 9, loc="center left", bbox_to_anchor=(1.0, 0.5),
                      frameon=False)
-    panels[-1, 0].set_xlabel(names[0].replace("_", " "))
+    panels[-1, 0].set_xlabel(words_of(names[0]) + (f" [{unit_along}]" if unit_along not in ("", "1") else ""))
+    if zeros:
+        figure.text(0.5, 0.0, "\n".join(textwrap.wrap("zero throughout: " + ", ".join(zeros), 90)), fontsize=8, ha="center", va="top")
     picture = path[:-len(".csv")] + ".png"
-    figure.savefig(picture, dpi=150)
+    figure.savefig(picture, dpi=150, bbox_inches="tight")
     plt.close(figure)
     return picture
 

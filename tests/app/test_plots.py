@@ -44,6 +44,18 @@ class Pictures(unittest.TestCase):
     def test_scale_bars_follow_the_size(self):
         self.assertEqual([drawing.round_length(x) for x in (0.07, 0.3, 1.2, 5.0)], [0.05, 0.2, 1.0, 5.0])
 
+    def test_units_take_the_prefix_that_fits(self):
+        for unit, largest, factor, word in (("m", 3e-5, 1e6, "\u00b5m"), ("Pa", 2e5, 1e-3, "kPa"), ("s", 3e-4, 1e6, "\u00b5s"), ("s", 2e5, 1 / 3600, "h"),
+                                            ("1", 3e-5, 1., "1"), ("m", 0., 1., "m"), ("J/m", 1000., 1e-3, "kJ/m"), ("m^3", 1e-12, 1., "m^3")):
+            with self.subTest(unit=unit, largest=largest):
+                found = drawing.in_prefix(unit, [drawing.np.array([0., -largest])])
+                self.assertEqual(found[1], word)
+                self.assertAlmostEqual(found[0] / factor, 1., places=12)
+
+    def test_a_small_column_is_not_drawn_along_zero(self):
+        columns = {"a": [1., 2.], "b": [1e-6, 0.], "c": [0., 0.], "d": [0.1, 0.]}
+        self.assertEqual(drawing.of_one_scale({name: drawing.np.array(v) for name, v in columns.items()}), ([["a", "d"], ["b"]], ["c"]))
+
     def test_own_points_need_the_same_name_and_unit(self):
         self.write("input.prm", "set Scenario = none\n")
         self.write("growth.csv", "time [s],radius [m]\n0,1\n1,2\n")
