@@ -53,16 +53,14 @@ struct Cell
       lists.wall.clear(n);
     cell->system.compute_forces();
     neighbours = n * cell->fluid->mean_neighbours(p);
-    const bool viscous = state.range(1) != 0;
-    wall = std::make_unique<WallView<3>>(lists.wall, g, WallSettings{1., viscous, false, cell->mesh.get()});
-    const std::size_t rows = std::size_t(n + 1) * sph::row_doubles, push = (n + 7) / 8 * 8;
+    wall = std::make_unique<WallView<3>>(lists.wall, g, WallSettings{1., false, cell->mesh.get()});
+    const std::size_t rows = (std::size_t(n + 1) * sph::row_doubles + 7) / 8 * 8, push = (n + 7) / 8 * 8;
     scratch.reset(static_cast<double *>(std::aligned_alloc(64, (rows + push + wall->doubles()) * sizeof(double))));
     view.n = n;
     view.rows = scratch.get();
     view.push = view.rows + rows;
     wall->attach(view, p, view.push + push);
     view.mass = cell->fluid->particle_mass()[0];
-    view.viscosity = viscous ? 1. : 0.;
     view.volume = wall->volume();
     view.ordering = 60e3;
     view.eos = [](const void *, const std::uint32_t count, const double *, double *out) { std::fill(out, out + count, 200e3); };
@@ -71,7 +69,6 @@ struct Cell
     for (int d = 0; d < 3; ++d)
       {
         view.x[d] = p.x[d].data() + g.fluid;
-        view.v[d] = p.v[d].data() + g.fluid;
         view.f[d] = f[d].data();
       }
     view.rho = rho.data();

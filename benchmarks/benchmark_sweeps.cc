@@ -1,9 +1,9 @@
-// The two sweeps of the fluid alone, on the reference cell, in cache, one thread: ns per neighbour within the support.
+// The sweeps of the fluid alone, on the reference cell, in cache, one thread: ns per neighbour within the support.
 //
 //   build-bench/benchmarks/benchmark_sweeps --benchmark_repetitions=5 --benchmark_report_aggregates_only
 //
 // force: the force sweep (target: at most 1.2 ns per neighbour). density: the density sweep with the wall's part; pairs_only: the
-// same with no wall in reach, so that the difference of the two is the wall. Lists have the skin of a run. No EOS to speak of.
+// same with no wall in reach, so that the difference of the two is the wall. viscosity: all of an impulse. Lists have the skin of a run. No EOS to speak of.
 #include "micro/cells/sph_parenchyma.h"
 #include "micro/cells/turgid_reference.h"
 #include "micro/terms/sph_lists.h"
@@ -28,7 +28,7 @@ struct Cell
   sph::CellView<2> view;
   double neighbours = 0.; ///< within the support, all particles
 
-  Cell(const bool viscous, const bool wall)
+  explicit Cell(const bool wall)
   {
     const ParenchymaParameters cell;
     const SphParameters sph;
@@ -54,7 +54,8 @@ struct Cell
     view.n_wall = nw;
     view.mass = reference.particle_mass;
     view.depth = cell.depth;
-    view.viscosity = viscous ? 1. : 0.;
+    view.viscosity = 1.;
+    view.particle_volume = cell.period * cell.period * cell.depth / n;
     view.volume = cell.period * cell.period * cell.depth;
     view.ordering = sph.ordering * cell.fluid_modulus;
     view.eos = [](const void *, const std::uint32_t count, const double *, double *pressure_out) {
@@ -85,21 +86,22 @@ struct Cell
     view.first_neighbour = lists.fluid.first_neighbour.data();
     view.arcs = lists.wall.arcs.data();
     view.first_arc = lists.wall.first_arc.data();
-    view.scratch_half = 4 * sph::list_padding * lists.wall.chunks;
     view.arc_stride = std::uint32_t((lists.wall.arcs.size() + 7) / 8 * 8);
-    const std::size_t rows = std::size_t(n + 1) * sph::row_doubles, half = view.scratch_half,
-                      doubles = rows + 2 * half + 5 * view.arc_stride;
+    const std::size_t rows = (std::size_t(n + 1) * sph::row_doubles + 7) / 8 * 8, faces = 4 * sph::list_padding * std::size_t(lists.wall.chunks),
+                      viscous = std::size_t(n + 1) * sph::viscous_row<2>, doubles = rows + faces + 5 * view.arc_stride + 2 * viscous;
     scratch.reset(static_cast<double *>(std::aligned_alloc(64, (doubles * sizeof(double) + 63) / 64 * 64)));
     view.rows = scratch.get();
     view.scratch = view.rows + rows;
-    view.arc_ends = view.scratch + 2 * half;
+    view.arc_ends = view.scratch + faces;
+    view.viscous_rows = view.arc_ends + 5 * view.arc_stride;
+    view.moments = view.viscous_rows + viscous;
     sph::sweeps<2>().density(view);
   }
 };
 
 void sweep(benchmark::State &state, void (*const which)(sph::CellView<2> &), const bool wall)
 {
-  Cell cell(state.range(0) != 0, wall);
+  Cell cell(wall);
   for (auto _ : state)
     {
       which(cell.view);
@@ -115,9 +117,11 @@ void sweep(benchmark::State &state, void (*const which)(sph::CellView<2> &), con
 void force(benchmark::State &state) { sweep(state, sph::sweeps<2>().force, true); }
 void density(benchmark::State &state) { sweep(state, sph::sweeps<2>().density, true); }
 void density_pairs_only(benchmark::State &state) { sweep(state, sph::sweeps<2>().density, false); }
-BENCHMARK(force)->ArgName("viscous")->Arg(0)->Arg(1);
-BENCHMARK(density)->ArgName("viscous")->Arg(0)->Arg(1);
-BENCHMARK(density_pairs_only)->ArgName("viscous")->Arg(0)->Arg(1);
+void viscosity(benchmark::State &state) { sweep(state, sph::sweeps<2>().viscosity, true); }
+BENCHMARK(force);
+BENCHMARK(density);
+BENCHMARK(density_pairs_only);
+BENCHMARK(viscosity);
 } // namespace
 
 BENCHMARK_MAIN();

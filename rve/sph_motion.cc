@@ -3,6 +3,7 @@
 #include "micro/engine/kick_drift_kick.h"
 #include "micro/io/number_text.h"
 #include "micro/io/stop_flag.h"
+#include "micro/terms/sph_fluid.h"
 #include "rve/stretch_path.h"
 
 #include <algorithm>
@@ -10,6 +11,33 @@
 
 namespace turgor
 {
+namespace
+{
+/// The fluid without its viscosity, while this lives.
+class Inviscid
+{
+public:
+  explicit Inviscid(CellFluid<2> &fluid)
+    : sph(dynamic_cast<SphFluid<2> *>(&fluid))
+    , viscosity(sph ? sph->viscosity() : 0.)
+  {
+    if (sph)
+      sph->set_viscosity(0.);
+  }
+  ~Inviscid()
+  {
+    if (sph)
+      sph->set_viscosity(viscosity);
+  }
+  Inviscid(const Inviscid &) = delete;
+  Inviscid &operator=(const Inviscid &) = delete;
+
+private:
+  SphFluid<2> *sph;
+  double viscosity;
+};
+} // namespace
+
 SphMotion::SphMotion(SphPatch &cells_, const SphRveSettings &settings_, const double full_step,
                      const int refinement_)
   : cells(cells_)
@@ -114,19 +142,22 @@ void SphMotion::relax(const Tensor2<2> &F, const Tensor2<2> &F_dot, const int fu
   system.box.H_dot.setZero();
   const ParenchymaParameters &cell = cells.patch.parameters;
   const double crossing = cell.period / cells.fluid->equation_of_state().sound_speed(cell.fluid_density);
-  KickDriftKick<2> integrator(system);
-  system.compute_forces();
-  diagnostics.residual = residual();
-  for (int steps = 0; diagnostics.residual > settings.tolerance && diagnostics.residual < runaway
-                      && steps < full_steps * refinement;
-       steps += 10)
-    {
-      stop_here("while an RVE came to rest");
-      for (int k = 0; k < 10; ++k)
-        integrator.step(dt, 2. / crossing);
-      diagnostics.iterations += 10;
-      diagnostics.residual = residual();
-    }
+  {
+    const Inviscid inviscid(*cells.fluid); // where it comes to rest does not depend on viscosity, how fast does
+    KickDriftKick<2> integrator(system);
+    system.compute_forces();
+    diagnostics.residual = residual();
+    for (int steps = 0; diagnostics.residual > settings.tolerance && diagnostics.residual < runaway
+                        && steps < full_steps * refinement;
+         steps += 10)
+      {
+        stop_here("while an RVE came to rest");
+        for (int k = 0; k < 10; ++k)
+          integrator.step(dt, 2. / crossing);
+        diagnostics.iterations += 10;
+        diagnostics.residual = residual();
+      }
+  }
   const Tensor2<2> L = F_dot * F.inverse();
   for (std::size_t i = 0; i < p.size(); ++i)
     {

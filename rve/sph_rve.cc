@@ -51,7 +51,7 @@ SphRve::SphRve(const ParenchymaParameters &cell, const SphRveSettings &settings_
   scratch.cells = make_sph_patch(patch, settings.sph, reference_cell);
   const Tensor2<2> I = Tensor2<2>::Identity(), rest = Tensor2<2>::Zero();
   stiffness = 1.2 * acoustic_bound(affine_tangent(scratch, start, I, rest, Varied::F));
-  // Fluid particles near walls answer a rate more stiffly than Newton's fluid, whose bound this otherwise is.
+  // 3 mu is Newton's own; the thesis's fluid answers a rate more stiffly near walls.
   viscosity = std::max(3. * cell.fluid_viscosity, acoustic_bound(affine_tangent(scratch, start, I, rest, Varied::F_dot)));
 }
 

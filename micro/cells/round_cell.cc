@@ -61,10 +61,8 @@ void add_sph_fluid(RoundCell<dim> &cell, const EquationOfState &eos, const doubl
   fluid.viscosity = p.fluid_viscosity;
   fluid.ordering = p.ordering * p.fluid_modulus;
   fluid.fourth_order = p.kernel == "fourth_order";
-  if (p.wall_layer == "spaced")
+  if (!fluid.fourth_order)
     fluid.layer = wall_layer<dim>(p.support_ratio);
-  if (p.viscosity_law == "least_squares")
-    fluid.viscosity_form = SphViscosity::least_squares;
   fluid.barrier = cell.damage ? p.fluid_modulus : 0.; // or an opened cell leaks through what is left of its wall
   if constexpr (dim == 3)
     cell.sph = &cell.system.add(std::make_unique<SphFluid<3>>(fluid, eos, std::vector<double>(1, mass), cell.mesh, cell.damage));

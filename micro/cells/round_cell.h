@@ -43,8 +43,6 @@ struct RoundCellParameters
   double fluid_viscosity = 1e-3;   ///< Pa s
   double cavitation_pressure = -100e3; ///< Pa gauge
   std::string kernel = "wendland"; ///< wendland | fourth_order
-  std::string wall_layer = "free"; ///< free | spaced: sph_wall_layer.h
-  std::string viscosity_law = "monaghan"; ///< monaghan | least_squares
   double support_ratio = 2.6, skin_ratio = 0.2, ordering = 0.01;
   unsigned int seed = 1;
   unsigned int settle_steps = 0, anneal_steps = 8000, rest_steps = 10000; ///< bring_to_turgor.h

@@ -51,14 +51,6 @@ void RoundCellParameters::add_parameters(InputEntries &prm)
                     "Of the fluid's sums. fourth_order has no second moment: sound waves and pressure gradients are smoothed to "
                     "fourth order in the support, at shorter steps; walls that do not fail only. Units: none.",
                     Selection("wendland|fourth_order"));
-  prm.add_parameter("Wall layer", wall_layer,
-                    "Fluid = sph: spaced: the density near a wall counts a particle's own image behind it, so that the first layer of "
-                    "particles rests half a spacing before the wall; free: without. Kernel = wendland. Units: none.",
-                    Selection("free|spaced"));
-  prm.add_parameter("Viscosity law", viscosity_law,
-                    "monaghan: Eq. 2.25; least_squares: Newton's law of a velocity gradient per particle, exact for affine flow up to the "
-                    "wall and without resistance to a spin, with Fluid = sph only. Units: none.",
-                    Selection("monaghan|least_squares"));
   prm.add_parameter("Support ratio", support_ratio, "Kernel radius (2 h) over particle spacing. Units: none.", Double(2., 4.));
   prm.add_parameter("Skin ratio", skin_ratio, "Verlet skin over particle spacing; speed only. Units: none.", Double(0.05, 2.));
   prm.add_parameter("Ordering", ordering, "Pressure that keeps particles evenly spread, over Fluid modulus. Units: none.",
@@ -100,11 +92,6 @@ void RoundCellParameters::check(const int dim) const
     fail("Turgor", turgor, "positive (Pa) with Fluid = thesis: the repulsion of the wall's nodes is chosen by the pressure it holds");
   if (fluid == "thesis" && kernel != "wendland")
     throw std::invalid_argument("Cell/Kernel is " + kernel + ", which only Cell/Fluid = sph has; with Fluid = thesis it has to be wendland.");
-  if (wall_layer == "spaced" && (fluid != "sph" || kernel != "wendland"))
-    throw std::invalid_argument("Cell/Wall layer is spaced, which only Cell/Fluid = sph with Cell/Kernel = wendland has; otherwise it has "
-                                "to be free.");
-  if (viscosity_law == "least_squares" && fluid != "sph")
-    throw std::invalid_argument("Cell/Viscosity law is least_squares, which only Cell/Fluid = sph has; otherwise it has to be monaghan.");
   if (has_particles() && !(support_ratio * most < 1.))
     fail("Fluid particles", fluid_particles, "so many that the kernel's radius is smaller than the cell's");
   turgid_stretch(dim);

@@ -25,7 +25,8 @@ void SphParameters::add_parameters(InputEntries &prm)
                     "Verlet skin over particle spacing; speed only. Units: none.", Double(0.05, 2.));
   prm.add_parameter("Seed", seed, "Seed of the initial disorder of the fluid. Units: none.", Integer(0));
   prm.add_parameter("Anneal steps", anneal_steps,
-                    "Damped steps that bring the fluid to rest before the reference state is taken. Units: steps.",
+                    "Damped steps that bring the fluid to rest before the reference state is taken; up to four times as many more while it is not. "
+                    "Units: steps.",
                     Integer(100, 10000000));
   prm.add_parameter("Formulation", formulation,
                     "variational: one energy, density corrected for the wall; thesis: density by continuity and "
@@ -39,16 +40,10 @@ void SphParameters::add_parameters(InputEntries &prm)
                     "Volume = exact: pressure that keeps the particles evenly spread, over Fluid modulus; never more than 0.3 of Cell/Turgor, beyond "
                     "which the packing of the particles would hold the walls' shape against the pressure. Units: none.",
                     Double(0., 1.));
-  prm.add_parameter("Wall layer", wall_layer,
-                    "Formulation = variational: spaced: the density near a wall counts a particle's own image behind it, so that the first "
-                    "layer of particles rests half a spacing before the wall; free: without, it rests at 0.12 spacings, and the next at "
-                    "1.3. Units: none.",
-                    Selection("free|spaced"));
   prm.add_parameter("Viscosity law", viscosity_law,
-                    "monaghan: Eq. 2.25; morris: Eq. 2.24, with Formulation = thesis only; least_squares: Newton's law of a velocity "
-                    "gradient per particle, exact for affine flow up to the wall and without resistance to a spin, with Formulation = "
-                    "variational only. Units: none.",
-                    Selection("monaghan|morris|least_squares"));
+                    "Formulation = thesis: monaghan: Eq. 2.25; morris: Eq. 2.24. The variational one has Newton's law of a velocity gradient per "
+                    "particle. Units: none.",
+                    Selection("monaghan|morris"));
   prm.add_parameter("Wall range ratio", wall_range_ratio,
                     "Formulation = thesis: range r_0 of the wall's repulsion (Eq. 3.7) over particle spacing. Units: none.",
                     Double(0.6, 4.));
@@ -62,13 +57,7 @@ void SphParameters::check() const
 {
   if (viscosity_law == "morris" && formulation != "thesis")
     throw std::invalid_argument("SPH/Viscosity law is morris, which only SPH/Formulation = thesis has; with "
-                                "SPH/Formulation = variational use monaghan or least_squares.");
-  if (wall_layer == "spaced" && formulation != "variational")
-    throw std::invalid_argument("SPH/Wall layer is spaced, which only SPH/Formulation = variational has; with "
-                                "SPH/Formulation = thesis use free.");
-  if (viscosity_law == "least_squares" && formulation != "variational")
-    throw std::invalid_argument("SPH/Viscosity law is least_squares, which only SPH/Formulation = variational has; with "
-                                "SPH/Formulation = thesis use monaghan or morris.");
+                                "SPH/Formulation = variational leave monaghan.");
 }
 
 ReferenceCell unannealed_cell(const ParenchymaPatch &patch, const SphParameters &sph)
@@ -127,10 +116,7 @@ std::unique_ptr<CellFluid<2>> make_cell_fluid(const ParenchymaParameters &p, con
   fluid.skin = sph.skin_ratio * dx;
   fluid.depth = p.depth;
   fluid.viscosity = p.fluid_viscosity;
-  if (sph.viscosity_law == "least_squares")
-    fluid.viscosity_form = SphViscosity::least_squares;
-  if (sph.wall_layer == "spaced")
-    fluid.layer = wall_layer<2>(sph.support_ratio);
+  fluid.layer = wall_layer<2>(sph.support_ratio);
   fluid.exact_volume = sph.volume == "exact";
   fluid.ordering = ordering_pressure(p, sph);
   fluid.barrier = damage ? p.fluid_modulus : 0.; // an opened cell must not leak through what is left of its wall

@@ -26,8 +26,7 @@ struct SphParameters
   std::string formulation = "variational"; ///< variational (sph_fluid.h) | thesis (thesis_fluid.h)
   std::string volume = "exact";            ///< exact | summed (variational formulation only)
   double ordering = 0.01;                  ///< p_0 / fluid modulus (volume = exact)
-  std::string wall_layer = "free";         ///< free | spaced (variational formulation only): sph_wall_layer.h
-  std::string viscosity_law = "monaghan";  ///< monaghan | morris (thesis formulation only) | least_squares (variational only)
+  std::string viscosity_law = "monaghan";  ///< thesis: monaghan | morris
   double wall_range_ratio = 1.5;           ///< thesis: r_0 of the wall's repulsion / particle spacing
   double wall_strength = 4.;               ///< thesis: f_0 over the estimate of lennard_jones_wall.h
 

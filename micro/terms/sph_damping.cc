@@ -20,7 +20,7 @@ std::array<std::vector<double>, dim> SphFluid<dim>::viscous_forces(const Particl
   if (n == 0 || !cell.built)
     return f;
   const std::size_t rows = std::size_t(n + 1) * sph::viscous_row<dim>;
-  WallView<dim> wall(cell.lists.wall, g, {parameters.depth, true, true, mesh.get()});
+  WallView<dim> wall(cell.lists.wall, g, {parameters.depth, true, mesh.get()});
   thread_local SphScratch scratch;
   double *memory = scratch.get(2 * rows + wall.doubles());
 
@@ -76,7 +76,7 @@ void SphFluid<dim>::drift(Particles<dim> &, const std::size_t group, double)
 template <int dim>
 void SphFluid<dim>::damp(Particles<dim> &particles, const Box<dim> &, const std::size_t group, const double dt)
 {
-  if (!by_impulses() || !(dt > 0.))
+  if (!(parameters.viscosity > 0.) || !(dt > 0.))
     return;
   SphImpulses<dim> &impulses = cells[group].impulses;
   if (!impulses.due(dt))
@@ -102,7 +102,7 @@ void SphFluid<dim>::damp(Particles<dim> &particles, const Box<dim> &, const std:
 template <int dim>
 Tensor2<dim> SphFluid<dim>::damping_virial(const Particles<dim> &particles, const std::size_t group) const
 {
-  if (!by_impulses())
+  if (!(parameters.viscosity > 0.))
     return Tensor2<dim>::Zero();
   const SphImpulses<dim> &impulses = cells[group].impulses;
   return impulses.virial_known ? impulses.virial : virial_of<dim>(particles, particles.groups[group], viscous_forces(particles, group));
@@ -121,7 +121,7 @@ double SphFluid<dim>::damping_bound(const Particles<dim> &particles, const std::
   double bound = 56. * (4. / 3.) / (R * R) * volume * lightest(g.fluid, g.end);
   if (g.wall_count() > 0)
     {
-      const WallBulk wall = WallView<dim>::bulk(particles, g, {parameters.depth, false, false, mesh.get()});
+      const WallBulk wall = WallView<dim>::bulk(particles, g, {parameters.depth, false, mesh.get()});
       const double width = dim == 2 ? parameters.depth : std::sqrt(wall.node_area);
       bound += (3.1 * wall.node_area / dx + 1.3 * width) * lightest(g.begin, g.fluid);
     }

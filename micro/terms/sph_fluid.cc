@@ -131,11 +131,10 @@ void SphFluid<dim>::add_forces(Particles<dim> &particles, const Box<dim> &, cons
   if (!cell.built)
     build(g, group);
 
-  if (by_impulses() && !cell.impulses.within_step)
+  if (!cell.impulses.within_step)
     cell.impulses.virial_known = false; // velocities may be others
-  const bool viscous = parameters.viscosity > 0. && !by_impulses();
-  const std::size_t rows = std::size_t(n + 1) * sph::row_doubles;
-  WallView<dim> wall(cell.lists.wall, g, {parameters.depth, viscous, false, mesh.get()});
+  const std::size_t rows = SphScratch::round_up(std::size_t(n + 1) * sph::row_doubles);
+  WallView<dim> wall(cell.lists.wall, g, {parameters.depth, false, mesh.get()});
   thread_local SphScratch scratch;
   double *memory = scratch.get(rows + SphScratch::round_up(n) + wall.doubles());
 
@@ -147,7 +146,6 @@ void SphFluid<dim>::add_forces(Particles<dim> &particles, const Box<dim> &, cons
   view.support = parameters.support;
   view.mass = mass[group];
   view.depth = parameters.depth;
-  view.viscosity = viscous ? parameters.viscosity : 0.;
   view.eos = &eos_pressure;
   view.eos_data = &eos;
   view.neighbours = cell.lists.fluid.neighbours.data();
@@ -158,7 +156,6 @@ void SphFluid<dim>::add_forces(Particles<dim> &particles, const Box<dim> &, cons
   for (int d = 0; d < dim; ++d)
     {
       view.x[d] = particles.x[d].data() + g.fluid;
-      view.v[d] = particles.v[d].data() + g.fluid;
       view.f[d] = particles.f[d].data() + g.fluid;
     }
   view.fourth_order = parameters.fourth_order;
@@ -215,10 +212,6 @@ Rates SphFluid<dim>::rates(const Particles<dim> &particles) const
   // the fourth-order kernel it is 4.28/R.
   const double stiffest = parameters.fourth_order ? 12. / R : 6.5 / R;
   bound.fluid.frequency_squared = stiffest * stiffest * c * c;
-  // Wendland C2, continuous limit, in 2D and 3D: sum V |W'|/r = 14/R^2; the central pair drag takes 1/d of
-  // it in one direction, chi mu/2 = 2 (d + 2) mu, and the highest mode moves neighbours oppositely.
-  if (!by_impulses())
-    bound.fluid.drag = 2. * (dim == 2 ? 8. * 7. : 10. * 14. / 3.) * parameters.viscosity / (rho * R * R);
   if (particles.groups.empty())
     return bound;
   const Group &g = particles.groups.front(); // all cells start as copies
@@ -226,7 +219,7 @@ Rates SphFluid<dim>::rates(const Particles<dim> &particles) const
     return bound;
   const double lightest =
     *std::max_element(particles.inverse_mass.begin() + g.begin, particles.inverse_mass.begin() + g.fluid);
-  const WallBulk wall = WallView<dim>::bulk(particles, g, {parameters.depth, false, false, mesh.get()});
+  const WallBulk wall = WallView<dim>::bulk(particles, g, {parameters.depth, false, mesh.get()});
   // All nodes together against the fluid's bulk modulus: B sum_k |dV/dx_k|^2 / (V m_node).
   if (parameters.exact_volume)
     bound.wall.frequency_squared = rho * c * c * wall.slopes_squared / wall.volume * lightest;
@@ -236,10 +229,6 @@ Rates SphFluid<dim>::rates(const Particles<dim> &particles) const
       bound.fluid.frequency_squared += stiffness / rho;
       bound.wall.frequency_squared += stiffness * wall.node_area * (R / 2.6) * lightest;
     }
-  // No slip drags the wall's light nodes: mu times a node's area over the least gap that counts, half a
-  // spacing (doc/validation.md has the measured limit beside this bound).
-  if (!by_impulses())
-    bound.wall.drag = parameters.viscosity * wall.node_area * lightest / (0.5 * R / 2.6);
   return bound;
 }
 
@@ -307,8 +296,7 @@ void SphFluid<dim>::save(std::ostream &out, const Particles<dim> &) const
       cell.built_at.save(out);
       if (damage)
         write_binary(out, cell.scale);
-      if (by_impulses())
-        cell.impulses.save(out);
+      cell.impulses.save(out);
     }
 }
 
@@ -322,8 +310,7 @@ void SphFluid<dim>::load(std::istream &in, Particles<dim> &particles)
       cell.built_at.load(in);
       if (damage)
         read_binary(in, cell.scale);
-      if (by_impulses())
-        cell.impulses.load(in);
+      cell.impulses.load(in);
       set_particle_mass(particles, group, mass[group]);
       cell.built = false; // built from there at the next forces, when the damage is known as well
     }

@@ -23,19 +23,12 @@
 
 namespace turgor
 {
-enum class SphViscosity
-{
-  pair_drag,     ///< Monaghan's, with no slip along faces: what results so far have
-  least_squares, ///< Newton's of a velocity gradient per particle (sph_viscosity.inc.h): exact for affine flow, objective; by impulses
-};
-
 struct SphFluidParameters
 {
   double support = 0.;    ///< m, radius of the kernel (2 h)
   double skin = 0.;       ///< m
   double depth = 1.;      ///< m, slab depth; not used in 3D
-  double viscosity = 0.;  ///< Pa s
-  SphViscosity viscosity_form = SphViscosity::pair_drag;
+  double viscosity = 0.;  ///< Pa s; acts by impulses (sph_impulses.h)
   bool exact_volume = true; ///< volumes of the particles fill the cell exactly; else as summed
   double ordering = 0.;     ///< Pa, p_0; with exact_volume
   bool fourth_order = false; ///< kernel without second moment (sph_kernels.inc.h); closed cells only
@@ -73,8 +66,6 @@ public:
   void set_particle_mass(Particles<dim> &particles, std::size_t group, double value) override;
   void set_viscosity(double value) { parameters.viscosity = value; }
   double viscosity() const { return parameters.viscosity; }
-  /// Whether viscosity acts by damp(), not by forces.
-  bool by_impulses() const { return parameters.viscosity > 0. && parameters.viscosity_form == SphViscosity::least_squares; }
   /// N, of the particles of the group in their order: what damp() acts with at the present positions and velocities. Needs the lists of a force
   /// evaluation at these positions.
   std::array<std::vector<double>, dim> viscous_forces(const Particles<dim> &particles, std::size_t group) const;

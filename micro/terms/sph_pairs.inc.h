@@ -22,8 +22,8 @@ inline double sum_of(const std::uint32_t n, const Value &value)
   return ((parts[0] + parts[4]) + (parts[1] + parts[5])) + ((parts[2] + parts[6]) + (parts[3] + parts[7]));
 }
 
-/// Positions and velocities side by side, a row a particle, and the row that pads the lists: out of reach.
-template <int dim, bool viscous>
+/// Positions, a row a particle, and the row that pads the lists: out of reach.
+template <int dim>
 void fill_rows(CellView<dim> &c)
 {
   for (std::uint32_t i = 0; i < c.n; ++i)
@@ -31,9 +31,6 @@ void fill_rows(CellView<dim> &c)
       double *row = c.rows + std::size_t(i) * row_doubles;
       for (int d = 0; d < dim; ++d)
         row[d] = c.x[d][i];
-      if (viscous)
-        for (int d = 0; d < dim; ++d)
-          row[Column<dim>::velocity + d] = c.v[d][i];
     }
   double *dummy = c.rows + std::size_t(c.n) * row_doubles;
   for (unsigned int k = 0; k < row_doubles; ++k)
@@ -138,7 +135,7 @@ inline void correct(CellView<dim> &c, const std::uint32_t i, double gamma)
 }
 
 /// rho so that the volumes fill the cell, p, and their share in the rows.
-template <int dim, bool viscous>
+template <int dim>
 void apply_law(CellView<dim> &c)
 {
   double scale = c.scale, mean_pressure = 0.;
@@ -157,70 +154,39 @@ void apply_law(CellView<dim> &c)
       const double ig = 1. / c.gamma[i], ir = 1. / c.rho[i], p = c.pressure[i] - mean_pressure + c.ordering * scale,
                    volume = c.mass * ir;
       row[Column<dim>::a] = volume * p * scale * ir * ig;
-      if constexpr (dim == 2)
-        {
-          row[Column<dim>::volume] = volume;
-          row[Column<dim>::inverse_share] = ig;
-        }
-      else if (viscous)
-        row[Column<dim>::viscous_weight] = volume * __builtin_sqrt(ig);
       c.push[i] *= volume * p * ig;
     }
 }
 
-template <int dim, bool viscous, bool fourth_order>
+template <int dim, bool fourth_order>
 void force(CellView<dim> &c)
 {
   using Is = Column<dim>;
-  using Ordinary = Kernel<dim, false>; // drag takes it always: the ring of W* would push
   using K = Kernel<dim, fourth_order>;
-  const double R = c.support, iR = 1. / R, C = Ordinary::peak(R) / c.depth;
+  const double R = c.support, iR = 1. / R, C = Kernel<dim, false>::peak(R) / c.depth;
   const V viR = splat(iR), one = splat(1.), tiny = splat(1e-24 * R * R);
   // W'/r = -20 C slope / R^2: common to all pairs, and put in at the end
   const double slope = -20. * C * iR * iR * c.mass;
-  // chi mu_i mu_j / (mu_i + mu_j) = 4 (d + 2) mu / 2; times 1/2 from the arithmetic mean of 1/gamma in 2D
-  const double drag = (dim == 2 ? 4. * c.viscosity : 10. * c.viscosity) / c.mass;
   std::uint32_t k = c.first_neighbour[0];
   for (std::uint32_t i = 0; i < c.n; ++i)
     {
       const double *row = c.rows + std::size_t(i) * row_doubles;
-      V xi[dim], vi[dim], total[dim];
+      V xi[dim], total[dim];
       for (int d = 0; d < dim; ++d)
         {
           xi[d] = splat(row[d]);
-          vi[d] = splat(row[Is::velocity + d]);
           total[d] = splat(0.);
         }
-      const V ai = splat(row[Is::a]), weight = splat(drag * row[dim == 2 ? Is::volume : Is::viscous_weight]),
-              igi = splat(row[Is::inverse_share]);
+      const V ai = splat(row[Is::a]);
       const std::uint32_t next = c.first_neighbour[i + 1], end = list_end(c.neighbours, k, next, c.n);
       for (; k < end; k += W)
         {
           V j[row_doubles];
-          if (viscous)
-            load_rows(c.rows, c.neighbours + k, j);
-          else
-            load_half_rows<row_doubles>(c.rows, c.neighbours + k, j);
+          load_half_rows<row_doubles>(c.rows, c.neighbours + k, j);
           const V r2 = square_from<dim>(xi, j, tiny);
           const V w = positive(one - root(r2) * viR);
           V coefficient = ai + j[Is::a];
-          if constexpr (fourth_order)
-            coefficient *= splat(K::alpha) * K::slope(w);
-          if (viscous)
-            {
-              V rate = (j[Is::velocity] - vi[0]) * j[0];
-              for (int d = 1; d < dim; ++d)
-                rate = rate + (j[Is::velocity + d] - vi[d]) * j[d];
-              V approach = rate * reciprocal(r2);
-              if constexpr (fourth_order)
-                approach *= Ordinary::slope(w);
-              if constexpr (dim == 2)
-                coefficient -= weight * j[Is::volume] * (igi + j[Is::inverse_share]) * approach;
-              else
-                coefficient -= weight * j[Is::viscous_weight] * approach;
-            }
-          if constexpr (!fourth_order)
-            coefficient *= Ordinary::slope(w);
+          coefficient *= fourth_order ? splat(K::alpha) * K::slope(w) : K::slope(w);
           for (int d = 0; d < dim; ++d)
             total[d] += coefficient * j[d];
         }

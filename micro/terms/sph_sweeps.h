@@ -34,11 +34,7 @@
 //
 // Kernel: Wendland C2 (no pairing instability), W = C (1 - u)^4 (4 u + 1), u = r / support; or (fourth_order) W times a polynomial that
 // takes its second moment away, so that sound of wave number k runs at c (1 - O(k^4)), not c (1 - O(k^2)): sph_kernels.inc.h.
-// Viscosity, either of two:
-//   sph_viscosity.inc.h: a velocity gradient per particle by least squares, exact for affine flow and objective
-//   pair drag (thesis Eq. 2.25, corrected, chi = 4 (d + 2)): central, renormalised at the wall by the
-//     mean of 1/gamma_i and 1/gamma_j (2D: arithmetic; 3D: geometric, so that volume and 1/gamma are one number
-//     and a row is still one cache line), and no slip against the wall's faces, which is not objective.
+// Viscosity: a velocity gradient per particle by least squares, exact for affine flow and objective (sph_viscosity.inc.h).
 #pragma once
 
 #include <cstdint>
@@ -46,17 +42,16 @@
 
 namespace turgor::sph
 {
-constexpr unsigned int row_doubles = 8;  ///< a row is one cache line
+constexpr unsigned int row_doubles = 4;  ///< two rows are one cache line
 template <int dim>
 constexpr unsigned int viscous_row = dim == 2 ? 8 : 16; ///< doubles of a particle's row in sph_viscosity.inc.h
 constexpr unsigned int list_padding = 8; ///< lists are padded with the dummy row to this many entries
 
-/// Columns of a particle's row. All that pressure forces need is in the first half:
-/// 2D: x y a V | vx vy 1/gamma -;  3D: x y z a | vx vy vz V/sqrt(gamma).   a = V (p_i - p_mean + s p_0) s / (rho gamma)
+/// Columns of a particle's row: 2D: x y a -;  3D: x y z a.   a = V (p_i - p_mean + s p_0) s / (rho gamma)
 template <int dim>
 struct Column
 {
-  static constexpr int a = dim, volume = 3, velocity = 4, inverse_share = 6, viscous_weight = 7;
+  static constexpr int a = dim;
 };
 
 /// One cell, raw: what 2D and 3D share. n fluid particles, n_wall nodes.
@@ -64,7 +59,7 @@ template <int dim>
 struct CellBase
 {
   std::uint32_t n = 0, n_wall = 0;
-  const double *x[dim]{}, *v[dim]{}; ///< fluid positions (m) and velocities (m/s); v unused without viscosity
+  const double *x[dim]{}, *v[dim]{}; ///< fluid positions (m) and velocities (m/s); v: of viscosity() alone
   double *f[dim]{};                  ///< fluid forces (N), accumulated
   double *rho = nullptr;             ///< out, kg/m^3
   double *gamma = nullptr;           ///< out
@@ -76,9 +71,9 @@ struct CellBase
   double support = 0.;               ///< m
   double mass = 0.;                  ///< kg, of one fluid particle
   double depth = 1.;                 ///< m, slab depth: in 2D W is per area, rho per volume; 1 in 3D
-  double viscosity = 0.;             ///< Pa s; 0 compiles the pair drag out of density() and force()
-  double particle_volume = 0.;       ///< m^3, the same for all; of viscosity() alone, as the next two
-  double *viscous_rows = nullptr;    ///< (n + 1) * viscous_row<dim>, 64-byte aligned scratch; may be rows if these are as long
+  double viscosity = 0.;             ///< Pa s; of viscosity() alone, as the next three
+  double particle_volume = 0.;       ///< m^3, the same for all
+  double *viscous_rows = nullptr;    ///< (n + 1) * viscous_row<dim>, 64-byte aligned scratch
   double *moments = nullptr;         ///< n * viscous_row<dim>, 64-byte aligned scratch
   void (*eos)(const void *, std::uint32_t n, const double *rho, double *p) = nullptr; ///< p(rho), Pa
   const void *eos_data = nullptr;
@@ -135,8 +130,7 @@ struct CellView<2> : CellBase<2>
   double *wall_f_next[2]{};       ///< accumulated on face k's other node k + 1
   const Arc *arcs = nullptr;
   const std::uint32_t *first_arc = nullptr; ///< n + 1 offsets
-  double *scratch = nullptr;      ///< 2 * scratch_half, 64-byte aligned
-  std::uint32_t scratch_half = 0; ///< 4 list_padding * (chunks of list_padding faces that all particles see)
+  double *scratch = nullptr;      ///< 4 list_padding * (chunks of list_padding faces that all particles see), 64-byte aligned
   double *arc_ends = nullptr;     ///< 5 * arc_stride scratch
   std::uint32_t arc_stride = 0;   ///< number of arcs, rounded up to list_padding
 };
@@ -145,9 +139,8 @@ template <>
 struct CellView<3> : CellBase<3>
 {
   // Wall nodes, 4 doubles each (the last 0 or unused), 64-byte aligned.
-  const double *wall_x = nullptr, *wall_v = nullptr; ///< m, m/s; wall_v unused without viscosity
+  const double *wall_x = nullptr, *wall_v = nullptr; ///< m, m/s; wall_v: of viscosity() alone
   double *wall_f = nullptr;                          ///< N, accumulated
-  double *wall_drag = nullptr;                       ///< scratch, unused without viscosity
   const std::uint16_t *corners = nullptr;            ///< wall nodes, 3 a face
   const FaceList *face_lists = nullptr;              ///< of the faces in reach of any particle
   std::uint32_t n_faces = 0;                         ///< of these
@@ -159,7 +152,7 @@ struct CellView<3> : CellBase<3>
   const Doubt *doubts = nullptr;
   std::uint32_t n_doubts = 0;
   // Scratch, 64-byte aligned.
-  double *own = nullptr, *pull = nullptr, *own_drag = nullptr; ///< 4 (n + 1) each; own_drag unused without viscosity
+  double *own = nullptr, *pull = nullptr;            ///< 4 (n + 1) each
   double *rim_pull = nullptr;                        ///< 4 for every rim node: 8 pi support * d gamma / d node
   double *rim_scratch = nullptr;                     ///< 8 (longest rim + 2 list_padding)
   double *kept_rays = nullptr;                       ///< of viscosity(): 6 for every particle of face_particles
@@ -174,8 +167,8 @@ struct Sweeps
   void (*density)(CellView<dim> &) = nullptr;
   /// The forces between fluid particles; needs density() at the same positions.
   void (*force)(CellView<dim> &) = nullptr;
-  /// Adds Newton's viscosity by the particles' velocity gradients (sph_viscosity.inc.h), of fluid and wall; the others then have
-  /// none. After them: it overwrites the wall's scratch.
+  /// Adds Newton's viscosity by the particles' velocity gradients (sph_viscosity.inc.h), of fluid and wall. After the others: it
+  /// overwrites the wall's scratch.
   void (*viscosity)(CellView<dim> &) = nullptr;
   const char *name = ""; ///< its word in TURGOR_SIMD
 };

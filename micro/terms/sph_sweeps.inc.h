@@ -12,33 +12,27 @@ namespace turgor::sph
 {
 namespace
 {
-template <int dim, bool viscous, bool fourth_order>
+template <int dim, bool fourth_order>
 void density(CellView<dim> &c)
 {
   c.crossed = 0;
-  fill_rows<dim, viscous>(c);
+  fill_rows<dim>(c);
   sum_kernels<dim, fourth_order>(c);
-  wall_shares<viscous, fourth_order>(c);
-  apply_law<dim, viscous>(c);
-  push_wall<viscous>(c);
+  wall_shares<fourth_order>(c);
+  apply_law<dim>(c);
+  push_wall(c);
 }
 
 template <int dim>
 void density_any(CellView<dim> &c)
 {
-  if (c.fourth_order)
-    c.viscosity > 0. ? density<dim, true, true>(c) : density<dim, false, true>(c);
-  else
-    c.viscosity > 0. ? density<dim, true, false>(c) : density<dim, false, false>(c);
+  c.fourth_order ? density<dim, true>(c) : density<dim, false>(c);
 }
 
 template <int dim>
 void force_any(CellView<dim> &c)
 {
-  if (c.fourth_order)
-    c.viscosity > 0. ? force<dim, true, true>(c) : force<dim, false, true>(c);
-  else
-    c.viscosity > 0. ? force<dim, true, false>(c) : force<dim, false, false>(c);
+  c.fourth_order ? force<dim, true>(c) : force<dim, false>(c);
 }
 } // namespace
 } // namespace turgor::sph

@@ -102,23 +102,32 @@ void add_wall_moments(CellView<2> &c)
 }
 
 /// The forces between particles and wall.
-void drag_wall(CellView<2> &c)
+void drag_wall(CellView<2> &c, const bool thin)
 {
   const Rays *kept = reinterpret_cast<const Rays *>(c.scratch);
-  const V beta = splat(residual_share), scale = splat(c.viscosity * c.particle_volume);
+  const V scale = splat(c.viscosity * c.particle_volume), zero = splat(0.);
   for (std::uint32_t i = 0; i < c.n; ++i)
     {
       if (c.first_arc[i] == c.first_arc[i + 1])
         continue;
       const double *T = c.viscous_rows + 8 * std::size_t(i) + Viscous<2>::tensor;
+      const double share = thin ? c.moments[8 * std::size_t(i) + Viscous<2>::thin] : 0.;
+      const V beta = splat(residual_share * (1. - share));
       V total[2] = {splat(0.), splat(0.)};
       for_faces(c, i, [&](const std::uint32_t at, const V a[2], const V b[2], const V va[2], const V vb[2], V) {
         const Rays rays = *kept++;
+        V central[2][2] = {{zero, zero}, {zero, zero}};
+        if (share > 0.)
+          {
+            const V m[3] = {rays.own, rays.both, rays.next}, r[2][2] = {{a[0], a[1]}, {b[0], b[1]}}, v[2][2] = {{va[0], va[1]}, {vb[0], vb[1]}};
+            drag_thin_rays<2>(c, m, r, v, central);
+          }
         for (int d = 0; d < 2; ++d)
           {
             const V Tx = splat(T[2 * d]), Ty = splat(T[2 * d + 1]);
             const V ga = beta * va[d] + Tx * a[0] + Ty * a[1], gb = beta * vb[d] + Tx * b[0] + Ty * b[1];
-            const V fa = scale * (rays.own * ga + rays.both * gb), fb = scale * (rays.both * ga + rays.next * gb);
+            const V fa = scale * (rays.own * ga + rays.both * gb + splat(share) * central[0][d]),
+                    fb = scale * (rays.both * ga + rays.next * gb + splat(share) * central[1][d]);
             store(c.wall_f[d] + at, load(c.wall_f[d] + at) - fa);
             store(c.wall_f_next[d] + at, load(c.wall_f_next[d] + at) - fb);
             total[d] += fa + fb;

@@ -178,12 +178,12 @@ void add_wall_moments(CellView<3> &c)
 }
 
 /// The forces between particles and wall.
-void drag_wall(CellView<3> &c)
+void drag_wall(CellView<3> &c, const bool thin)
 {
   constexpr int size = Viscous<3>::row;
-  const V beta = splat(residual_share), scale = splat(c.viscosity * c.particle_volume);
+  const V scale = splat(c.viscosity * c.particle_volume), zero = splat(0.);
   for (std::uint32_t i = 0; i <= c.n; ++i)
-    store_row(c.own_drag + 4 * std::size_t(i), splat_row(0.));
+    store_row(c.own + 4 * std::size_t(i), splat_row(0.));
   V on_corner[3][3];
   for (auto &corner : on_corner)
     for (V &f : corner)
@@ -198,21 +198,34 @@ void drag_wall(CellView<3> &c)
     load_rows<size>(c.viscous_rows, j, own);
     load_rows<size>(c.viscous_rows + 8, j, own + 8);
     from_particles(face, own, r, v);
-    total[3] = splat(0.);
+    total[3] = zero;
+    V beta = splat(residual_share), share = zero, central[3][3] = {{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}};
+    if (thin)
+      {
+        V moments[8];
+        load_rows<size>(c.moments + 8, j, moments);
+        share = moments[Viscous<3>::thin - 8];
+        if (any_less(zero, share))
+          {
+            beta = beta * (splat(1.) - share);
+            drag_thin_rays<3>(c, rays, r, v, central);
+          }
+      }
     for (int d = 0; d < 3; ++d)
       {
         const V *T = own + Viscous<3>::tensor + 3 * d;
         V g[3];
         for (int k = 0; k < 3; ++k)
           g[k] = beta * v[k][d] + T[0] * r[k][0] + T[1] * r[k][1] + T[2] * r[k][2];
-        const V f0 = rays[0] * g[0] + rays[1] * g[1] + rays[2] * g[2], f1 = rays[1] * g[0] + rays[3] * g[1] + rays[4] * g[2],
-                f2 = rays[2] * g[0] + rays[4] * g[1] + rays[5] * g[2];
+        const V f0 = rays[0] * g[0] + rays[1] * g[1] + rays[2] * g[2] + share * central[0][d],
+                f1 = rays[1] * g[0] + rays[3] * g[1] + rays[4] * g[2] + share * central[1][d],
+                f2 = rays[2] * g[0] + rays[4] * g[1] + rays[5] * g[2] + share * central[2][d];
         on_corner[0][d] -= f0;
         on_corner[1][d] -= f1;
         on_corner[2][d] -= f2;
         total[d] = f0 + f1 + f2;
       }
-    add_to_rows<4>(c.own_drag, j, total);
+    add_to_rows<4>(c.own, j, total);
   };
   for_face_chunks(c, chunk, [&](const std::uint32_t number, const MovingFace &) {
     for (int k = 0; k < 3; ++k)
@@ -228,7 +241,7 @@ void drag_wall(CellView<3> &c)
   });
   for (std::uint32_t i = 0; i < c.n; ++i)
     for (int d = 0; d < 3; ++d)
-      c.f[d][i] += c.own_drag[4 * std::size_t(i) + d];
+      c.f[d][i] += c.own[4 * std::size_t(i) + d];
 }
 } // namespace
 } // namespace turgor::sph

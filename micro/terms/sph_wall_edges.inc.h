@@ -18,7 +18,7 @@ struct Gradient
 };
 
 /// What the faces within reach give to gamma and its gradient, angles left out.
-template <bool viscous, bool fourth_order>
+template <bool fourth_order>
 void sum_faces(CellView<2> &c)
 {
   using K = Kernel<2, fourth_order>;
@@ -30,7 +30,6 @@ void sum_faces(CellView<2> &c)
   const double gauss_w[gauss_points] = {5. / 18., 8. / 18., 5. / 18.};
 
   Gradient *gradients = reinterpret_cast<Gradient *>(c.scratch);
-  V *slip = reinterpret_cast<V *>(c.scratch + c.scratch_half);
 
   std::uint32_t chunks = 0;
   for (std::uint32_t i = 0; i < c.n; ++i)
@@ -51,8 +50,8 @@ void sum_faces(CellView<2> &c)
               const V ex = bx - ax, ey = by - ay;
               // |r|^2 = aa + 2 x ae + x^2 ee at x in [0, 1], over the support squared
               const V aa = (ax * ax + ay * ay) * iR2, ae = (ax * ex + ay * ey) * iR2, ee = (ex * ex + ey * ey) * iR2, ae2 = ae + ae;
-              // sums of w G, of w x^k (1/u) dG/du, of w times the kernel's weight of either node
-              V s = splat(0.), slope0 = s, slope1 = s, slope2 = s, wa = s, wb = s;
+              // sums of w G, of w x^k (1/u) dG/du
+              V s = splat(0.), slope0 = s, slope1 = s, slope2 = s;
               for (int g = 0; g < gauss_points; ++g)
                 {
                   const double x = gauss_x[g], weight = gauss_w[g];
@@ -67,12 +66,6 @@ void sum_faces(CellView<2> &c)
                   slope0 += splat(weight) * dG;
                   slope1 += splat(weight * x) * dG;
                   slope2 += splat(weight * x * x) * dG;
-                  if (viscous)
-                    {
-                      const V kernel = Kernel<2, false>::value(positive(one - u));
-                      wa += splat(weight * (1. - x)) * kernel;
-                      wb += splat(weight * x) * kernel;
-                    }
                 }
               const V sbx = slope1 * ax + slope2 * ex, sby = slope1 * ay + slope2 * ey, sax = slope0 * ax + slope1 * ex - sbx,
                       say = slope0 * ay + slope1 * ey - sby;
@@ -90,18 +83,6 @@ void sum_faces(CellView<2> &c)
               out.ay = select_less(lane, live, cg * say - bx * S, zero);
               out.bx = select_less(lane, live, cg * sbx - ay * S, zero);
               out.by = select_less(lane, live, ax * S + cg * sby, zero);
-              if (viscous)
-                {
-                  // |integral of W over the face| / distance to its plane, split between its nodes;
-                  // the tangent direction of the face
-                  const V ilen = rsqrt(ex * ex + ey * ey + splat(1e-24 * R * R)), distance = cross * ilen;
-                  const V least = splat(0.2 * R); // half a particle spacing
-                  const V weight = splat(scale) * reciprocal(ilen * select_less(distance, least, least, distance));
-                  slip[4 * chunks] = select_less(lane, live, wa * weight, zero);
-                  slip[4 * chunks + 1] = select_less(lane, live, wb * weight, zero);
-                  slip[4 * chunks + 2] = ex * ilen;
-                  slip[4 * chunks + 3] = ey * ilen;
-                }
             }
         }
       c.gamma[i] = 1. + sum(share);
@@ -150,21 +131,17 @@ void add_angles(CellView<2> &c)
 }
 
 /// Forces between fluid and wall.
-template <bool viscous>
 void push_wall(CellView<2> &c)
 {
   const Gradient *gradients = reinterpret_cast<const Gradient *>(c.scratch);
-  const V *slip = reinterpret_cast<const V *>(c.scratch + c.scratch_half);
   const double *ends = c.arc_ends;
   const std::uint32_t stride = c.arc_stride;
   std::uint32_t chunk = 0;
   for (std::uint32_t i = 0; i < c.n; ++i)
     {
-      const double *row = c.rows + std::size_t(i) * row_doubles;
       if (c.first_arc[i] < c.first_arc[i + 1])
         {
-          const double push = c.push[i],
-                       drag = 2. * c.viscosity * row[Column<2>::volume] * row[Column<2>::inverse_share];
+          const double push = c.push[i];
           const V b = splat(push);
           V fx = splat(0.), fy = splat(0.);
           double end_x = 0., end_y = 0.;
@@ -183,19 +160,7 @@ void push_wall(CellView<2> &c)
                 {
                   const std::uint32_t at = c.arcs[arc].first + k;
                   const Gradient &g = gradients[chunk];
-                  V fax = b * g.ax, fay = b * g.ay, fbx = b * g.bx, fby = b * g.by;
-                  if (viscous)
-                    {
-                      const V tx = slip[4 * chunk + 2], ty = slip[4 * chunk + 3], vx = splat(row[4]), vy = splat(row[5]);
-                      const V sa = splat(drag) * slip[4 * chunk]
-                                   * ((vx - load(c.wall_v[0] + at)) * tx + (vy - load(c.wall_v[1] + at)) * ty);
-                      const V sb = splat(drag) * slip[4 * chunk + 1]
-                                   * ((vx - load(c.wall_v[0] + at + 1)) * tx + (vy - load(c.wall_v[1] + at + 1)) * ty);
-                      fax += sa * tx;
-                      fay += sa * ty;
-                      fbx += sb * tx;
-                      fby += sb * ty;
-                    }
+                  const V fax = b * g.ax, fay = b * g.ay, fbx = b * g.bx, fby = b * g.by;
                   store(c.wall_f[0] + at, load(c.wall_f[0] + at) + fax);
                   store(c.wall_f[1] + at, load(c.wall_f[1] + at) + fay);
                   store(c.wall_f_next[0] + at, load(c.wall_f_next[0] + at) + fbx);
@@ -210,12 +175,11 @@ void push_wall(CellView<2> &c)
     }
 }
 
-
 /// gamma of all particles; density before scaling.
-template <bool viscous, bool fourth_order>
+template <bool fourth_order>
 void wall_shares(CellView<2> &c)
 {
-  sum_faces<viscous, fourth_order>(c);
+  sum_faces<fourth_order>(c);
   add_angles<fourth_order>(c);
 }
 } // namespace

@@ -43,10 +43,10 @@ WallView<3>::WallView(const WallFaces &lists_, const Group &group_, const WallSe
 template <>
 std::size_t WallView<3>::doubles() const
 {
-  // Wall: positions, velocities, forces, drags, slopes. Fluid: places, pulls, drags. Rims; what is kept of the faces.
-  return round_up(4 * std::size_t(group.wall_count())) * 5 + round_up(4 * (std::size_t(group.fluid_count()) + 1)) * 3
+  // Wall: positions, velocities, forces, slopes. Fluid: places, pulls. Rims; what is kept of the faces.
+  return round_up(4 * std::size_t(group.wall_count())) * 4 + round_up(4 * (std::size_t(group.fluid_count()) + 1)) * 2
          + 4 * lists.rim_nodes.size() + 8 * (round_up(lists.longest) + 2 * sph::list_padding) + lists.kept
-         + round_up(lists.faces.size()) + (settings.rays ? 6 * lists.particles.size() : 0);
+         + round_up(lists.faces.size()) + (settings.viscous ? 6 * lists.particles.size() : 0);
 }
 
 template <>
@@ -54,16 +54,14 @@ void WallView<3>::attach(sph::CellView<3> &view, const Particles<3> &particles, 
 {
   const std::uint32_t nw = group.wall_count();
   const std::size_t rows = round_up(4 * std::size_t(nw)), fluid = round_up(4 * (std::size_t(group.fluid_count()) + 1));
-  double *x = memory, *v = x + rows, *f = v + rows, *slope = f + 2 * rows;
+  double *x = memory, *v = x + rows, *f = v + rows, *slope = f + rows;
   view.n_wall = nw;
   view.wall_x = x;
   view.wall_v = v;
   view.wall_f = f;
-  view.wall_drag = f + rows;
   view.own = slope + rows;
   view.pull = view.own + fluid;
-  view.own_drag = view.pull + fluid;
-  view.rim_pull = view.own_drag + fluid;
+  view.rim_pull = view.pull + fluid;
   view.rim_scratch = view.rim_pull + 4 * lists.rim_nodes.size();
   view.kept = view.rim_scratch + 8 * (round_up(lists.longest) + 2 * sph::list_padding);
   view.active = reinterpret_cast<std::uint16_t *>(view.kept + lists.kept);

@@ -18,7 +18,7 @@ double ring_area(const double *x, const double *y, const std::uint32_t n)
 
 std::size_t round_up(std::size_t n) { return (n + 7) / 8 * 8; }
 std::size_t ring_size(const std::uint32_t nodes) { return round_up(2 * nodes + sph::list_padding + 1); }
-std::size_t half_scratch(const WallArcs &arcs) { return std::size_t(4) * sph::list_padding * arcs.chunks; }
+std::size_t scratch_size(const WallArcs &arcs) { return std::size_t(4) * sph::list_padding * arcs.chunks; }
 } // namespace
 
 template <>
@@ -31,20 +31,19 @@ WallView<2>::WallView(const WallArcs &lists_, const Group &group_, const WallSet
 template <>
 std::size_t WallView<2>::doubles() const
 {
-  return 2 * half_scratch(lists) + 8 * ring_size(group.wall_count()) + 5 * round_up(lists.arcs.size());
+  return scratch_size(lists) + 8 * ring_size(group.wall_count()) + 5 * round_up(lists.arcs.size());
 }
 
 template <>
 void WallView<2>::attach(sph::CellView<2> &view, const Particles<2> &particles, double *memory)
 {
   const std::uint32_t nw = group.wall_count();
-  const std::size_t half = half_scratch(lists), ring = ring_size(nw);
+  const std::size_t scratch = scratch_size(lists), ring = ring_size(nw);
   view.n_wall = nw;
   view.arcs = lists.arcs.data();
   view.first_arc = lists.first_arc.data();
   view.scratch = memory;
-  view.scratch_half = std::uint32_t(half);
-  double *wall = memory + 2 * half;
+  double *wall = memory + scratch;
   view.arc_ends = wall + 8 * ring;
   view.arc_stride = std::uint32_t(round_up(lists.arcs.size()));
   for (int d = 0; d < 2; ++d)

@@ -60,21 +60,12 @@ inline void profile_d(const V r2, V &value, V &slope)
   value = -(w2 * w2 * w) * K::beyond(u) * (ir2 * ir);
   slope = ir2 * (splat(42. * K::alpha) * K::value(w) - splat(3.) * value);
 }
-/// The ordinary kernel over its peak.
-inline V profile_w(const V r2) { return Kernel<3, false>::value(positive(splat(1.) - root(r2))); }
-
 /// One face, all lanes alike; from its middle, over the support.
 struct Face
 {
   double middle[4], corner[3][3];
   Vec middles, at[3], n;
   V square[3]; ///< of the corners' distances
-  // Viscous: unit normal, velocities of the corners less their mean; sums of weights and of weights times velocities
-  V inverse_n;
-  Vec normal, velocity[3];
-  double mean_velocity[3];
-  V weight[3];
-  Vec flow[3];
 };
 
 inline void look_at(const CellView<3> &c, const std::uint32_t number, Face &face)
@@ -92,7 +83,6 @@ inline void look_at(const CellView<3> &c, const std::uint32_t number, Face &face
     }
 }
 
-template <bool viscous>
 inline void prepare(const CellView<3> &c, const std::uint32_t number, Face &face)
 {
   look_at(c, number, face);
@@ -104,63 +94,11 @@ inline void prepare(const CellView<3> &c, const std::uint32_t number, Face &face
     }
   const Vec &a = face.at[0], &b = face.at[1], &e = face.at[2];
   face.n = cross({b.x - a.x, b.y - a.y, b.z - a.z}, {e.x - a.x, e.y - a.y, e.z - a.z});
-  if (!viscous)
-    return;
-  const std::uint16_t *node = c.corners + 3 * std::size_t(number);
-  face.inverse_n = rsqrt(dot(face.n, face.n) + splat(1e-24));
-  face.normal = {face.n.x * face.inverse_n, face.n.y * face.inverse_n, face.n.z * face.inverse_n};
-  double v[3][3];
-  for (int d = 0; d < 3; ++d)
-    {
-      for (int k = 0; k < 3; ++k)
-        v[k][d] = c.wall_v[4 * std::uint32_t(node[k]) + d];
-      face.mean_velocity[d] = (v[0][d] + v[1][d] + v[2][d]) * (1. / 3.);
-      for (int k = 0; k < 3; ++k)
-        v[k][d] -= face.mean_velocity[d];
-    }
-  for (int k = 0; k < 3; ++k)
-    {
-      face.velocity[k] = splat(v[k]);
-      face.weight[k] = splat(0.);
-      face.flow[k] = {splat(0.), splat(0.), splat(0.)};
-    }
-}
-
-/// No slip, W particles: integral of W over the face / distance to its plane, split between its corners.
-template <int quadrature>
-inline void drag_on_face(CellView<3> &c, Face &face, const std::uint16_t *j, const V r2[], const V N, const V factor)
-{
-  V share[3] = {splat(0.), splat(0.), splat(0.)};
-  for (int g = 0; g < quadrature_points[quadrature]; ++g)
-    {
-      const V kernel = splat(orbits[quadrature][g / 3].w) * profile_w(r2[g]);
-      for (int k = 0; k < 3; ++k)
-        share[k] += splat(share_of(quadrature, g, k)) * kernel;
-    }
-  const V least = splat(0.2); // half a particle spacing
-  const V over = factor * reciprocal(face.inverse_n * greater(N * face.inverse_n, least));
-  V row[4];
-  load_half_rows<row_doubles>(c.rows + Column<3>::velocity, j, row);
-  const Vec v{row[0] - splat(face.mean_velocity[0]), row[1] - splat(face.mean_velocity[1]), row[2] - splat(face.mean_velocity[2])};
-  const Vec &n = face.normal;
-  Vec f{splat(0.), splat(0.), splat(0.)};
-  for (int k = 0; k < 3; ++k)
-    {
-      const V q = share[k] * over;
-      Vec &flow = face.flow[k];
-      const Vec &w = face.velocity[k];
-      face.weight[k] += q;
-      flow = {flow.x + q * v.x, flow.y + q * v.y, flow.z + q * v.z};
-      f = {f.x + q * (w.x - v.x), f.y + q * (w.y - v.y), f.z + q * (w.z - v.z)};
-    }
-  const V across = dot(f, n);
-  const V out[4] = {f.x - across * n.x, f.y - across * n.y, f.z - across * n.z, splat(0.)};
-  add_to_rows(c.own_drag, j, out);
 }
 
 /// W particles; false, and nothing done, where all are out of the support.
-template <int quadrature, bool viscous, bool fourth_order>
-inline bool see_face(CellView<3> &c, Face &face, const std::uint16_t *j, const V live, double *kept)
+template <int quadrature, bool fourth_order>
+inline bool see_face(CellView<3> &c, const Face &face, const std::uint16_t *j, const V live, double *kept)
 {
   constexpr int points = quadrature_points[quadrature];
   V own[4];
@@ -235,19 +173,17 @@ inline bool see_face(CellView<3> &c, Face &face, const std::uint16_t *j, const V
         pull[3] += shift[k] * face.at[k].z;
       }
   add_to_rows(c.pull, j, pull);
-  if constexpr (viscous)
-    drag_on_face<quadrature>(c, face, j, r2, N, live * own[3]);
   return true;
 }
 
-template <int quadrature, bool viscous, bool fourth_order>
-inline void see_face_all(CellView<3> &c, Face &face, const std::uint32_t count, const std::uint16_t *&j, double *&kept,
+template <int quadrature, bool fourth_order>
+inline void see_face_all(CellView<3> &c, const Face &face, const std::uint32_t count, const std::uint16_t *&j, double *&kept,
                          std::uint16_t &active)
 {
   constexpr int size = (1 + quadrature_points[quadrature]) * W;
   std::uint32_t used = 0;
   for (std::uint32_t k = 0, chunk = 0; k < count; k += W, ++chunk)
-    if (see_face<quadrature, viscous, fourth_order>(c, face, j + k, first_lanes(count - k), kept + chunk * size))
+    if (see_face<quadrature, fourth_order>(c, face, j + k, first_lanes(count - k), kept + chunk * size))
       used = chunk + 1;
     else
       for (int l = 0; l < size; ++l)
@@ -257,8 +193,8 @@ inline void see_face_all(CellView<3> &c, Face &face, const std::uint32_t count, 
   j += (count + list_padding - 1) / list_padding * list_padding;
 }
 
-/// gamma of all particles and its gradients; density before scaling; the drag on the wall but for the factor 1/s.
-template <bool viscous, bool fourth_order>
+/// gamma of all particles and its gradients; density before scaling.
+template <bool fourth_order>
 void wall_shares(CellView<3> &c)
 {
   const double iR = 1. / c.support;
@@ -267,15 +203,9 @@ void wall_shares(CellView<3> &c)
       double *own = c.own + 4 * std::size_t(i);
       for (int d = 0; d < 3; ++d)
         own[d] = i < c.n ? (c.x[d][i] - c.wall_x[d]) * iR : 0.;
-      // W = 21/(2 pi R^3), area R^2/2, distance R; rho is still the plain sum: V/gamma = m/(s rho)
-      own[3] = viscous && i < c.n ? 2. * c.viscosity * c.mass / c.rho[i] * (21. / (4. * pi)) * iR * iR : 0.;
+      own[3] = 0.;
       store_row(c.pull + 4 * std::size_t(i), splat_row(0.));
-      if (viscous)
-        store_row(c.own_drag + 4 * std::size_t(i), splat_row(0.));
     }
-  if (viscous)
-    for (std::uint32_t k = 0; k < 4 * c.n_wall; ++k)
-      c.wall_drag[k] = 0.;
   add_rims(c);
   double *kept = c.kept;
   Face face;
@@ -284,22 +214,10 @@ void wall_shares(CellView<3> &c)
       const FaceList &list = c.face_lists[f];
       const std::uint16_t *j = c.face_particles + list.first;
       std::uint16_t *active = c.active + quadratures * std::size_t(f);
-      prepare<viscous>(c, list.face, face);
-      see_face_all<0, viscous, fourth_order>(c, face, list.count[0], j, kept, active[0]);
-      see_face_all<1, viscous, fourth_order>(c, face, list.count[1], j, kept, active[1]);
-      see_face_all<2, viscous, fourth_order>(c, face, list.count[2], j, kept, active[2]);
-      if (viscous)
-        for (int k = 0; k < 3; ++k)
-          {
-            const Vec &flow = face.flow[k], &w = face.velocity[k], &n = face.normal;
-            const V q = face.weight[k];
-            const Vec all{flow.x - q * w.x, flow.y - q * w.y, flow.z - q * w.z};
-            const V across = dot(all, n);
-            double *drag = c.wall_drag + 4 * std::uint32_t(c.corners[3 * std::size_t(list.face) + k]);
-            drag[0] += sum(all.x - across * n.x);
-            drag[1] += sum(all.y - across * n.y);
-            drag[2] += sum(all.z - across * n.z);
-          }
+      prepare(c, list.face, face);
+      see_face_all<0, fourth_order>(c, face, list.count[0], j, kept, active[0]);
+      see_face_all<1, fourth_order>(c, face, list.count[1], j, kept, active[1]);
+      see_face_all<2, fourth_order>(c, face, list.count[2], j, kept, active[2]);
     }
   for (std::uint32_t i = 0; i < c.n; ++i)
     correct<3, fourth_order>(c, i, 1. + c.pull[4 * std::size_t(i)] * (1. / (8. * pi)));
@@ -330,7 +248,6 @@ inline void sum_pushes(const CellView<3> &c, const std::uint32_t count, const st
 }
 
 /// Forces between fluid and wall.
-template <bool viscous>
 void push_wall(CellView<3> &c)
 {
   const double factor = 1. / (8. * pi * c.support), iR = 1. / c.support;
@@ -394,13 +311,7 @@ void push_wall(CellView<3> &c)
       const double *pull = c.pull + 4 * std::size_t(i), push = factor * c.push[i];
       for (int d = 0; d < 3; ++d)
         c.f[d][i] -= push * pull[1 + d];
-      if (viscous)
-        for (int d = 0; d < 3; ++d)
-          c.f[d][i] += c.own_drag[4 * std::size_t(i) + d] / c.scale;
     }
-  if (viscous)
-    for (std::uint32_t k = 0; k < 4 * c.n_wall; ++k)
-      c.wall_f[k] += c.wall_drag[k] / c.scale;
 }
 } // namespace
 } // namespace turgor::sph

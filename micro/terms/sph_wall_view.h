@@ -14,8 +14,7 @@ namespace turgor
 struct WallSettings
 {
   double depth = 1.; ///< m, 2D
-  bool viscous = false;
-  bool rays = false; ///< viscosity by velocity gradients, 3D
+  bool viscous = false; ///< for the viscous sweep: velocities, and in 3D room for its rays
   const TriangleMesh *mesh = nullptr; ///< 3D
 };
 

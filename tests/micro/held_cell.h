@@ -27,7 +27,7 @@ struct HeldCell
            const unsigned int steps = 4000)
   {
     std::vector<Vector<2>> points;
-    for (int a = -40; a < 40; ++a)
+    for (int a = -50; a < 50; ++a)
       for (int b = -40; b < 40; ++b)
         if (const Vector<2> x(a + 0.5, b + 0.5); inside(x))
           points.push_back(x);

@@ -23,7 +23,7 @@ struct SmallRound
   std::shared_ptr<WallDamage> damage;
   double spacing = 50e-6 / 8.;
 
-  explicit SmallRound(const double density_ratio = 1.005, const SphViscosity form = SphViscosity::pair_drag)
+  explicit SmallRound(const double density_ratio = 1.005)
   {
     std::vector<Vector<2>> points;
     for (int a = -9; a < 9; ++a)
@@ -50,7 +50,6 @@ struct SmallRound
     parameters.support = 2.6 * spacing;
     parameters.skin = 0.3 * spacing;
     parameters.depth = depth;
-    parameters.viscosity_form = form;
     parameters.ordering = 0.01 * 6e6;
     parameters.barrier = 6e6;
     damage = std::make_shared<WallDamage>(1, nodes, nodes);

@@ -1,5 +1,5 @@
 // The SPH fluid in a closed 3D cell: F = -dE/dx for fluid and wall, momentum, torque, gamma, exact volume, pressure on the wall,
-// viscous stress, stable step, energy, checkpoint, instruction sets.
+// stable step, energy, checkpoint, instruction sets.
 #include "micro/engine/kick_drift_kick.h"
 #include "tests/micro/slope_of_energy.h"
 #include "tests/micro/small_sphere.h"
@@ -64,36 +64,6 @@ BOOST_AUTO_TEST_CASE(momentum_and_angular_momentum_to_round_off)
   const Sums s = sums(system.particles);
   BOOST_TEST(s.force.norm() < 1e-13 * scale);
   BOOST_TEST(s.torque.norm() < 1e-13 * scale * radius);
-  // Drag keeps momentum; its pair part is central, no slip along faces is not.
-  cell->fluid->set_viscosity(1.);
-  system.compute_forces();
-  BOOST_TEST(sums(system.particles).force.norm() < 1e-12 * scale);
-}
-
-BOOST_AUTO_TEST_CASE(drag_dissipates)
-{
-  auto cell = make();
-  ParticleSystem<3> &system = cell->system;
-  Particles<3> &p = system.particles;
-  system.compute_forces();
-  const Particles<3> still = p;
-  cell->fluid->set_viscosity(1.);
-  system.compute_forces();
-  double power = 0., bulk = 0.;
-  for (std::size_t i = 0; i < p.size(); ++i)
-    for (int d = 0; d < 3; ++d)
-      {
-        power += (p.f[d][i] - still.f[d][i]) * p.v[d][i];
-        bulk += (p.f[d][i] - still.f[d][i]) * 1.;
-      }
-  BOOST_TEST(power < 0.);
-  // A common translation costs nothing.
-  for (int d = 0; d < 3; ++d)
-    std::fill(p.v[d].begin(), p.v[d].end(), 0.7);
-  system.compute_forces();
-  for (std::size_t i = 0; i < p.size(); ++i)
-    for (int d = 0; d < 3; ++d)
-      BOOST_REQUIRE_SMALL(p.f[d][i] - still.f[d][i], 1e-12 * largest_component(still));
 }
 
 BOOST_DATA_TEST_CASE(wall_share_matches_quadrature, boost::unit_test::data::make({false, true}), fourth_order)
@@ -191,48 +161,6 @@ BOOST_AUTO_TEST_CASE(density_of_a_lattice_by_hand)
   BOOST_TEST(std::abs(sum - 1.) < 0.01); // the kernel is normalised
 }
 
-BOOST_AUTO_TEST_CASE(viscous_force_has_the_newtonian_limit)
-{
-  // v = (a z^2, 0, 0): force per volume 2 mu a. Of two particles of a cubic lattice, side by side and far from the wall:
-  // 10 mu V sum |W'|/r (v.r)/r^2 x = 10 mu a V sum |W'|/r (x z/r)^2, by hand; a sum over 2.6 spacings stands for an integral,
-  // 1/5, and a cubic lattice has too little of it along its diagonals.
-  jitter = 0.;
-  fill = 9.;
-  auto cell = make();
-  ParticleSystem<3> &system = cell->system;
-  Particles<3> &p = system.particles;
-  const Group &g = p.groups[0];
-  const double a = 1e10, mu = 1e-3;
-  for (std::size_t i = 0; i < p.size(); ++i)
-    {
-      p.v[0][i] = a * p.x[2][i] * p.x[2][i];
-      p.v[1][i] = p.v[2][i] = 0.;
-    }
-  system.compute_forces();
-  const Particles<3> still = p;
-  cell->fluid->set_viscosity(mu);
-  system.compute_forces();
-  double moment = 0.; // V sum |W'|/r (x z/r)^2, |W'|/r = 210/(pi R^5) (1 - u)^3, V one spacing cubed
-  for (int x = -2; x <= 2; ++x)
-    for (int y = -2; y <= 2; ++y)
-      for (int z = -2; z <= 2; ++z)
-        {
-          const double r2 = x * x + y * y + z * z, u = std::sqrt(r2) / 2.6;
-          if (r2 > 0. && u < 1.)
-            moment += 210. / M_PI / std::pow(2.6, 5) * std::pow(1. - u, 3) * x * x * z * z / r2;
-        }
-  BOOST_TEST_MESSAGE("lattice sum over integral: " << 5. * moment);
-  BOOST_TEST(std::abs(5. * moment - 1.) < 0.15);
-  std::uint32_t middle = g.fluid;
-  for (std::uint32_t i = g.fluid; i < g.end; ++i)
-    if (p.position(i).norm() < p.position(middle).norm())
-      middle = i;
-  const double volume = cell->fluid->particle_mass()[0] / p.field("density")[middle], dx = cell->spacing;
-  BOOST_TEST(p.f[0][middle] - still.f[0][middle]
-               == 10. * mu * a * moment * volume * volume / (dx * dx * dx),
-             boost::test_tools::tolerance(1e-9));
-}
-
 BOOST_AUTO_TEST_CASE(pressure_on_the_wall_is_p_times_area)
 {
   // Without ordering pressure a fluid at rest has one pressure: the upper half of a held wall feels it times its cross-section, but for
@@ -281,7 +209,6 @@ BOOST_AUTO_TEST_CASE(pressure_on_the_wall_is_p_times_area)
 
 BOOST_AUTO_TEST_CASE(rates_bound_the_stiffest_modes)
 {
-  fluid.viscosity = 0.;
   auto cell = make();
   ParticleSystem<3> &system = cell->system;
   system.compute_forces();

@@ -14,22 +14,21 @@ namespace
 SphFluidParameters exact_form(const bool spaced = true)
 {
   SphFluidParameters form;
-  form.viscosity_form = SphViscosity::least_squares;
   if (spaced)
     form.layer = wall_layer<2>(2.6);
   return form;
 }
 
-/// 22 spacings a side, 25 nodes a side, the lower left corner at the origin.
-HeldCell square(const SphFluidParameters &form)
+/// Sides of 22 spacings and 25 nodes, the lower left corner at the origin; `squares` of them side by side.
+HeldCell channel(const SphFluidParameters &form, const unsigned int squares)
 {
   std::vector<Vector<2>> ring;
-  const double side = 22.;
-  const Vector<2> corner[4] = {{0., 0.}, {side, 0.}, {side, side}, {0., side}};
-  for (int s = 0; s < 4; ++s)
-    for (int k = 0; k < 25; ++k)
-      ring.push_back(corner[s] + k / 25. * (corner[(s + 1) % 4] - corner[s]));
-  return HeldCell(ring, [&](const Vector<2> &x) { return x.minCoeff() > 0. && x.maxCoeff() < side; }, form);
+  const double height = 22., width = squares * height;
+  const Vector<2> corner[4] = {{0., 0.}, {width, 0.}, {width, height}, {0., height}};
+  for (unsigned int s = 0; s < 4; ++s)
+    for (unsigned int k = 0, n = s % 2 == 0 ? 25 * squares : 25; k < n; ++k)
+      ring.push_back(corner[s] + k / double(n) * (corner[(s + 1) % 4] - corner[s]));
+  return HeldCell(ring, [&](const Vector<2> &x) { return x.minCoeff() > 0. && x[0] < width && x[1] < height; }, form);
 }
 
 /// Velocities of the wall from a field (m/s of x in m), then the fluid where no force is left on it but `push` (N, x of all, y of all).
@@ -50,29 +49,46 @@ void let_flow(HeldCell &cell, const std::function<Vector<2>(const Vector<2> &)> 
 
 BOOST_AUTO_TEST_SUITE(sph_viscous_flows)
 
-// 0.104 % on this packing; the target stays.
-BOOST_AUTO_TEST_CASE(couette, *boost::unit_test::expected_failures(1))
+// The stress on the middle half of the plates, where the sides do not matter.
+BOOST_AUTO_TEST_CASE(couette)
 {
-  HeldCell cell = square(exact_form());
+  HeldCell cell = channel(exact_form(), 2);
+  const double rate = 1e3, middle = 22. * HeldCell::dx;
+  let_flow(cell, [&](const Vector<2> &x) { return Vector<2>(rate * x[1], 0.); }, Eigen::VectorXd::Zero(2 * cell.particles()));
+  const Particles<2> &p = cell.system.particles;
+  const Eigen::VectorXd f = cell.forces();
+  double force = 0., length = 0.;
+  for (std::size_t k = 0; k < cell.wall(); ++k)
+    if (std::abs(p.x[0][k] - middle) < 0.5 * middle)
+      {
+        force += p.x[1][k] < 0.5 * middle ? f[k] : -f[k];
+        length += 0.88 * HeldCell::dx;
+      }
+  const double ratio = force / (rate * length * HeldCell::depth);
+  BOOST_TEST_MESSAGE("Couette: stress over Newton's " << ratio);
+  BOOST_TEST(std::abs(ratio - 1.) < 1e-3);
+}
+
+// The patch test: all four sides move as the affine flow does, and so should the fluid. It does but for the layers along the walls, whose
+// particles shift by 0.04 spacings times the rate: 0.10 % of the power is missing (0.09 to 0.11 over seeds) where 0.1 % is asked; the target stays.
+BOOST_AUTO_TEST_CASE(a_shear_of_all_walls_is_a_shear_of_the_fluid, *boost::unit_test::expected_failures(1))
+{
+  HeldCell cell = channel(exact_form(), 1);
   const double rate = 1e3;
   let_flow(cell, [&](const Vector<2> &x) { return Vector<2>(rate * x[1], 0.); }, Eigen::VectorXd::Zero(2 * cell.particles()));
   const Particles<2> &p = cell.system.particles;
   const Eigen::VectorXd f = cell.forces();
-  double shear = 0., error = 0., size = 0.;
+  double shear = 0.;
   for (std::size_t i = 0; i < p.size(); ++i)
-    {
-      shear -= f[i] * p.x[1][i];
-      error += std::pow(p.v[0][i] - rate * p.x[1][i], 2) + std::pow(p.v[1][i], 2);
-      size += std::pow(rate * p.x[1][i], 2);
-    }
+    shear -= f[i] * p.x[1][i];
   const double ratio = shear / (rate * cell.area * HeldCell::depth);
-  BOOST_TEST_MESSAGE("Couette: stress over Newton's " << ratio << ", profile " << std::sqrt(error / size));
+  BOOST_TEST_MESSAGE("shear of all walls: stress over Newton's " << ratio);
   BOOST_TEST(std::abs(ratio - 1.) < 1e-3);
 }
 
 BOOST_AUTO_TEST_CASE(poiseuille)
 {
-  HeldCell cell = square(exact_form());
+  HeldCell cell = channel(exact_form(), 1);
   const double side = 22. * HeldCell::dx, push = 1e8; // N/m^3
   const auto profile = [&](const Vector<2> &x) { return Vector<2>(0.5 * push * x[1] * (side - x[1]), 0.); };
   Eigen::VectorXd force = Eigen::VectorXd::Zero(2 * cell.particles());
@@ -121,7 +137,7 @@ BOOST_AUTO_TEST_CASE(vortex_in_a_disc)
 
 BOOST_AUTO_TEST_CASE(the_first_layer_stands_half_a_spacing_from_the_wall)
 {
-  const HeldCell spaced = square(exact_form()), bare = square(exact_form(false));
+  const HeldCell spaced = channel(exact_form(), 1), bare = channel(exact_form(false), 1);
   BOOST_TEST_MESSAGE("particles before 0.3 and 0.4 ... 0.75 spacings: " << spaced.layer(0., 0.3) << " " << spaced.layer(0.4, 0.75) << ", without image "
                                                                         << bare.layer(0., 0.3) << " " << bare.layer(0.4, 0.75));
   BOOST_TEST(spaced.layer(0., 0.4) <= 4);

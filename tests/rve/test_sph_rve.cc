@@ -88,35 +88,19 @@ BOOST_AUTO_TEST_CASE(rotated_deformation_gives_rotated_stress)
     }
 }
 
-// The viscous part of Cauchy-Born is mu (L + L^T + tr(L) I) (errata, 2.24 with 3.17) but for the layer
-// at the wall whose kernels are cut: its share of the cell, and so the error, is first order in the spacing.
-BOOST_AUTO_TEST_CASE(viscous_stress_tends_to_newtons_at_first_order, *boost::unit_test::label("slow"))
+// The viscous part of Cauchy-Born is mu (L + L^T + tr(L) I) (errata, 2.24 with 3.17), at any resolution and also where F is not I.
+BOOST_AUTO_TEST_CASE(viscous_stress_is_newtons)
 {
   const double mu = 1.;
-  for (const Tensor2<2> &L : {matrix(0., 1e3, 0., 0.), matrix(1e3, 0., 0., -1e3)})
-    {
-      double error[2];
-      for (int level = 0; level < 2; ++level)
-        {
-          ParenchymaParameters cell = small_cell(mu);
-          cell.nodes_per_side = level == 0 ? 10 : 20;
-          SphRveSettings settings = small(SphRule::cauchy_born);
-          settings.sph.particles_per_side = level == 0 ? 10 : 20;
-          const SphRve rve(cell, settings);
-          const Tensor2<2> viscous = answer(rve, rve.initial_state(), identity, L).sigma
-                                     - answer(rve, rve.initial_state(), identity).sigma;
-          const Tensor2<2> exact = mu * (L + L.transpose());
-          error[level] = (deviator(viscous) - exact).norm() / exact.norm();
-          BOOST_TEST_MESSAGE("viscous stress over Newton's, L = " << L.row(0) << "; " << L.row(1) << ", "
-                                                                  << settings.sph.particles_per_side << " per side: "
-                                                                  << deviator(viscous).cwiseProduct(exact).sum()
-                                                                       / exact.squaredNorm());
-        }
-      const double order = std::log2(error[0] / error[1]);
-      BOOST_TEST_MESSAGE("error " << error[0] << ", " << error[1] << ", order " << order);
-      BOOST_TEST(error[1] < 0.25);
-      BOOST_TEST(std::abs(order - 1.) < 0.5);
-    }
+  const SphRve rve(small_cell(mu), small(SphRule::cauchy_born));
+  for (const Tensor2<2> &F : {identity, matrix(1.05, 0.3, 0., 1. / 1.05)})
+    for (const Tensor2<2> &L : {matrix(0., 1e6, 0., 0.), matrix(1e6, 0., 0., -1e6), matrix(1e6, 0., 0., 1e6), matrix(0., 1e6, -1e6, 0.)})
+      {
+        const Tensor2<2> viscous = answer(rve, rve.initial_state(), F, L * F).sigma - answer(rve, rve.initial_state(), F).sigma;
+        const Tensor2<2> exact = mu * (L + L.transpose() + L.trace() * identity);
+        // 1e-4 of it where the cell is so coarse that the particles in its corners have too few neighbours for a gradient of their own
+        BOOST_TEST((viscous - exact).norm() < 1e-3 * mu * L.norm());
+      }
 }
 
 BOOST_AUTO_TEST_CASE(constrained_run_at_rest_has_the_stress_of_the_reference)
@@ -157,44 +141,56 @@ BOOST_AUTO_TEST_CASE(constrained_runs_held_at_F_approach_elastic_equilibrium, *b
   BOOST_TEST(off < 0.1 * start);
 }
 
-// Cells that are sheared to and fro in calls a macro step apart take energy and never give any, however short their bursts are: an answer
-// that leads what they are asked drives the tissue. Per cycle by the trapezoidal rule, over strain^2, after the cycles it takes to settle.
-BOOST_AUTO_TEST_CASE(bursts_give_no_energy_in_cycles_of_shear)
+namespace
+{
+/// J/m^3 a cycle and strain^2, by the trapezoidal rule, that a cell takes which is sheared to and fro in calls a macro step apart, after the
+/// cycles it takes to settle.
+double taken_in_cycles(const double viscosity, const double burst, const double steps_a_cycle, const unsigned int seed)
 {
   constexpr double pi = 3.14159265358979323846, strain = 1e-3, step = 6e-7; // 1, s
+  SphRveSettings settings = small(SphRule::constrained_runs);
+  settings.burst = burst;
+  settings.window = 0.25 * burst;
+  settings.sph.seed = seed;
+  const SphRve rve(small_cell(viscosity), settings);
+  const auto workspace = rve.make_workspace();
+  RveState<2> state = rve.initial_state();
+  Tensor2<2> F_before = identity, P_before = zero;
+  const int settle = int(2. * steps_a_cycle), last = settle + int(std::max(4., 30. / steps_a_cycle) * steps_a_cycle);
+  double taken = 0.;
+  for (int n = 1; n <= last; ++n)
+    {
+      const double phase = 2. * pi * n / steps_a_cycle, rate = 2. * pi / (steps_a_cycle * step);
+      const Tensor2<2> F = matrix(1., strain * std::sin(phase), 0., 1.);
+      const RveAnswer<2> a = rve.evaluate(state, F, matrix(0., strain * rate * std::cos(phase), 0., 0.), {}, *workspace);
+      BOOST_REQUIRE(a.diagnostics.converged);
+      if (n > settle)
+        taken += 0.5 * (a.P + P_before).cwiseProduct(F - F_before).sum();
+      F_before = F;
+      P_before = a.P;
+      state = a.trial;
+    }
+  return taken / (strain * strain) / ((last - settle) / steps_a_cycle);
+}
+} // namespace
+
+// Cells that are sheared to and fro take energy and never give any, however short their bursts are: an answer that leads what they are asked
+// drives the tissue. In water the start is never forgotten and one cell's number is chance (2.5 steps a cycle, bursts as long as a step: -3 to -24
+// kJ/m^3 over seeds): the mean of five. What swings inside gives and takes a hundredth of pi (affine - relaxed modulus), 1.2 MPa.
+BOOST_AUTO_TEST_CASE(bursts_give_no_energy_in_cycles_of_shear)
+{
   for (const double viscosity : {1e-3, 0.3})
     for (const double burst : {5e-8, 6e-7})
-      {
-        SphRveSettings settings = small(SphRule::constrained_runs);
-        settings.burst = burst;
-        settings.window = 0.25 * burst;
-        const SphRve rve(small_cell(viscosity), settings);
-        const auto workspace = rve.make_workspace();
-        for (const double steps_a_cycle : {2.5, 6., 30.})
-          {
-            RveState<2> state = rve.initial_state();
-            Tensor2<2> F_before = identity, P_before = zero;
-            const int settle = int(2. * steps_a_cycle), last = settle + int(std::max(4., 30. / steps_a_cycle) * steps_a_cycle);
-            double taken = 0.;
-            for (int n = 1; n <= last; ++n)
-              {
-                const double phase = 2. * pi * n / steps_a_cycle, rate = 2. * pi / (steps_a_cycle * step);
-                const Tensor2<2> F = matrix(1., strain * std::sin(phase), 0., 1.);
-                const RveAnswer<2> a = rve.evaluate(state, F, matrix(0., strain * rate * std::cos(phase), 0., 0.), {}, *workspace);
-                BOOST_REQUIRE(a.diagnostics.converged);
-                if (n > settle)
-                  taken += 0.5 * (a.P + P_before).cwiseProduct(F - F_before).sum();
-                F_before = F;
-                P_before = a.P;
-                state = a.trial;
-              }
-            const double a_cycle = taken / (strain * strain) / ((last - settle) / steps_a_cycle);
-            BOOST_TEST_MESSAGE("viscosity " << viscosity << " Pa s, burst " << burst << " s, " << steps_a_cycle << " steps a cycle: takes " << a_cycle
-                                            << " J/m^3 a cycle and strain^2");
-            // In water the start is never forgotten: what swings inside gives and takes a hundredth of pi (affine - relaxed modulus), 1.2 MPa.
-            BOOST_TEST(a_cycle > -0.01 * 1.2e6);
-          }
-      }
+      for (const double steps_a_cycle : {2.5, 6., 30.})
+        {
+          const unsigned int seeds = viscosity < 0.1 ? 5 : 1;
+          double mean = 0.;
+          for (unsigned int seed = 1; seed <= seeds; ++seed)
+            mean += taken_in_cycles(viscosity, burst, steps_a_cycle, seed) / seeds;
+          BOOST_TEST_MESSAGE("viscosity " << viscosity << " Pa s, burst " << burst << " s, " << steps_a_cycle << " steps a cycle: takes " << mean
+                                          << " J/m^3 a cycle and strain^2");
+          BOOST_TEST(mean > -0.01 * 1.2e6);
+        }
 }
 
 BOOST_AUTO_TEST_CASE(a_failed_call_says_why_and_gives_the_committed_state_back)
