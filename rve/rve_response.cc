@@ -18,6 +18,25 @@ namespace turgor
 {
 namespace
 {
+/// found = offset + (1 + error) exact by least squares: what an RVE is off in proportion, and what it is off at no load.
+struct ErrorAndOffset
+{
+  double n = 0., x = 0., y = 0., xx = 0., xy = 0.;
+
+  void add(const double exact, const double found)
+  {
+    n += 1.;
+    x += exact;
+    y += found;
+    xx += exact * exact;
+    xy += exact * found;
+  }
+  /// Whether there are two values to tell them apart by.
+  bool exists() const { return n * xx - x * x > 1e-12 * n * xx; }
+  double error() const { return (n * xy - x * y) / (n * xx - x * x) - 1.; }
+  double offset() const { return (y - (1. + error()) * x) / n; }
+};
+
 const char *const component_names[4] = {"xx", "xy", "yx", "yy"};
 
 std::string printed(const Tensor2<2> &F)
@@ -118,6 +137,7 @@ void RveResponse::run(RunContext &context)
          largest_pressure_deviation = 0., worst = 0.;
   long iterations = 0, compared = 0;
   const double floor = 0.005 * rve.cell.turgor;
+  ErrorAndOffset of_deviator[2]; // xx (yy is its negative), xy
   RveAnswer<2> answer;
   for (std::size_t i = 0; i < todo.size(); ++i)
     {
@@ -154,6 +174,8 @@ void RveResponse::run(RunContext &context)
           deviation = (deviator(answer.sigma - viscous) - deviator(exact)).cwiseAbs().maxCoeff();
           const double size = deviator(exact).cwiseAbs().maxCoeff();
           ++compared;
+          for (int c = 0; c < 2; ++c)
+            of_deviator[c].add(deviator(exact)(0, c), deviator(answer.sigma - viscous)(0, c));
           largest_deviation = std::max(largest_deviation, deviation);
           worst = std::max(worst, deviation / std::max(0.01 * size, floor));
           largest_pressure_deviation =
@@ -185,6 +207,13 @@ void RveResponse::run(RunContext &context)
       context.result("max_deviatoric_deviation", largest_deviation, "Pa");
       context.result("max_deviation_over_allowed", worst, "1");
       context.result("max_pressure_deviation", largest_pressure_deviation, "Pa");
+      context.result("max_pressure_deviation_over_turgor", largest_pressure_deviation / rve.cell.turgor, "1");
+      for (int c = 0; c < 2; ++c)
+        if (of_deviator[c].exists())
+          {
+            context.result(std::string("deviator_error_") + component_names[c], of_deviator[c].error(), "1");
+            context.result(std::string("deviator_offset_over_turgor_") + component_names[c], of_deviator[c].offset() / rve.cell.turgor, "1");
+          }
     }
   char line[200];
   std::snprintf(line, sizeof line, "sigma = %.6g, %.6g; %.6g, %.6g kPa at the last point, pressure %.6g kPa",

@@ -26,8 +26,8 @@ def draw(runs, path, regime_change=9.0):
     for label, directory in runs:
         table = read_table(os.path.join(directory, "growth.csv"))
         t = table["time [s]"] / DAY
-        free = "free" in label
-        colour = ACCENT if free else "#8a6fb0" if "closest" in label else ALONG
+        free = "free" in label and "edge" not in label
+        colour = ACCENT if free else ALONG
         axis = axes[lines.index(label.split()[0])]
         axis.plot(t, table["radius [m]"] * 1e6, color=colour, linewidth=2, linestyle="-" if free else (0, (5, 2)), label=label)
         draw_data(axis, "time [s]", "radius [m]", 1 / DAY, 1e6)

@@ -3,7 +3,7 @@
   python3 inputs/studies/spheroid_dextran.py NAME
 
 small        400 first cells (about 60 um of radius where the experiment has 100 um), 3 days; BC52 and FHI 2 more after the change of their
-             rim, which comes after 3 days here instead of 9. CT26 also with the contacts of a closest packing (density.md)
+             rim, which comes after 3 days here instead of 9. FHI's control also with the rim of the thesis, which counts from the mean edge
 full         2000 first cells, 9 days, BC52 and FHI 14, AB6's control 5; 80 minutes of CPU time
 The tables go to doc/results/spheroid/dextran_<name>.csv with the ratio of the pressed line's speed to its control, the picture
 beside them.
@@ -26,8 +26,8 @@ def runs(name):
         short = {"Duration": 5 * DAY} if line == "AB6" and name == "full" else {}  # 30 000 cells by then, as free growth has no end
         yield f"{line}_free", "spheroid_dextran", {**entries, **short, "Dextran/Pressure": 0}
         yield f"{line}_{pressure // 1000}kPa", "spheroid_dextran", {**entries, "Dextran/Pressure": pressure}
-        if line == "CT26" and name == "small":
-            yield "CT26_5kPa_closest", "spheroid_dextran", {**entries, "Dextran/Pressure": pressure, "Contact/Local stiffness": "closest"}
+        if line == "FHI" and name == "small":
+            yield "FHI_free_edge", "spheroid_dextran", {**entries, "Dextran/Pressure": 0, "Death/Rim from": "edge"}
 
 
 def main():

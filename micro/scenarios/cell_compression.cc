@@ -40,9 +40,9 @@ protected:
     result_at(context, mean, "pressure", &Row::pressure, "Pa");
     if (deformation >= 0.3)
       {
-        context.result("slope_15_20", squeezed::slope(mean, 0.15, 0.20), "N");
+        context.result("slope_20_25", squeezed::slope(mean, 0.20, 0.25), "N");
         context.result("slope_25_30", squeezed::slope(mean, 0.25, 0.30 - 1e-9), "N");
-        context.result("stiffening", squeezed::slope(mean, 0.25, 0.30 - 1e-9) / squeezed::slope(mean, 0.15, 0.20), "1");
+        context.result("stiffening", squeezed::slope(mean, 0.25, 0.30 - 1e-9) / squeezed::slope(mean, 0.20, 0.25), "1");
       }
     if (!(start_pressure > 0.))
       return;

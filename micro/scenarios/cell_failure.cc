@@ -15,7 +15,11 @@ namespace
 class CellFailure final : public SqueezedCell
 {
 public:
-  CellFailure() { critical_stretch = 1.04; }
+  CellFailure()
+  {
+    critical_stretch = 1.2; // where a slow crack starts at the equator; at 1.04 it is the edge of the contact (errata)
+    deformation = 0.56;
+  }
 
   std::string description() const override
   {

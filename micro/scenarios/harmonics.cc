@@ -64,7 +64,7 @@ std::vector<Harmonic> harmonics(const std::vector<double> &signal, const double 
 Harmonic largest_between(const std::vector<Harmonic> &parts, const double low, const double high)
 {
   for (const Harmonic &part : parts)
-    if (part.omega > low && part.omega < high && std::abs(part.decay) < part.omega / (2. * std::numbers::pi))
+    if (part.omega > low && part.omega < high && std::abs(std::expm1(-2. * std::numbers::pi * part.decay / part.omega)) <= 0.1)
       return part;
   return {};
 }

@@ -22,7 +22,7 @@ struct Harmonic
 /// 6 count + 4 samples.
 std::vector<Harmonic> harmonics(const std::vector<double> &signal, double dt, unsigned int count);
 
-/// The largest of those with an omega between low and high that decay (or grow) by less than a factor e in a period: faster is no
-/// tone but what noise leaves over. omega 0 where there is none.
+/// The largest of those with an omega between low and high that lose (or gain) at most a tenth of their amplitude in a period: what goes
+/// faster is no mode but what noise and smoothing leave over, and its frequency an accident. omega 0 where there is none.
 Harmonic largest_between(const std::vector<Harmonic> &parts, double low, double high);
 } // namespace turgor

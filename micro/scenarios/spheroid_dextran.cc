@@ -1,5 +1,6 @@
 #include "micro/scenarios/spheroid_dextran.h"
 
+#include "micro/cells/pressure_profile.h"
 #include "micro/io/input_entries.h"
 #include "micro/io/run_context.h"
 #include "micro/terms/dextran_pressure.h"
@@ -72,6 +73,30 @@ void SpheroidDextran::before_interval(CellCulture &culture) const
   culture.life.set_rim_thickness(culture.time() < regime_change ? rim : rim * line().rim_factor);
 }
 
+void SpheroidDextran::report_profile(RunContext &context, CellCulture &culture) const
+{
+  const CellPopulation &cells = culture.cells;
+  const OuterCells outer = find_outer_cells(cells.particles);
+  std::vector<double> volume;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    volume.push_back(culture.life.volume(cells, i));
+  const std::vector<PressureShell> shells =
+    pressure_profile(cells.particles, culture.pressures(), volume, outer, 2. * outer.mean_radius);
+  const auto table = context.series("profile", {{"depth", "m"}, {"pressure", "Pa"}, {"pressure_scatter", "Pa"}, {"cells", ""}});
+  for (const PressureShell &shell : shells)
+    table->add_row({shell.depth, shell.pressure, shell.scatter, shell.cells});
+  double weighted = 0., count = 0.;
+  for (const PressureShell &shell : shells)
+    if (shell.depth > 0.5 * outer.edge)
+      {
+        weighted += shell.cells * shell.pressure;
+        count += shell.cells;
+      }
+  context.result("pressure_rim", shells.front().pressure, "Pa");
+  if (count > 0.)
+    context.result("pressure_core", weighted / count, "Pa");
+}
+
 void SpheroidDextran::report(RunContext &context, const GrowthTable &table, CellCulture &culture) const
 {
   constexpr double day = 86400.;
@@ -90,6 +115,7 @@ void SpheroidDextran::report(RunContext &context, const GrowthTable &table, Cell
           }
       context.result("mean_pressure", mean / count, "Pa");
     }
+  report_profile(context, culture);
   if (line().rim_factor < 1. && end > regime_change + day)
     {
       context.result("radial_speed_first", slope(std::min(day, 0.5 * regime_change), regime_change), "um/d");

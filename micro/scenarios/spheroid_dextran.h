@@ -3,7 +3,8 @@
 // Rim = quiescent with 30 um (Model II). Cell lines differ in their cycle time, fitted to growth without dextran (errata: 5.4.2 before
 // Table C.2): CT26 17 h, AB6 13 h, HT29 46 h, BC52 31 h, FHI 20 h. BC52 and FHI have two regimes: after 9 days the rim is 0.7 and
 // 0.35 of what it was. Pressure 0 is the control.
-// Reported: slope of the radius over the whole time after the first day, and in both regimes; mean pressure of the cells.
+// Reported: slope of the radius over the whole time after the first day, and in both regimes; mean pressure of the cells; at the end the
+// pressure over the depth below the edge in shells of a cell's diameter (profile.csv): of the outermost shell, and within half the radius.
 #pragma once
 
 #include "micro/scenarios/spheroid_scene.h"
@@ -24,6 +25,8 @@ protected:
   void report(RunContext &context, const GrowthTable &table, CellCulture &culture) const override;
 
 private:
+  /// profile.csv and the pressure at the rim and in the core, at the end.
+  void report_profile(RunContext &context, CellCulture &culture) const;
   struct Line
   {
     double cycle_time, rim_factor;

@@ -7,8 +7,8 @@
 //   balance    F(lambda) = p(area) r z0        force on a plate  p z0 b
 //
 // At constant area pi R^2, r = R (1 - e):  lambda/lambda_0 = (1 + (1 - e)^2)/(2 (1 - e)),  force = F (pi/2) ((1 - e)^-2 - 1).
-// So even a tension that does not grow at all leaves a force of slope pi F (1 - e)^-3: over 25 to 30 % it is 1.474 times as
-// steep as over 15 to 20 %, whatever the wall. Only a tension that falls, or a cell that loses area, is straighter.
+// So even a tension that does not grow at all leaves a force of slope pi F (1 - e)^-3: over 25 to 30 % it is 1.222 times as
+// steep as over 20 to 25 %, whatever the wall. Only a tension that falls, or a cell that loses area, is straighter.
 //
 // In: SI. Out: force in N. Bending is left out.
 #pragma once
@@ -67,7 +67,7 @@ struct SqueezedRing
 
   double force(const double deformation) const { return between(radius() * (1. - deformation)).force; } ///< N
 
-  /// Slope of the force over 25 to 30 % against 15 to 20 %.
-  double stiffening() const { return (force(0.30) - force(0.25)) / (force(0.20) - force(0.15)); }
+  /// Slope of the force over 25 to 30 % against 20 to 25 %: 1.22 for a tension that does not grow at all.
+  double stiffening() const { return (force(0.30) - force(0.25)) / (force(0.25) - force(0.20)); }
 };
 } // namespace turgor

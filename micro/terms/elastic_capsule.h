@@ -62,6 +62,8 @@ public:
   void advance_under(double pressure, double dt);
 
 private:
+  /// The sentence of a cell of this modulus (Pa) that has gone through, with what was seen to help.
+  std::string passed_wall(double of_cell) const;
   /// Cells that reach beyond a radius (m).
   void find_near(const Particles<3> &particles, double from_radius);
   /// N, of all cells at inner radius r, and its slope (N/m, negative).

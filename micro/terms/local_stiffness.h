@@ -4,14 +4,15 @@
 //   d_ij = 1 - r_ij/(R_ref,i + R_ref,j),   d_i = mean of d_ij over the cells in contact with i
 //   E_i(d_i) = E_i g(d_i),   g(d) = 1 for d <= d_0, else min(a_0 + a_1 (d - d_0) + ... , largest)/a_0
 //
-//   C.9 as repaired in errata.md (powers of d - 0.08, a_0 = 445.4 Pa; plausible, NOT confirmed) is the default; the largest
+//   C.9 as repaired in errata.md (powers of d - 0.08, a_0 = 445.4 Pa): REFUTED, kept to show it. In a closest packing under C.1 to C.3
+//   it lets the space between cells grow with the pressure, which the thesis has filled up (C.1.5). The largest
 //   modulus, 1 MPa, is the end of the range in Table C.2: nothing is extrapolated beyond it.
 //   B.19: d_0 = 0, a_0 = E, a_4 = 4e6 Pa.
 //   closest packing (derived, nothing fitted): what C.9 has to be where the cells, in the closest packing the calibration of C.1.5
 //   starts from, leave no gaps. Volume per cell r^3/sqrt 2, so V/V_ref = 3 sqrt 2/pi (1 - d)^3, 1 at d = 0.095; p(V) by C.1,
 //   C.2. The virial of twelve contacts asks F = p V/(2 r) of each; Hertz (2.5) with the radii of V gives
 //   E = (1 - nu^2) p 3/(4 sqrt 2 sqrt(s/4) (s - 1)^(3/2)) = 22.6 p,  s = 2 R/r = (3 sqrt 2/pi)^(1/3).
-//   C.9 as repaired is 3 to 15 times as stiff between d = 0.1 and 0.2: see doc/results/spheroid/density.md.
+//   The default of capsule and dextran until a calibration with deformable cells exists. C.9 as repaired is 3 to 15 times as stiff between d = 0.1 and 0.2: see doc/results/spheroid/density.md.
 //
 // g has to be monotone: a modulus that falls under compression lets cells collapse. A table (d, E) is interpolated linearly.
 // A factor on the cell's own modulus (not the printed sum), so that cells of different E keep their ratio and the law is continuous.

@@ -1,6 +1,7 @@
 // Capsule, walls and dextran around cells: closed forms, F = -dE/dx, order of convergence in the step.
 #include "micro/cells/compact_cluster.h"
 #include "micro/cells/depth_below_surface.h"
+#include "micro/cells/pressure_profile.h"
 #include "micro/engine/counter_random.h"
 #include "micro/engine/overdamped.h"
 #include "micro/terms/dextran_pressure.h"
@@ -293,6 +294,33 @@ BOOST_AUTO_TEST_CASE(depth_counts_from_the_nearest_surface)
   const std::vector<unsigned char> none = deeper_than(0., p, of_both);
   BOOST_TEST(std::accumulate(none.begin(), none.end(), 0.) > 0.95 * double(p.size()));
   BOOST_CHECK(deeper_than(100., p, of_both) == std::vector<unsigned char>(p.size(), 0));
+}
+
+// Each shell has the weighted mean of its own cells, by hand.
+BOOST_AUTO_TEST_CASE(pressure_profile_is_the_mean_of_each_shell)
+{
+  Particles<3> p;
+  p.declare("radius");
+  p.resize(5);
+  const double at[5] = {0., 2., 2.5, 9., 9.5};
+  for (int i = 0; i < 5; ++i)
+    {
+      p.x[0][i] = at[i];
+      p.field("radius")[i] = 1.;
+    }
+  OuterCells outer;
+  outer.edge = 10.;
+  outer.mean_radius = 1.;
+  const std::vector<double> pressure = {100., 90., 80., 10., 20.}, weight = {1., 1., 3., 2., 2.};
+  const std::vector<PressureShell> shells = pressure_profile(p, pressure, weight, outer, 4.);
+  BOOST_TEST_REQUIRE(shells.size() == 3u); // depths of 0 to 4, 4 to 8 and 8 to 10; the cells are 10, 8, 7.5, 1 and 0.5 deep
+  BOOST_TEST(shells[0].depth == 2.);
+  BOOST_TEST(shells[0].pressure == 15.);
+  BOOST_TEST(shells[0].scatter == 5.);
+  BOOST_TEST(shells[0].cells == 2.);
+  BOOST_TEST(shells[1].pressure == 80.);
+  BOOST_TEST(shells[2].depth == 10.);
+  BOOST_TEST(shells[2].pressure == 95.);
 }
 
 BOOST_AUTO_TEST_CASE(dextran_forces_balance_and_carry_the_given_virial)

@@ -35,6 +35,13 @@ BOOST_AUTO_TEST_CASE(a_few_periods_give_the_frequencies)
         }
     }
   BOOST_TEST(largest_between({}, 0., 1.).omega == 0.);
+  // a tenth a period is the most a mode may lose, or gain; the larger tone beside it loses more and is passed over
+  const double tenth = -std::log(0.9) / (2. * std::acos(-1.));
+  const std::vector<Harmonic> tones = {{1., 1.01 * tenth, 5., 0.}, {1.01, 0.99 * tenth, 1., 0.}, {3., -2.1 * tenth, 1., 0.}, {4., -4. * tenth, 1., 0.}};
+  BOOST_TEST(largest_between(tones, 0.9, 1.1).amplitude == 1.);
+  BOOST_TEST(largest_between(tones, 0.9, 1.005).omega == 0.);
+  BOOST_TEST(largest_between(tones, 2.9, 3.1).omega == 3.);
+  BOOST_TEST(largest_between(tones, 3.9, 4.1).omega == 0.); // exp(0.105) - 1 = 0.111
   BOOST_CHECK_THROW(harmonics(std::vector<double>(10, 1.), dt, 3), std::invalid_argument);
 }
 
