@@ -27,7 +27,7 @@ def draw(runs, path, regime_change=9.0):
         table = read_table(os.path.join(directory, "growth.csv"))
         t = table["time [s]"] / DAY
         free = "free" in label and "edge" not in label
-        colour = ACCENT if free else ALONG
+        colour = ACCENT if free else "#8a6fb0" if "edge" in label else ALONG
         axis = axes[lines.index(label.split()[0])]
         axis.plot(t, table["radius [m]"] * 1e6, color=colour, linewidth=2, linestyle="-" if free else (0, (5, 2)), label=label)
         draw_data(axis, "time [s]", "radius [m]", 1 / DAY, 1e6)
