@@ -82,18 +82,31 @@ void SphFluid<dim>::damp(Particles<dim> &particles, const Box<dim> &, const std:
   if (!impulses.due(dt))
     return;
   const Group &g = particles.groups[group];
-  impulses.longest = impulses.safe / damping_bound(particles, group);
-  const int parts = impulses.parts();
-  const double time = impulses.waited / parts;
-  impulses.virial.setZero();
-  for (int part = 0; part < parts; ++part)
+  impulses.longest = SphImpulses<dim>::longest_time(parameters.support / 2.6, parameters.viscosity / eos.reference_density());
+  const int degree = impulses.degree(damping_bound(particles, group));
+  const std::size_t n = g.end - g.begin;
+  // Recurrence of the mean force since the last impulse: v_j = v_0 + t M^-1 f_j.
+  std::array<std::vector<double>, dim> start, before, mean;
+  for (int d = 0; d < dim; ++d)
+    {
+      start[d].assign(particles.v[d].begin() + g.begin, particles.v[d].begin() + g.end);
+      before[d].assign(n, 0.);
+      mean[d].assign(n, 0.);
+    }
+  for (int j = 1; j <= degree; ++j)
     {
       const std::array<std::vector<double>, dim> f = viscous_forces(particles, group);
-      impulses.virial += virial_of<dim>(particles, g, f) / parts;
+      const double last = (2. * j - 1.) / j, one_before = (1. - j) / j, now = last * 2. / (degree * (degree + 1.));
       for (int d = 0; d < dim; ++d)
-        for (std::uint32_t i = g.begin; i < g.end; ++i)
-          particles.v[d][i] += time * particles.inverse_mass[i] * f[d][i - g.begin];
+        for (std::size_t i = 0; i < n; ++i)
+          {
+            const double next = last * mean[d][i] + one_before * before[d][i] + now * f[d][i];
+            before[d][i] = mean[d][i];
+            mean[d][i] = next;
+            particles.v[d][g.begin + i] = start[d][i] + impulses.waited * particles.inverse_mass[g.begin + i] * next;
+          }
     }
+  impulses.virial = virial_of<dim>(particles, g, mean);
   impulses.waited = 0.;
   impulses.fresh = false;
   impulses.virial_known = true;

@@ -212,6 +212,9 @@ Rates SphFluid<dim>::rates(const Particles<dim> &particles) const
   // the fourth-order kernel it is 4.28/R.
   const double stiffest = parameters.fourth_order ? 12. / R : 6.5 / R;
   bound.fluid.frequency_squared = stiffest * stiffest * c * c;
+  if (parameters.viscosity > 0.) // the longest step whose impulses are exact enough (sph_impulses.h)
+    bound.fluid.frequency_squared =
+      std::max(bound.fluid.frequency_squared, 4. / std::pow(SphImpulses<dim>::longest_time(R / 2.6, parameters.viscosity / rho), 2));
   if (particles.groups.empty())
     return bound;
   const Group &g = particles.groups.front(); // all cells start as copies

@@ -1,7 +1,11 @@
 // When a cell's viscosity acts. Its forces (sph_viscosity.inc.h) cost more than a step of water without it, and water's viscosity damps
-// the fastest motion a thousand times slower than that moves: so every few steps the velocities get one impulse for the time since the last,
-//   v <- v - t M^-1 K v,   K symmetric and never negative: linear and angular momentum are kept, and the kinetic energy can only fall
-// while t times the fastest rate is below 2. An impulse that were longer is given in parts: viscosity never shortens a step.
+// the fastest motion a thousand times slower than that moves: so every few steps the velocities get one impulse for the time t since the last,
+//   v <- P(t M^-1 K) v,   K symmetric and never negative
+// P(z) is exp(-z) to first order and between -1 and 1 up to z = s (s + 1): Legendre's polynomial of degree s, P_s(1 - 2 z/(s (s + 1))), by its recurrence
+// in s evaluations of the forces (Meyer, Balsara, Aslam 2012, 10.1111/j.1365-2966.2012.20744.x). s follows from the fastest rate: linear and angular
+// momentum are kept (P(0) = 1), the kinetic energy can only fall.
+// A motion that creeps in a force is too fast by (rate t)^2/12. So t is at most 1 over the rate nu k^2 of what is six spacings long, and such a step is
+// the longest too (SphFluid::rates); shorter motions are not resolved anyway.
 #pragma once
 
 #include "micro/engine/binary.h"
@@ -10,17 +14,17 @@
 #include <algorithm>
 #include <cmath>
 #include <iosfwd>
+#include <numbers>
 
 namespace turgor
 {
 template <int dim>
 struct SphImpulses
 {
-  static constexpr double most_steps = 4.; ///< between impulses: of motions longer than six spacings a period has several
-  static constexpr double safe = 1.;       ///< time of one part times the bound of the fastest rate (2 where the bound is met)
+  static constexpr double most_steps = 4.; ///< between impulses: of sound six spacings long a period has several
 
   double waited = 0.;   ///< s, since the last impulse
-  double longest = 0.;  ///< s, of one part, as of the last impulse
+  double longest = 0.;  ///< s, time between impulses, as of the last
   bool fresh = true;    ///< no impulse yet: the next step has one
   bool within_step = false; ///< from drift to damp: forces asked for outside are of velocities that somebody may have changed
   bool virial_known = false;
@@ -33,7 +37,14 @@ struct SphImpulses
     waited += dt;
     return fresh || waited + 0.5 * dt > most_steps * dt || waited + dt > longest;
   }
-  int parts() const { return std::max(1, int(std::ceil(waited / longest))); }
+  /// s; 1 over the rate of what is six spacings long. spacing: m, kinematic_viscosity: m^2/s.
+  static double longest_time(const double spacing, const double kinematic_viscosity)
+  {
+    const double over_k = 6. * spacing / (2. * std::numbers::pi);
+    return over_k * over_k / kinematic_viscosity;
+  }
+  /// s: the least degree for the time waited. rate: 1/s, a bound of the fastest.
+  int degree(const double rate) const { return std::max(1, int(std::ceil(0.5 * (std::sqrt(1. + 4. * waited * rate) - 1.)))); }
 
   void save(std::ostream &out) const
   {

@@ -215,4 +215,38 @@ BOOST_AUTO_TEST_CASE(two_particles_alone_resist_each_other)
   BOOST_TEST((viscous.force(a - first) - expected * apart / apart.norm()).norm() < 1e-10 * expected);
 }
 
+// From water, one evaluation of the forces, to 1e3 Pa s, dozens: t times the fastest rate is 1e-3 to 1e3.
+BOOST_AUTO_TEST_CASE(impulses_keep_both_momenta_and_take_energy_at_any_viscosity)
+{
+  for (const double mu : {1e-3, 1., 1e3})
+    {
+      SmallRound cell;
+      Particles<2> &p = cell.system.particles;
+      ViscousForces<2> viscous(cell.system, *cell.fluid, mu);
+      viscous.of_noise(5);
+      const auto moments = [&] {
+        Vector<3> sum = Vector<3>::Zero();
+        for (std::size_t i = 0; i < p.size(); ++i)
+          {
+            const Vector<2> v(p.v[0][i], p.v[1][i]), x = p.position(i);
+            sum += Vector<3>(v[0], v[1], (x[0] * v[1] - x[1] * v[0]) / cell.radius) / p.inverse_mass[i];
+          }
+        return sum;
+      };
+      const Vector<3> before = moments();
+      const double energy = cell.system.kinetic_energy(), power = viscous.power(), dt = 1e-9, size = 1. / p.inverse_mass[0] * double(p.size());
+      cell.fluid->damp(p, cell.system.box, 0, dt);
+      BOOST_TEST((moments() - before).norm() < 1e-12 * size);
+      const double lost = energy - cell.system.kinetic_energy();
+      BOOST_TEST_MESSAGE(mu << " Pa s: loses " << lost / energy << " of the energy");
+      BOOST_TEST(lost > 0.);
+      BOOST_TEST(lost < energy);
+      if (mu == 1e-3)
+        BOOST_TEST(lost == -power * dt, boost::test_tools::tolerance(1e-2));
+      // its virial is that of the mean force
+      const Tensor2<2> virial = cell.fluid->damping_virial(p, 0);
+      BOOST_TEST((virial - virial.transpose()).norm() < 1e-10 * virial.norm());
+    }
+}
+
 BOOST_AUTO_TEST_SUITE_END()
