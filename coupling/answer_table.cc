@@ -10,7 +10,7 @@ namespace
 template <int dim>
 struct Row
 {
-  static constexpr std::size_t P = 0, sigma = dim * dim, energy = 2 * dim * dim, pressure = energy + 1,
+  static constexpr std::size_t P = 0, sigma = dim * dim, viscous = 2 * dim * dim, energy = 3 * dim * dim, pressure = energy + 1,
                                iterations = energy + 2, residual = energy + 3, spread = energy + 4,
                                cpu = energy + 5, failed = energy + 6, dragged = energy + 7, heating = energy + 8,
                                tangent = energy + 9;
@@ -35,6 +35,7 @@ void AnswerTable<dim>::put(const std::size_t point, const RveAnswer<dim> &a)
     {
       row[R::P + i * dim + j] = a.P(i, j);
       row[R::sigma + i * dim + j] = a.sigma(i, j);
+      row[R::viscous + i * dim + j] = a.viscous(i, j);
     }
   row[R::energy] = a.energy;
   row[R::heating] = a.heating;
@@ -130,8 +131,13 @@ void AnswerTable<dim>::read(const std::size_t point, LawAnswer<dim> &answer) con
     for (int j = 0; j < dim; ++j)
       answer.P[point][i][j] = row[R::P + i * dim + j];
   answer.energy[point] = row[R::energy];
-  if (!answer.heating.empty())
+  if (!answer.viscous.empty())
+  {
+    for (int i = 0; i < dim; ++i)
+      for (int j = 0; j < dim; ++j)
+        answer.viscous[point][i][j] = row[R::viscous + i * dim + j];
     answer.heating[point] = row[R::heating];
+  }
   if (conditions)
     answer.spent[point] = condition(point).flow_dissipated + condition(point).failure_dissipated;
   if (tangents)

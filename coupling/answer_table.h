@@ -1,5 +1,5 @@
 // What the RVEs of one batch answered, one row of doubles a point, so that one message gathers it over
-// the ranks: stresses (Pa), energy (J/m^3), heating (W/m^3), fluid pressure (Pa), diagnostics, tangents (Pa) where asked for, the condition of the
+// the ranks: stresses (Pa), the viscous part of P (Pa), energy (J/m^3), heating (W/m^3), fluid pressure (Pa), diagnostics, tangents (Pa) where asked for, the condition of the
 // cells where it can change, failed or not.
 #pragma once
 

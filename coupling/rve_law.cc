@@ -236,6 +236,7 @@ void RveLaw<dim>::evaluate(const std::vector<dealii::Tensor<2, dim>> &F,
 
   answer.P.resize(n);
   answer.energy.resize(n);
+  answer.viscous.resize(m.rve->knows_heating() ? n : 0);
   answer.heating.resize(m.rve->knows_heating() ? n : 0);
   answer.spent.resize(m.condition.empty() ? 0 : n);
   answer.tangent.resize(request.tangents ? n : 0);

@@ -33,7 +33,6 @@ struct Memory
   double cpu_seconds = 0.;  // before the resume, all ranks
   double wall_seconds = 0.;
   EnergyCheck energy;
-  double end = 0.; // s, of the run that wrote it
 };
 
 /// On a whole number of intervals where it is one but for rounding: then a run that ends there takes the steps of every
@@ -73,6 +72,7 @@ private:
   TissueObserver &observer;
   const double end; // s
   Memory memory;
+  bool is_cut = false; // the steps are made for the end
   std::unique_ptr<Series> energy_series, cost_series;
   std::optional<FieldOutput> fields;
   std::optional<RveOutlines> outlines;
@@ -85,33 +85,34 @@ private:
   void frame();
   void results();
   void tell_of_bursts();
-  void require_same_steps() const;
-  double frame_time(unsigned long n, double last) const
-  {
-    return std::min(static_cast<double>(n) * settings.tissue.output_interval, last);
-  }
-  double frame_time(unsigned long n) const { return frame_time(n, end); }
-  bool stands_before_a_cut_stretch() const
-  {
-    return static_cast<double>(memory.frames) * settings.tissue.output_interval > end && tissue.time() <= frame_time(memory.frames - 1);
-  }
+  double next_frame() const { return static_cast<double>(memory.frames) * settings.tissue.output_interval; }
+  void advance();
 };
 
-/// After a resume with another end: the steps up to here have to be those of a run that had it from the start.
-void Run::require_same_steps() const
+/// Steps end on the times of the frames, also after a resume: the same limits, the same bits. Only the step that would pass the end is cut, and
+/// what there is before it is the last that is saved: a later end goes on from there with the bits of a run that had it from the start.
+void Run::advance()
 {
-  if (frame_time(memory.frames, memory.end) != frame_time(memory.frames) && tissue.time() > frame_time(memory.frames - 1, memory.end))
-    throw InputError("Time/End time cannot be moved from " + number_text(memory.end) + " to " + number_text(end) +
-                     " s any more: the steps behind t = " + number_text(frame_time(memory.frames - 1, memory.end)) +
-                     " s, the last whole Output interval, were made for the earlier end. Run without --resume to start again.");
+  const double limit = next_frame();
+  if (!is_cut && limit > end)
+  {
+    const double there = tissue.upcoming(limit);
+    if (there > end - 1e-9 * (there - tissue.time()))
+    {
+      checkpoint();
+      is_cut = true;
+    }
+  }
+  tissue.step(is_cut ? end : limit);
 }
 
 void Run::checkpoint()
 {
+  if (is_cut)
+    return;
   Memory now = memory;
   now.cpu_seconds += law.shares().sum(process_cpu_seconds() - cpu_at_start);
   now.wall_seconds += seconds_since(started);
-  now.end = end;
   context.save_checkpoint([&](std::ostream &out) {
     write_binary(out, now);
     observer.save(out);
@@ -168,7 +169,7 @@ void Run::results()
   if (rve.knows_heating())
   {
     context.result("energy_heat", e.heat, "J/m");
-    context.result("energy_unexplained_share", memory.energy.taken_share() - memory.energy.heat_share(), "1");
+    context.result("energy_unexplained_share", memory.energy.unexplained_share(), "1");
   }
 
   const RveLawStatistics &s = law.statistics();
@@ -200,12 +201,15 @@ void Run::results()
   tell_of_bursts();
   if (rve.micro_step() > 0.)
   {
-    // Both count particles times steps in time; a full run of the piece would move as many particles a cell at the same step.
-    const double rve_area = rve.lattice().determinant(), area = tissue.size()[0] * tissue.size()[1];
-    const double ratio = double(s.iterations) * rve.micro_step() * rve_area / (area * tissue.time());
+    // Both count particles times steps in time; a full run of the piece would move as many particles a cell at the same step. Of a slab that
+    // is periodic across it needs no more rows of cells than the RVE has.
+    const bool slab = settings.tissue.lateral == "periodic";
+    const double rve_area = rve.lattice().determinant(), height = slab ? std::min(tissue.size()[1], rve.lattice()(1, 1)) : tissue.size()[1];
+    const double ratio = double(s.iterations) * rve.micro_step() * rve_area / (tissue.size()[0] * height * tissue.time());
     context.result("micro_steps_over_full_run", ratio, "1");
     if (ratio > 1.)
-      context.say("The cells of the RVEs have taken " + number_text(ratio) + " times the micro steps of a full particle run of this piece (scene full_micro), which is cheaper.");
+      context.say("The cells of the RVEs have taken " + number_text(ratio) + " times the micro steps of a full particle run of this piece (scene full_micro" +
+                  (slab ? ", Surfaces = slab" : "") + "), which is cheaper.");
   }
   if (s.max_stress_spread > 0.)
     context.result("rve_stress_spread_max", s.max_stress_spread, "Pa");
@@ -228,7 +232,6 @@ void Run::go()
     read_binary(in, memory);
     observer.load(in);
     tissue.load(in);
-    require_same_steps();
   });
   observer.open(context, tissue);
   std::vector<Column> energy_columns = {{"time", "s"},
@@ -268,12 +271,9 @@ void Run::go()
     Clock::time_point saved = Clock::now();
     while (tissue.time() < end)
     {
-      if (stands_before_a_cut_stretch())
-        checkpoint(); // from here a later end goes on
-      // Steps end on the times of the frames, also after a resume: the same limits, the same bits.
       try
       {
-        tissue.step(frame_time(memory.frames));
+        advance();
       }
       catch (const RunStopped &)
       {
@@ -281,7 +281,7 @@ void Run::go()
         throw RunStopped("Stopped at t = " + number_text(tissue.time() * 1e3) + " ms.");
       }
       row();
-      if (tissue.time() >= frame_time(memory.frames))
+      if (tissue.time() >= std::min(next_frame(), end))
       {
         frame();
         if (memory.energy.hopeless())
@@ -302,8 +302,7 @@ void Run::go()
         saved = Clock::now();
       }
     }
-    if (static_cast<double>(memory.frames - 1) * settings.tissue.output_interval == end)
-      checkpoint(); // and from here, where no step was cut
+    checkpoint();
   }
   catch (const TissueFailed &why)
   {

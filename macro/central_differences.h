@@ -12,6 +12,17 @@
 //
 //   w^2 + 4 k < 4,    i.e.   dt < 2 / (sqrt(omega^2 + c^2) + c).
 //
+// Tools (rigid_tools.h) cost nothing beside the law and begin to push at once: a step in which a node comes or goes is wrong by what the
+// contact would have held there, up to (w_c dt)^2/4 of the node's energy. They are stepped by themselves, in parts h of the step with
+// w_c h <= 1/32, between the kicks of the tissue's own a:
+//
+//   w = v_n + dt/2 a_n;   in each part: w += h/2 a_c, u += h w, w += h/2 a_c;   v_p = w + dt/2 a_n,   v_{n+1} = w + dt/2 a_{n+1}
+//
+// What such a step lends (energy_balance.h) is, with w_0 and w_1 before and after the parts and du the way between,
+//   dt^2/8 m change(a^2) + h^2/8 m change(a_c^2) + dt/2 m (a_n . (w_0 - du/dt) + a_{n+1} . (w_1 - du/dt)).
+//
+// Between two kicks a node that rests on a tool swings about its place: its contact force is read as the mean over the step.
+//
 // The step is the CFL fraction of that. A failed point halves the step and repeats it from the committed state;
 // after 16 good steps it doubles again; after 8 halvings TissueFailed.
 #pragma once
@@ -35,7 +46,15 @@ public:
   static double limit_of_stability(double omega, double c);
 
 private:
+  double first_try(double limit) const override;
+  void accelerate() override { this->op.acceleration_without_tools(this->state.a); }
+  /// One step to `time`; false where a point failed, and nothing has changed then.
+  bool attempt(double time, double dt);
+  /// u and v_half through the step with the tools alone.
+  ToolStep move_with_tools(double time, double dt);
+
   unsigned int halvings = 0, successes = 0;
-  std::vector<double> u, v_half, v_predicted;
+  std::vector<double> u, v_half, v_predicted, v_start, a_tools;
+  double lent_by_tools = 0.; // J, in the parts of the step
 };
 } // namespace turgor

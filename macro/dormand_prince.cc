@@ -144,6 +144,13 @@ double DormandPrince<dim>::stable_step() const
 }
 
 template <int dim>
+double DormandPrince<dim>::first_try(double limit) const
+{
+  const double largest = stable_step();
+  return std::min(next_step > 0. ? std::min(next_step, largest) : largest, limit - this->state.time);
+}
+
+template <int dim>
 void DormandPrince<dim>::step(double limit)
 {
   this->refresh();

@@ -38,6 +38,8 @@ public:
 private:
   struct Sundials;
 
+  double first_try(double limit) const override;
+
   std::unique_ptr<Sundials> sundials;
   std::vector<std::size_t> free_entries;
   std::vector<double> u, v, a;          // of the last right-hand side

@@ -40,6 +40,9 @@ void TissueState<dim>::save(std::ostream &out) const
     write_binary(out, *vector);
   write_binary(out, flat<dim>(F));
   write_binary(out, flat<dim>(P));
+  write_binary(out, static_cast<char>(!viscous.empty()));
+  if (!viscous.empty())
+    write_binary(out, flat<dim>(viscous));
   write_binary(out, static_cast<char>(!energy.empty()));
   if (!energy.empty())
     write_binary(out, energy);
@@ -56,6 +59,14 @@ void TissueState<dim>::load(std::istream &in)
     {
       read_binary(in, values);
       unflatten<dim>(values, *tensors);
+    }
+  char with_viscous = 0;
+  read_binary(in, with_viscous);
+  viscous.resize(with_viscous ? F.size() : 0);
+  if (with_viscous)
+    {
+      read_binary(in, values);
+      unflatten<dim>(values, viscous);
     }
   char with_energy = 0;
   read_binary(in, with_energy);
@@ -101,10 +112,35 @@ void Integrator<dim>::place(const std::vector<double> &u, const std::vector<doub
   since_estimate = 0;
 }
 
+/// As the steps see it, all by the trapezoidal rule: what the viscous stress has done is then heat to the last digit, near the limit of
+/// stability too, where rates of the nodes of time are not those between them.
 template <int dim>
-void Integrator<dim>::accept(double time)
+void Integrator<dim>::add_heat(double time)
 {
-  op.acceleration(state.a);
+  const LawAnswer<dim> &answer = op.answer();
+  if (answer.viscous.empty())
+    {
+      state.heat = std::numeric_limits<double>::signaling_NaN();
+      return;
+    }
+  const double before = state.heating;
+  state.heating = 0.;
+  double work = 0.;
+  for (std::size_t q = 0; q < answer.viscous.size(); ++q)
+    {
+      const double weight = op.mesh().gauss_weight[q];
+      state.heating += answer.heating.empty() ? 0. : weight * answer.heating[q];
+      if (time > state.time)
+        work += 0.5 * weight * dealii::scalar_product(state.viscous[q] + answer.viscous[q], op.F_bar()[q] - state.F[q]);
+    }
+  if (time > state.time)
+    state.heat += work + 0.5 * (before + state.heating) * (time - state.time);
+}
+
+template <int dim>
+void Integrator<dim>::accept(double time, const std::optional<ToolStep> &tools)
+{
+  accelerate();
   const LawAnswer<dim> &answer = op.answer();
   const auto sum = [&](const std::vector<double> &of_point) {
     double result = 0.;
@@ -112,22 +148,25 @@ void Integrator<dim>::accept(double time)
       result += op.mesh().gauss_weight[q] * of_point[q];
     return result;
   };
-  const double before = state.heating;
-  state.heating = answer.heating.empty() ? std::numeric_limits<double>::signaling_NaN() : sum(answer.heating);
-  if (time > state.time || answer.heating.empty())
-    state.heat += 0.5 * (before + state.heating) * (time - state.time);
+  add_heat(time);
   state.spent = sum(answer.spent);
   if (op.tools())
     {
       const double force_before = state.tool.force, travel = op.tools()->travel(time) - op.tools()->travel(state.time);
       state.tool = op.tools()->read(time, state.u);
+      state.tool_work += tools ? tools->work : 0.5 * (force_before + state.tool.force) * travel;
+      if (tools)
+        {
+          state.tool.force = tools->mean.tool;
+          state.tool.support = tools->mean.below;
+        }
       state.tool.support += op.reaction()[0];
-      state.tool_work += 0.5 * (force_before + state.tool.force) * travel;
     }
   state.time = time;
   state.F = op.F_bar();
   stability.observe(state.F);
   state.P = answer.P;
+  state.viscous = answer.viscous;
   state.energy = answer.energy;
 }
 
@@ -138,6 +177,13 @@ void Integrator<dim>::refresh()
     return;
   stability.estimate(state.time, state.u, state.v);
   since_estimate = 0;
+}
+
+template <int dim>
+double Integrator<dim>::upcoming(double limit)
+{
+  refresh();
+  return state.time + first_try(limit);
 }
 
 template <int dim>

@@ -6,6 +6,7 @@
 
 #include <iosfwd>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace turgor
@@ -14,13 +15,14 @@ template <int dim>
 struct TissueState
 {
   double time = 0.;                          ///< s
-  std::vector<double> u, v, a;               ///< m, m/s, m/s^2; [node][dim]
+  std::vector<double> u, v, a;               ///< m, m/s, m/s^2; [node][dim]; a: central_differences without the tools'
   std::vector<dealii::Tensor<2, dim>> F, P;  ///< F_bar and Pa, at all quadrature points
+  std::vector<dealii::Tensor<2, dim>> viscous; ///< Pa, its part in P; empty if the law does not know
   std::vector<double> energy;                ///< J/m^3 per point; empty if the law gives none
   ToolReading tool;                          ///< N, J; support: of the clamp or the plate below
   double tool_work = 0.;                     ///< J, done by the tool since rest
-  double heating = 0.;                       ///< W, by viscosity; signalling NaN if the law does not know
-  double heat = 0.;                          ///< J, by viscosity since rest
+  double heating = 0.;                       ///< W, that F does not show
+  double heat = 0.;                          ///< J, by viscosity since rest; signalling NaN if the law does not know
   double spent = 0.;                         ///< J, lost since rest by what has no rate: flow, breaking
   double lent = 0.;                          ///< J, by the steps (energy_balance.h)
 
@@ -58,6 +60,9 @@ public:
   /// The step (s) that would be tried now, apart from the limit.
   virtual double stable_step() const = 0;
 
+  /// Where (s) a step under this limit would lead that is accepted as it is tried. Finds the stable step anew when that is due.
+  double upcoming(double limit);
+
   /// Everything the coming steps depend on, the law excepted. The mesh and the parameters must be the same.
   virtual void save(std::ostream &out) const;
   virtual void load(std::istream &in);
@@ -65,10 +70,16 @@ public:
 protected:
   Integrator(TissueOperator<dim> &op, const TissueParameters<dim> &parameters);
 
-  /// The operator's last answer, reached at the given state, becomes the state.
-  void accept(double time);
+  /// The operator's last answer, reached at the given state, becomes the state. tools: of the step; where they are not given, their forces
+  /// at its ends and the trapezoidal rule.
+  void accept(double time, const std::optional<ToolStep> &tools = {});
+  /// state.a from the operator's last answer.
+  virtual void accelerate() { op.acceleration(state.a); }
+  void add_heat(double time);
   /// Finds the stable step anew when it is due.
   void refresh();
+  /// The step (s) that is tried first under this limit; not beyond it.
+  virtual double first_try(double limit) const = 0;
 
   TissueOperator<dim> &op;
   const TissueParameters<dim> parameters;

@@ -36,7 +36,8 @@ struct LawAnswer
 {
   std::vector<dealii::Tensor<2, dim>> P;       ///< Pa, P_aB = dW/dF_aB (+ viscous part)
   std::vector<double> energy;                  ///< J/m^3 of reference volume, elastic part; may be empty
-  std::vector<double> heating;                 ///< W/m^3 of reference volume, what viscosity turns into heat; empty if not known
+  std::vector<dealii::Tensor<2, dim>> viscous; ///< Pa, the part of P whose work is all heat; empty if not known
+  std::vector<double> heating;                 ///< W/m^3 of reference volume, heat besides, of motion that F does not show; may be empty
   std::vector<double> spent;                   ///< J/m^3 lost so far by what has no rate (flow, breaking); empty: nothing
   std::vector<dealii::Tensor<4, dim>> tangent; ///< Pa, dP_aB/dF_cD; empty unless asked and known
   std::vector<FailedPoint> failed;             ///< in order of point

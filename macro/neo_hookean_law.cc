@@ -32,7 +32,7 @@ void NeoHookeanLaw<dim>::evaluate(const std::vector<Tensor<2, dim>> &F, const st
   answer.failed.clear();
   answer.P.resize(F.size());
   answer.energy.resize(F.size());
-  answer.heating.resize(F.size());
+  answer.viscous.resize(F.size());
   answer.tangent.resize(request.tangents ? F.size() : 0);
   trial_stiffness = 0.;
   trial_viscosity = 0.;
@@ -49,7 +49,7 @@ void NeoHookeanLaw<dim>::evaluate(const std::vector<Tensor<2, dim>> &F, const st
       const Tensor<2, dim> L = F_dot[q] * inverse;
       const Tensor<2, dim> viscous = eta * J * (L + dealii::transpose(L)) * inverse_T;
       answer.P[q] = mu * F[q] - pull * inverse_T + viscous;
-      answer.heating[q] = dealii::scalar_product(viscous, F_dot[q]);
+      answer.viscous[q] = viscous;
       answer.energy[q] = 0.5 * mu * (F[q].norm_square() - dim - 2. * log_J) + 0.5 * lambda * log_J * log_J;
 
       // |F^-1|_2^2 <= |.|_1 |.|_inf; exact at F = I

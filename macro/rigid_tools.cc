@@ -117,13 +117,16 @@ double RigidTools<dim>::deepest(const Probe &side, const double time, const std:
 }
 
 template <int dim>
-void RigidTools<dim>::add_forces(const double time, const std::vector<double> &u, std::vector<double> &force) const
+ToolForces RigidTools<dim>::add_forces(const double time, const std::vector<double> &u, std::vector<double> &force) const
 {
+  ToolForces sum;
   for_contacts(time, u, [&](unsigned int node, bool upper, double penetration, const Tensor<1, dim> &normal) {
     const double push = kappa * (upper ? mesh.nodal_area : mesh.nodal_area_below)[node] * penetration;
+    (upper ? sum.tool : sum.below) += push * std::abs(normal[0]);
     for (unsigned int c = 0; c < dim; ++c)
       force[std::size_t(node) * dim + c] -= push * normal[c];
   });
+  return sum;
 }
 
 template <int dim>

@@ -19,11 +19,23 @@ namespace turgor
 {
 struct ToolReading
 {
-  double force = 0.;   ///< N, of the tool on the tissue in -x, positive when pressing
+  double force = 0.;   ///< N, of the tool on the tissue in -x, positive when pressing; in a state: mean of the step before (central_differences)
   double support = 0.; ///< N, of the plate below, in +x; 0 with a clamp
   double energy = 0.;  ///< J, in the penalty
   double penetration = 0.;         ///< m, deepest of the tool below the side x = width, between nodes too
   double support_penetration = 0.; ///< m, deepest of the side x = 0 in the plate below
+};
+
+struct ToolForces
+{
+  double tool = 0., below = 0.; ///< N, on the tissue: of the tool in -x, of the plate below in +x
+};
+
+/// What the tools have done in a step.
+struct ToolStep
+{
+  double work = 0.; ///< J
+  ToolForces mean;  ///< over the step
 };
 
 template <int dim>
@@ -34,7 +46,7 @@ public:
   RigidTools(const TissueMesh<dim> &mesh, const TissueParameters<dim> &parameters, double stiffness);
 
   /// Adds the forces on the nodes.
-  void add_forces(double time, const std::vector<double> &u, std::vector<double> &force) const;
+  ToolForces add_forces(double time, const std::vector<double> &u, std::vector<double> &force) const;
   ToolReading read(double time, const std::vector<double> &u) const;
 
   /// m: how deep the tool may be without being lost, the least of an element's thickness and the tool's radius.

@@ -41,6 +41,9 @@ public:
   /// One accepted step, not beyond limit (s); throws TissueFailed with the state as before the step.
   void step(double limit) { integrator->step(limit); }
 
+  /// Where (s) the coming step would lead under this limit if it is taken as it is tried first.
+  double upcoming(double limit) { return integrator->upcoming(limit); }
+
   /// Steps until exactly `end` (s); after each accepted step calls after_step(time in s, step number), which
   /// returns false to stop early. Returns false if stopped.
   bool advance_to(double end, const std::function<bool(double time, unsigned long step)> &after_step = {});

@@ -114,6 +114,28 @@ void TissueOperator<dim>::internal_forces(std::vector<double> &force)
 template <int dim>
 void TissueOperator<dim>::acceleration(std::vector<double> &a)
 {
+  acceleration_without_tools(a);
+  if (!rigid)
+    return;
+  std::vector<double> more;
+  acceleration_by_tools(last_time, last_u, more);
+  for (std::size_t i = 0; i < size(); ++i)
+    a[i] += more[i];
+}
+
+template <int dim>
+ToolForces TissueOperator<dim>::acceleration_by_tools(double time, const std::vector<double> &u, std::vector<double> &a) const
+{
+  a.assign(size(), 0.);
+  const ToolForces force = rigid->add_forces(time, u, a);
+  for (std::size_t i = 0; i < size(); ++i)
+    a[i] = fixed(i) ? 0. : a[i] / nodal_mass[i];
+  return force;
+}
+
+template <int dim>
+void TissueOperator<dim>::acceleration_without_tools(std::vector<double> &a)
+{
   internal_forces(a);
   for (std::size_t i = 0; i < size(); ++i)
     a[i] = external[i] - a[i];
@@ -123,7 +145,6 @@ void TissueOperator<dim>::acceleration(std::vector<double> &a)
       for (std::size_t i = 0; i < size(); ++i)
         if (fixed(i))
           held[i % dim] -= a[i];
-      rigid->add_forces(last_time, last_u, a);
     }
   if (given_forces)
     given_forces(last_time, a);

@@ -41,6 +41,9 @@ public:
   /// From the last evaluate(): nodal forces (N), acceleration (m/s^2) with zero at clamped nodes.
   void internal_forces(std::vector<double> &force);
   void acceleration(std::vector<double> &a);
+  /// The same without the tools; of the tools alone.
+  void acceleration_without_tools(std::vector<double> &a);
+  ToolForces acceleration_by_tools(double time, const std::vector<double> &u, std::vector<double> &a) const;
 
   /// From the last evaluate() with tangents (empty if the law gives none): d f_int/du of each element,
   /// (nodes_per_cell*dim)^2 entries each, N/m.
@@ -55,7 +58,7 @@ public:
 
   /// What presses on the tissue, if anything does.
   const RigidTools<dim> *tools() const { return rigid ? &*rigid : nullptr; }
-  /// From the last acceleration(), with tools: sum of the forces (N) of the clamped nodes' holder on the tissue.
+  /// From the last acceleration: sum of the forces (N) of the clamped nodes' holder on the tissue.
   const dealii::Tensor<1, dim> &reaction() const { return held; }
 
   const TissueMesh<dim> &mesh() const { return tables; }

@@ -349,8 +349,8 @@ RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor
   const Tensor2<2> L = F_dot * F.inverse();
   const Tensor2<2> viscous = viscous_stress(network.patch().parameters.fluid_viscosity, L);
   answer.sigma = e->virial.total() / (J * reference_volume) + viscous;
-  answer.heating = J * viscous.cwiseProduct(L).sum();
   answer.P = J * answer.sigma * F.inverse().transpose();
+  answer.viscous = J * viscous * F.inverse().transpose();
   for (const double p : e->pressure)
     answer.pressure += p;
   answer.pressure /= double(e->pressure.size());
@@ -389,8 +389,9 @@ RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor
       // never NaN, and nothing to build on
       answer.sigma.setZero();
       answer.P.setZero();
+      answer.viscous.setZero();
       answer.tangent.setZero();
-      answer.energy = answer.heating = answer.pressure = 0.;
+      answer.energy = answer.pressure = 0.;
       answer.condition = {};
       answer.trial = committed;
       if (!std::isfinite(answer.diagnostics.residual))

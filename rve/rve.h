@@ -60,8 +60,9 @@ struct RveAnswer
   Tensor2<dim> sigma = Tensor2<dim>::Zero(); ///< Pa, Cauchy
   Tensor2<dim> P = Tensor2<dim>::Zero();     ///< Pa, first Piola-Kirchhoff J sigma F^-T
   Tensor4<dim> tangent = Tensor4<dim>::Zero(); ///< Pa, dP/dF at fixed F_dot; only if asked
-  double energy = 0.;                        ///< J/m^3 of reference volume, elastic, 0 at F = I
-  double heating = 0.;                       ///< W/m^3 of reference volume, by viscosity; see knows_heating()
+  double energy = 0.;                        ///< J/m^3 of reference volume, elastic and of motion that F does not show, 0 at F = I
+  Tensor2<dim> viscous = Tensor2<dim>::Zero(); ///< Pa, the part of P whose work is all heat; see knows_heating()
+  double heating = 0.;                       ///< W/m^3 of reference volume, heat besides, of motion that F does not show
   double pressure = 0.;                      ///< Pa, mean fluid pressure
   RveCondition condition;
   RveState<dim> trial;
@@ -93,7 +94,8 @@ public:
   /// Whether states have a history, so that conditions are worth keeping.
   virtual bool has_history() const { return false; }
 
-  /// Whether answers know what viscosity turns into heat. Then work = energy + heating over time + what the condition has dissipated.
+  /// Whether answers know what viscosity turns into heat. Then work = energy + work of `viscous` + heating over time + what the condition
+  /// has dissipated.
   virtual bool knows_heating() const { return false; }
 
   virtual double micro_step() const { return 0.; } ///< s, of one iteration where those are steps in time; 0 where not

@@ -13,6 +13,8 @@ namespace turgor
 {
 namespace
 {
+constexpr int samples_of_heat = 2; // in half a burst: each costs as much as a step
+
 /// The fluid without its viscosity, while this lives.
 class Inviscid
 {
@@ -194,6 +196,52 @@ double SphMotion::mean_pressure() const
   return sum / double(p.groups.size());
 }
 
+SphMotion::Viscous SphMotion::viscous(const Tensor2<2> &L)
+{
+  Viscous result;
+  auto *const fluid = dynamic_cast<SphFluid<2> *>(cells.fluid);
+  if (fluid == nullptr || fluid->viscosity() == 0.)
+    return result;
+  Particles<2> &p = cells.system.particles;
+  Particles<2>::Components f = p.f;
+  if (fluid->by_impulses())
+    for (std::size_t group = 0; group < p.groups.size(); ++group)
+      {
+        const auto of_group = fluid->viscous_forces(p, group);
+        for (int d = 0; d < 2; ++d)
+          std::copy(of_group[d].begin(), of_group[d].end(), f[d].begin() + p.groups[group].begin);
+      }
+  else
+    {
+      const Particles<2>::Components all = p.f;
+      {
+        const Inviscid inviscid(*cells.fluid);
+        cells.system.compute_forces();
+      }
+      for (int d = 0; d < 2; ++d)
+        for (std::size_t i = 0; i < p.size(); ++i)
+          f[d][i] -= p.f[d][i];
+      p.f = all;
+    }
+  for (std::size_t i = 0; i < p.size(); ++i)
+    {
+      const Vector<2> x = p.position(i), force(f[0][i], f[1][i]);
+      result.virial -= force * x.transpose();
+      result.inside -= (Vector<2>(p.v[0][i], p.v[1][i]) - L * x).dot(force);
+    }
+  return result;
+}
+
+double SphMotion::kinetic_about(const Tensor2<2> &L) const
+{
+  const Particles<2> &p = cells.system.particles;
+  double sum = 0.;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (p.inverse_mass[i] > 0.)
+      sum += 0.5 / p.inverse_mass[i] * (Vector<2>(p.v[0][i], p.v[1][i]) - L * p.position(i)).squaredNorm();
+  return sum;
+}
+
 BurstAnswer SphMotion::run_bursts(const RveState<2> &committed, const Tensor2<2> &F, const Tensor2<2> &F_dot,
                                   RveDiagnostics &diagnostics)
 {
@@ -229,7 +277,9 @@ BurstAnswer SphMotion::run_bursts(const RveState<2> &committed, const Tensor2<2>
       system.compute_forces();
       // The mean over the window by the trapezoidal rule, and the line through it for what is left as spread.
       Tensor2<2> mean = Tensor2<2>::Zero(), moment = Tensor2<2>::Zero(), square = Tensor2<2>::Zero();
-      double time_square = 0.;
+      double time_square = 0., inside = 0.;
+      const int sampled = std::max(1, half / samples_of_heat);
+      int sampled_at = 0;
       for (int s = 0; s <= 2 * half; ++s)
         {
           if (s % 16 == 0)
@@ -237,10 +287,20 @@ BurstAnswer SphMotion::run_bursts(const RveState<2> &committed, const Tensor2<2>
           if (s > 0)
             integrator.step(dt);
           const int t = s - half;
+          const Tensor2<2> L = rate * (F_start + s * dt * rate).inverse();
           if (t == 0)
             {
-              answer.energy = system.potential_energy();
+              answer.energy = system.potential_energy() + kinetic_about(L);
               answer.pressure = mean_pressure();
+            }
+          if (t % sampled == 0 || s == 0 || s == 2 * half)
+            {
+              const Viscous now = viscous(L);
+              answer.heat += 0.5 * (now.inside + inside) * (s - sampled_at) * dt;
+              inside = now.inside;
+              sampled_at = s;
+              if (t == 0)
+                answer.viscous += now.virial / (system.box.volume() * depth * settings.bursts);
             }
           if (std::abs(t) > half_window)
             continue;

@@ -19,7 +19,9 @@ namespace turgor
 struct BurstAnswer
 {
   Tensor2<2> sigma = Tensor2<2>::Zero();      ///< Pa, mean over the windows in the middle of the bursts
-  double energy = 0., pressure = 0.;          ///< J, Pa: in the middle of the last one
+  double energy = 0., pressure = 0.;          ///< J, of the walls, the fluid and the motion about the affine flow, Pa: in the middle of the last one
+  Tensor2<2> viscous = Tensor2<2>::Zero();    ///< Pa, viscosity's part of sigma, in the middle of the bursts
+  double heat = 0.;                           ///< J, that viscosity took from the motion about the affine flow in all bursts
   Tensor2<2> F_end = Tensor2<2>::Identity();  ///< where the last one has left the cells
 };
 
@@ -64,7 +66,17 @@ public:
 
   double mean_pressure() const; ///< Pa, of the cells as they are
 
+  struct Viscous
+  {
+    Tensor2<2> virial = Tensor2<2>::Zero(); ///< N m, its part
+    double inside = 0.;                     ///< W, taken from the motion about the flow L x
+  };
+  /// Of the fluid's viscosity, for the cells as they are (forces known, and left as they are): one force evaluation. Its work on the
+  /// affine flow is virial : L.
+  Viscous viscous(const Tensor2<2> &L);
+
 private:
+  double kinetic_about(const Tensor2<2> &L) const; ///< J, of the motion about the flow L x
   /// place(), behind a walk where F is far. False, with a message, where the cells broke on the way.
   bool bring(const RveState<2> &from, const Tensor2<2> &F, const Tensor2<2> &F_dot, RveDiagnostics &diagnostics);
   void relax(const Tensor2<2> &F, const Tensor2<2> &F_dot, int full_steps, RveDiagnostics &diagnostics);

@@ -103,7 +103,7 @@ Tensor4<2> SphRve::affine_tangent(Scratch &scratch, const RveState<2> &at, const
 }
 
 RveAnswer<2> SphRve::attempt(Scratch &scratch, const RveState<2> &committed, const Tensor2<2> &F,
-                             const Tensor2<2> &F_dot, const int refinement, bool &broke) const
+                             const Tensor2<2> &F_dot, const double time_since_commit, const int refinement, bool &broke) const
 {
   ParticleSystem<2> &system = scratch.cells->system;
   Particles<2> &p = system.particles;
@@ -112,17 +112,23 @@ RveAnswer<2> SphRve::attempt(Scratch &scratch, const RveState<2> &committed, con
   answer.trial.F = F;
   answer.trial.F_dot = F_dot;
   const double volume = F.determinant() * patch.lattice.determinant() * patch.parameters.depth;
+  const double reference_volume = patch.lattice.determinant() * patch.parameters.depth;
   double energy = 0.;
+  Tensor2<2> viscous = Tensor2<2>::Zero();
+  const auto affine = [&] {
+    answer.sigma = system.virial() / volume;
+    viscous = motion.viscous(F_dot * F.inverse()).virial / volume;
+  };
   switch (settings.rule)
     {
       case SphRule::cauchy_born:
         motion.place(start, F, F_dot);
         system.compute_forces();
-        answer.sigma = system.virial() / volume;
+        affine();
         break;
       case SphRule::elastic_equilibrium:
         motion.equilibrate(committed, F, F_dot, answer.diagnostics);
-        answer.sigma = system.virial() / volume;
+        affine();
         break;
       case SphRule::constrained_runs:
       {
@@ -130,17 +136,22 @@ RveAnswer<2> SphRve::attempt(Scratch &scratch, const RveState<2> &committed, con
         answer.sigma = bursts.sigma;
         answer.pressure = bursts.pressure;
         energy = bursts.energy;
+        viscous = bursts.viscous;
+        // the bursts' own motion lasts as long as they do, the affine flow all the time
+        if (time_since_commit > 0.)
+          answer.heating = bursts.heat / (time_since_commit * reference_volume);
         answer.trial.F = bursts.F_end;
         break;
       }
     }
   answer.P = F.determinant() * answer.sigma * F.inverse().transpose();
+  answer.viscous = F.determinant() * viscous * F.inverse().transpose();
   if (settings.rule != SphRule::constrained_runs)
     {
       answer.pressure = motion.mean_pressure();
       energy = system.potential_energy();
     }
-  answer.energy = (energy - reference_energy) / (patch.lattice.determinant() * patch.parameters.depth);
+  answer.energy = (energy - reference_energy) / reference_volume;
   const std::size_t crossed = scratch.cells->fluid->crossed();
   const double sound =
     2. * scratch.cells->fluid->equation_of_state().sound_speed(patch.parameters.fluid_density);
@@ -148,7 +159,7 @@ RveAnswer<2> SphRve::attempt(Scratch &scratch, const RveState<2> &committed, con
   broke = true;
   if (!message.empty())
     return answer; // on the way to F
-  if (!answer.sigma.allFinite() || !std::isfinite(answer.energy) || !std::isfinite(answer.pressure))
+  if (!answer.sigma.allFinite() || !viscous.allFinite() || !std::isfinite(answer.energy + answer.heating + answer.pressure))
     message = "the micro steps diverged; use a smaller RVE/Step fraction or a shorter macro step.";
   else if (const double most = 7. * patch.parameters.fluid_modulus; answer.sigma.norm() > 10. * most
                                                                     || !(fastest(p, answer.trial.F, F_dot) < sound))
@@ -181,12 +192,12 @@ RveAnswer<2> SphRve::evaluate(const RveState<2> &committed, const Tensor2<2> &F,
     throw std::invalid_argument("The committed state does not belong to this RVE.");
 
   bool broke = false;
-  RveAnswer<2> answer = attempt(scratch, committed, F, F_dot, 1, broke);
+  RveAnswer<2> answer = attempt(scratch, committed, F, F_dot, request.time_since_commit, 1, broke);
   // dt belongs to the reference; strongly deformed cells can need shorter steps.
   for (int refinement = 2; broke && !affine && refinement <= finest_refinement; refinement *= 2)
     {
       const int spent = answer.diagnostics.iterations;
-      answer = attempt(scratch, committed, F, F_dot, refinement, broke);
+      answer = attempt(scratch, committed, F, F_dot, request.time_since_commit, refinement, broke);
       answer.diagnostics.iterations += spent;
     }
   answer.diagnostics.converged = answer.diagnostics.message.empty();
@@ -194,7 +205,8 @@ RveAnswer<2> SphRve::evaluate(const RveState<2> &committed, const Tensor2<2> &F,
     {
       answer.sigma.setZero();
       answer.P.setZero();
-      answer.energy = answer.pressure = 0.;
+      answer.viscous.setZero();
+      answer.energy = answer.heating = answer.pressure = 0.;
       answer.trial = committed;
     }
   else

@@ -43,6 +43,7 @@ public:
   Tensor2<2> lattice() const override { return patch.lattice; }
   std::vector<std::vector<Vector<2>>> outlines(const RveState<2> &state) const override;
 
+  bool knows_heating() const override { return settings.sph.formulation == "variational"; }
   double micro_step() const override { return dt; }
   double burst() const override;
 
@@ -56,7 +57,7 @@ private:
 
   /// One try, each time step split into `refinement`. broke: the cells did not hold, which shorter steps may cure.
   RveAnswer<2> attempt(Scratch &scratch, const RveState<2> &committed, const Tensor2<2> &F, const Tensor2<2> &F_dot,
-                       int refinement, bool &broke) const;
+                       double time_since_commit, int refinement, bool &broke) const;
 
   enum class Varied
   {

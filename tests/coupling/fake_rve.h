@@ -27,10 +27,14 @@ public:
   double fails_longer_than = std::numeric_limits<double>::infinity(); // s since commit
   double shear_fails_above = std::numeric_limits<double>::infinity();  // |F_10|
   bool remembers = false;
+  double told = -1.;                // what it tells of its viscous stress over what it is; negative: nothing
+  double step = 0.;                 // s, of its iterations
   double drags_above = std::numeric_limits<double>::infinity();        // tells of drag, F_00
   mutable std::atomic<int> calls{0};
 
   bool has_history() const override { return remembers; }
+  bool knows_heating() const override { return told >= 0.; }
+  double micro_step() const override { return step; }
 
   std::unique_ptr<typename Rve<dim>::Workspace> make_workspace() const override
   {
@@ -56,6 +60,7 @@ public:
     const Tensor2<dim> E = F - Tensor2<dim>::Identity();
     a.P = 2. * G * E + eta * F_dot;
     a.sigma = a.P * F.transpose() / F.determinant();
+    a.viscous = std::max(0., told) * eta * F_dot;
     a.energy = G * E.squaredNorm();
     a.pressure = -a.sigma.trace() / dim;
     if (request.tangent)
@@ -85,7 +90,7 @@ public:
 
   double density() const override { return rho; }
   double stiffness_bound() const override { return 2. * G; }
-  double viscosity_bound() const override { return eta; }
+  double viscosity_bound() const override { return std::abs(eta); }
   Tensor2<dim> lattice() const override { return 1e-4 * Tensor2<dim>::Identity(); }
 
   std::vector<std::vector<Vector<dim>>> outlines(const RveState<dim> &state) const override

@@ -120,4 +120,59 @@ BOOST_AUTO_TEST_CASE(same_bits_on_two_threads)
   BOOST_TEST((one.series["energies"] == two.series["energies"]));
 }
 
+// A law that pushes along with the motion makes energy, slowly enough for a run to come to its end.
+BOOST_AUTO_TEST_CASE(energy_from_nothing_is_a_failure)
+{
+  for (const bool tells : {false, true})
+  {
+    Disk disk;
+    const auto rve = std::make_shared<FakeRve<2>>();
+    rve->eta = -1.;
+    rve->told = tells ? 1. : -1.;
+    BOOST_CHECK_EXCEPTION(finish(disk, small(), rve), RunFailed, [](const RunFailed &e) {
+      return std::string(e.what()).find("The tissue has gained energy from nothing") != std::string::npos;
+    });
+    BOOST_TEST(disk.series["probe"].back()[0] == 5e-5);
+  }
+}
+
+// Both ways: a law that tells of half or twice the heat that it takes.
+BOOST_AUTO_TEST_CASE(energy_that_does_not_add_up_is_a_failure)
+{
+  for (const double told : {0.5, 1., 2.})
+  {
+    Disk disk;
+    const auto rve = std::make_shared<FakeRve<2>>();
+    rve->told = told;
+    if (told == 1.)
+    {
+      const auto results = finish(disk, small(), rve);
+      BOOST_TEST(results.at("energy_heat") > 0.1 * disk.series["energies"].back()[4]);
+      BOOST_TEST(std::abs(results.at("energy_unexplained_share")) < 1e-6); // F_bar is not linear in the displacement
+      continue;
+    }
+    const std::string words = told < 1. ? "have gone without heat" : "more were taken by heat";
+    BOOST_CHECK_EXCEPTION(finish(disk, small(), rve), RunFailed, [&](const RunFailed &e) {
+      const std::string text = e.what();
+      return text.find("does not add up") != std::string::npos && text.find(words) != std::string::npos;
+    });
+  }
+}
+
+// The micro steps of a full run, by hand: a call is 3 iterations of 1e-9 s of one cell; the piece is 4 x 4 cells, a slab one row of 4.
+BOOST_AUTO_TEST_CASE(micro_steps_are_compared_with_the_least_full_run)
+{
+  for (const bool slab : {false, true})
+  {
+    Disk disk;
+    const auto rve = std::make_shared<FakeRve<2>>();
+    rve->step = 1e-9;
+    TissueRunSettings settings = small();
+    settings.tissue.lateral = slab ? "periodic" : "free";
+    const auto results = finish(disk, settings, rve);
+    const double expected = 3. * results.at("rve_calls") / (5e-5 / 1e-9 * (slab ? 4. : 16.));
+    BOOST_TEST(results.at("micro_steps_over_full_run") == expected, boost::test_tools::tolerance(1e-12));
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(elastic_block_between_plates)
   BOOST_TEST(std::abs(reading.support / reading.force - 1.) < 1e-3, "support " << reading.support);
 }
 
-// Kinetic + internal + penalty = work of the tool, to the second order of the step; the clamp's reaction is the impulse's other half.
+// Kinetic + internal + penalty = work of the tool, but for what the steps lend; the clamp's reaction is the impulse's other half.
 BOOST_AUTO_TEST_CASE(energy_and_momentum_of_an_impact)
 {
   for (const std::string shape : {"plate", "cylinder"})
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(energy_and_momentum_of_an_impact)
               const ToolReading before = tissue.state().tool;
               tissue.step(4e-5);
               const ToolReading &after = tissue.state().tool;
-              impulse += 0.5 * tissue.last_step() * (before.support + after.support - before.force - after.force);
+              impulse += tissue.last_step() * (0.5 * (before.support + after.support) - after.force); // the tool's: mean of the step
             }
           work = tissue.state().tool_work;
           const auto &mass = tissue.forces().mass();
@@ -138,9 +138,10 @@ BOOST_AUTO_TEST_CASE(energy_and_momentum_of_an_impact)
             momentum += mass[i] * tissue.state().v[i];
           BOOST_TEST(work > 0.);
           BOOST_TEST(std::abs(momentum - impulse) < 1e-9 * std::abs(impulse), "momentum " << momentum << ", impulse " << impulse);
-          error[level] = std::abs(tissue.energies().dissipated()) / work;
+          error[level] = std::abs(tissue.energies().taken()) / work;
         }
-      BOOST_TEST(error[1] < 0.01, shape << ": energy error " << error[1]);
+      // The elastic law is linear in a step to the third order.
+      BOOST_TEST(error[0] < 1e-3, shape << ": energy error " << error[0]);
       BOOST_TEST(error[1] < 0.5 * error[0] + 1e-6, shape << ": " << error[0] << ", " << error[1]);
     }
 }
