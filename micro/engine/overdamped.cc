@@ -143,9 +143,11 @@ double Overdamped::step(Particles<3> &particles, const std::vector<double> &gamm
         }
       const auto [worst, total] = change_of(particles.v);
       const bool finite = std::isfinite(total);
-      const double largest = 0.5 * h * std::sqrt(worst);
+      // What has changed since the step before, over a step of this length; a change over this very step where that is known.
+      const double over_step = heun || implicit || !(last_step > 0.) ? 1. : h / last_step;
+      const double largest = 0.5 * h * over_step * std::sqrt(worst);
       const double error = !parameters.mean_error ? largest :
-                                                    std::max(0.5 * h * std::sqrt(total / double(n)), parameters.tolerance * 4. * largest);
+                                                    std::max(0.5 * h * over_step * std::sqrt(total / double(n)), parameters.tolerance * 4. * largest);
       const double factor = error > 0. ? std::clamp(0.9 * std::sqrt(allowed / error), 0.2, 2.) : 2.;
       if (finite && error <= allowed)
         {
@@ -169,6 +171,7 @@ double Overdamped::step(Particles<3> &particles, const std::vector<double> &gamm
               copy(v_before, particles.v);
             }
           ++accepted;
+          last_step = h;
           if (jumped)
             after_jump = h;
           jumped = false;
@@ -199,6 +202,7 @@ void Overdamped::gather(const std::vector<std::uint32_t> &source)
 void Overdamped::save(std::ostream &out) const
 {
   write_binary(out, dt);
+  write_binary(out, last_step);
   write_binary(out, after_jump);
   write_binary(out, jumped);
   write_binary(out, rejections);
@@ -210,6 +214,7 @@ void Overdamped::save(std::ostream &out) const
 void Overdamped::load(std::istream &in)
 {
   read_binary(in, dt);
+  read_binary(in, last_step);
   read_binary(in, after_jump);
   read_binary(in, jumped);
   read_binary(in, rejections);

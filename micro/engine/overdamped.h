@@ -9,10 +9,13 @@
 // (motility) move the cells after the step by themselves, x += h Gamma^-1 F_random(h), with the matrix of its last solution: weakly of
 // first order, and no business of the error below.
 //
-// Error of a step: dt/2 |v - v_before|, the largest of all cells, against tolerance times the mean radius; with mean_error the root
-// mean square instead, the largest at most a quarter of the radius: in a large population some cells always divide or
-// touch for the first time, and the largest error would keep all steps as short as theirs; v_before is the
-// velocity of the last step (heun: that of its own first stage). A step that errs more is
+// Error of a step: half its length times the change of velocity over it, dt/2 |dv|, the largest of all cells, against tolerance times
+// the mean radius; with mean_error the root mean square instead, the largest at most a quarter of the radius: in a large population some
+// cells always divide or touch for the first time, and the largest error would keep all steps as short as theirs. dv is
+//   euler      (v - v_before) dt/dt_before    v_before: velocity of the last step, one dt_before earlier
+//   heun       v(x + dt v) - v(x)             of Euler's step, its own first stage; its own error is of third order
+//   implicit   w - w_before                   w is the velocity at the end of its step, to the first order
+// A step that errs more is
 // taken back and repeated with a shorter one, as is one of heun whose trial leads behind a wall and an implicit one whose matrix is not solved (step_too_long.h). The next step: dt 0.9 sqrt(allowed/error), within [1/5, 2] of the last. Where cells have divided
 // or gone (or changed places), forces may jump: the first step then is at most twice the one that was accepted after the last such jump.
 #pragma once
@@ -87,6 +90,7 @@ private:
   std::function<void(Particles<3> &)> outer;
   unsigned int threads;
   double dt;
+  double last_step = 0.;        ///< s, between v_before and now; 0 before the first step
   double after_jump = HUGE_VAL; ///< s, the first step accepted after cells have divided or gone
   bool jumped = false;
   std::uint64_t rejections = 0, accepted = 0;

@@ -9,7 +9,10 @@
 // and nothing is solved.
 //
 // A linearly implicit step, (Gamma + dt K) v = F with K = -dF/dx, has the same form: the contact's stiffness k adds
-// dt k to the normal friction of the pair, F/d (where it pulls) dt to the tangential one.
+// dt k to the normal friction of the pair, F/d (where it pulls) dt to the tangential one. What is left out of K, which only the error of
+// a step of first order has: repulsion turned sideways, F/d where F pushes (K would not be positive definite), and where the modulus E g(d)
+// rises with the compression d (local_stiffness.h), that adhesion does not: K has F g'/(g d_ref) of it, where F pushes, for
+// (F + pi W R) g'/(g d_ref).
 // How it is solved: conjugate gradients in single precision (friction_matrix.h), which is what a core can stream; their sums
 // in double. The residual that counts is the exact matrix's in double, computed at the start and the end; where it is above the
 // tolerance, a correction is solved for (iterative refinement). Rows are computed by one thread in the order of the pair
