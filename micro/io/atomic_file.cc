@@ -33,9 +33,18 @@ public:
 };
 } // namespace
 
-void write_atomically(const std::filesystem::path &path, const std::string_view bytes)
+std::filesystem::path temporary_of(const std::filesystem::path &path)
 {
   const std::filesystem::path temporary = path.string() + ".part";
+  std::error_code nothing_there;
+  if (std::filesystem::is_symlink(std::filesystem::symlink_status(temporary, nothing_there)))
+    throw OutputFailed("cannot write " + path.string() + ": " + temporary.string() + " is a symbolic link; it is not replaced.");
+  return temporary;
+}
+
+void write_atomically(const std::filesystem::path &path, const std::string_view bytes)
+{
+  const std::filesystem::path temporary = temporary_of(path);
   const auto refuse = [&](const std::filesystem::path &file) {
     const OutputFailed failure(file); // first: it reads errno
     if (struct stat there = {}; ::lstat(temporary.c_str(), &there) == 0 && S_ISREG(there.st_mode))
@@ -43,7 +52,7 @@ void write_atomically(const std::filesystem::path &path, const std::string_view 
     throw failure;
   };
   {
-    const Descriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
+    const Descriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW);
     if (file.number < 0)
       refuse(temporary);
     std::size_t done = 0;

@@ -139,7 +139,7 @@ void FieldFile::write(const FieldFrame &frame)
       impl->remove_frames_from(grids.size());
     }
   const std::string relative = impl->name + ".frames/" + frame_name(grids.size());
-  const std::filesystem::path path = impl->directory / relative, temporary = path.string() + ".part";
+  const std::filesystem::path path = impl->directory / relative, temporary = temporary_of(path);
   claim(impl->directory, relative);
   std::vector<std::string> names;
   {

@@ -6,6 +6,7 @@
 //   build/tests/test_rve --run_test=extremes/table          also extremes/table/constrained_runs etc. alone;
 //                                                           extremes/boundary, extremes/perturbed_starts
 #include "micro/engine/counter_random.h"
+#include "micro/io/number_text.h"
 #include "rve/hydrostatic_rve.h"
 #include "rve/sph_rve.h"
 #include "tests/rve/matrix.h"
@@ -175,7 +176,14 @@ BOOST_AUTO_TEST_CASE(sph_cells)
       settings.sph.particles_per_side = 9;
       settings.sph.anneal_steps = 10000;
       settings.relax_steps = 500;
-      ask(SphRve(cell, settings), loads(3), 1e-4);
+      const Outcome outcome = ask(SphRve(cell, settings), loads(3), 1e-4);
+      std::string why;
+      for (const auto &[reason, count] : outcome.reasons)
+        why += "\n  " + number_text(count) + " x " + reason;
+      BOOST_TEST_MESSAGE(rule_names[rule] << ": " << outcome.reached << " of " << outcome.asked << " reached, " << outcome.objective
+                                          << " of them the same under rotation, worst " << outcome.worst_rotation << why);
+      BOOST_TEST(outcome.reached == outcome.asked, rule_names[rule] << why);
+      BOOST_TEST(outcome.objective == outcome.reached, rule_names[rule] << ": " << outcome.worst_rotation);
     }
 }
 
