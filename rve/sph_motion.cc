@@ -13,7 +13,7 @@ namespace turgor
 {
 namespace
 {
-constexpr int samples_of_heat = 2; // in half a burst: each costs as much as a step
+constexpr int samples_of_heat = 2; // in half a burst
 
 /// The fluid without its viscosity, while this lives.
 class Inviscid
@@ -196,38 +196,23 @@ double SphMotion::mean_pressure() const
   return sum / double(p.groups.size());
 }
 
-SphMotion::Viscous SphMotion::viscous(const Tensor2<2> &L)
+SphMotion::Viscous SphMotion::viscous(const Tensor2<2> &L) const
 {
   Viscous result;
-  auto *const fluid = dynamic_cast<SphFluid<2> *>(cells.fluid);
+  const auto *const fluid = dynamic_cast<const SphFluid<2> *>(cells.fluid);
   if (fluid == nullptr || fluid->viscosity() == 0.)
     return result;
-  Particles<2> &p = cells.system.particles;
-  Particles<2>::Components f = p.f;
-  if (fluid->by_impulses())
-    for (std::size_t group = 0; group < p.groups.size(); ++group)
-      {
-        const auto of_group = fluid->viscous_forces(p, group);
-        for (int d = 0; d < 2; ++d)
-          std::copy(of_group[d].begin(), of_group[d].end(), f[d].begin() + p.groups[group].begin);
-      }
-  else
+  const Particles<2> &p = cells.system.particles;
+  for (std::size_t group = 0; group < p.groups.size(); ++group)
     {
-      const Particles<2>::Components all = p.f;
-      {
-        const Inviscid inviscid(*cells.fluid);
-        cells.system.compute_forces();
-      }
-      for (int d = 0; d < 2; ++d)
-        for (std::size_t i = 0; i < p.size(); ++i)
-          f[d][i] -= p.f[d][i];
-      p.f = all;
-    }
-  for (std::size_t i = 0; i < p.size(); ++i)
-    {
-      const Vector<2> x = p.position(i), force(f[0][i], f[1][i]);
-      result.virial -= force * x.transpose();
-      result.inside -= (Vector<2>(p.v[0][i], p.v[1][i]) - L * x).dot(force);
+      const auto f = fluid->viscous_forces(p, group);
+      const std::uint32_t begin = p.groups[group].begin;
+      for (std::size_t k = 0; k < f[0].size(); ++k)
+        {
+          const Vector<2> x = p.position(begin + k), v(p.v[0][begin + k], p.v[1][begin + k]), force(f[0][k], f[1][k]);
+          result.virial -= force * x.transpose();
+          result.inside -= (v - L * x).dot(force);
+        }
     }
   return result;
 }

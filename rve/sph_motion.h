@@ -71,9 +71,8 @@ public:
     Tensor2<2> virial = Tensor2<2>::Zero(); ///< N m, its part
     double inside = 0.;                     ///< W, taken from the motion about the flow L x
   };
-  /// Of the fluid's viscosity, for the cells as they are (forces known, and left as they are): one force evaluation. Its work on the
-  /// affine flow is virial : L.
-  Viscous viscous(const Tensor2<2> &L);
+  /// Of the fluid's viscosity, for the cells as they are. Its work on the affine flow is virial : L.
+  Viscous viscous(const Tensor2<2> &L) const;
 
 private:
   double kinetic_about(const Tensor2<2> &L) const; ///< J, of the motion about the flow L x
