@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(sph_cells)
       SphRveSettings settings = settings_of(rule);
       settings.sph.particles_per_side = 9;
       settings.sph.anneal_steps = 10000;
-      settings.relax_steps = 500;
+      settings.relax_steps = 2000;
       const Outcome outcome = ask(SphRve(cell, settings), loads(3), 1e-4);
       std::string why;
       for (const auto &[reason, count] : outcome.reasons)
