@@ -51,9 +51,8 @@ def draw(runs, path):
         shown = t > -1
         for axis, values in zip(axes, (radius - rest, pressure, density)):
             axis.plot(t[shown], values[shown], color=colour, linewidth=1.8, label=label)
-        if "transition_time" in results:
-            axes[1].plot(results["transition_time"]["value"] / DAY, results["transition_pressure"]["value"] / 1e3, "o",
-                         color=colour, markersize=6)
+        if "capsule_pressure_24h" in results:
+            axes[1].plot(1, results["capsule_pressure_24h"]["value"] / 1e3, "o", color=colour, markersize=6)
         last = max(last, t[-1])
     # The experiment: what the thesis states (5.2, C.2.2), over its own input only.
     at = np.array([min(2.0, 0.5 * last), last])
@@ -62,7 +61,7 @@ def draw(runs, path):
         if any(input_is(directory, CT26 | {("Capsule", "Thickness"): thickness}) for _, directory in runs):
             axes[0].plot(at, slope * (at - at[0]) + (8 if slope > 1 else 3), color=INK, linewidth=1.1, linestyle=style_of, label=name)
     if any(input_is(directory, CT26) for _, directory in runs):
-        axes[1].axhline(1.5, color=INK, linewidth=1, linestyle=(0, (5, 2)), label="experiment: transition at about 1.5 kPa")
+        axes[1].axhline(1.5, color=INK, linewidth=1, linestyle=(0, (5, 2)), label="experiment: about 1.5 kPa after a day")
         axes[2].plot([0, min(2, last)], [0.85, 2.0], "D", color=INK, markersize=6, label="experiment: 0.85, after 48 h 2")
     for axis, text in zip(axes, ("capsule dilated by [µm]", "pressure on the capsule [kPa]", "cells per 100 µm² of a section")):
         axis.set_xlabel("time after confluence [d]", color=INK)

@@ -141,7 +141,7 @@ void CellEndurance::run(RunContext &context)
   const Tensor2<2> rate = parse_tensor(F_dot, "F_dot");
   for (int k = 0; k <= 100; ++k)
     if (!((Tensor2<2>::Identity() + 0.01 * k * double(last) * at.dt * rate).determinant() > 0.))
-      throw InputError("F_dot = " + F_dot + " over " + number_text(double(last) * at.dt)
+      throw RunFailed("F_dot = " + F_dot + " over " + number_text(double(last) * at.dt)
                        + " s turns the cell inside out; use fewer Steps or a smaller F_dot.");
 
   const bool resumed = context.load_checkpoint([&](std::istream &in) {

@@ -3,7 +3,9 @@
 // Defaults: CT26 in the thin capsule, Model I; contacts of a closest packing until a calibration exists (errata, C.9).
 //
 // Confluence, t = 0, is when the spheroid's edge comes within 1 % of the capsule's radius at rest. From then on
-//   transition   the straight lines of the fastest 12 h and of the residual growth cross: time, and the capsule's pressure then
+//   24 h, 48 h   the capsule's pressure; that after a day is what the thesis calls the transition (C.2.2)
+//   transition   the straight lines of the fastest 12 h and of the residual growth cross: time, and the capsule's pressure then, 0.2 to
+//                0.3 kPa lower by construction
 //   residual     slope of the capsule's radius from 48 h (runs shorter than 72 h: their last third) to the end
 //   density      cells per 100 um^2 of a section of 10 um, at confluence and 48 h later
 #pragma once

@@ -91,6 +91,9 @@ void SpheroidRelaxation::report(RunContext &context, const GrowthTable &table, C
   const double start = radius.front(), end = radius.back(), level = end - (end - start) * std::exp(-1.);
   context.result("radius_compressed", start, "m");
   context.result("radius_at_rest", end, "m");
+  if (!(end > start))
+    return context.note("relaxation_time", "None: the spheroid did not grow when it was let go. It was compressed by less than it still settled"
+                                           " (Compressed size, Settling time).");
   for (std::size_t k = 1; k < time.size(); ++k)
     if (radius[k] >= level)
       {

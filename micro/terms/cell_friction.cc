@@ -74,7 +74,9 @@ void Friction::correct(const double target, const double start, const unsigned i
   std::vector<double> squares(chunks.count());
   while (!(residual * start <= target))
     {
-      if (last_iterations >= parameters.max_iterations || !std::isfinite(residual * start))
+      if (!std::isfinite(residual * start))
+        throw NotSolved("the forces on the cells are no numbers any more: stiffer cells (Cell/Bulk modulus, Cell/Modulus), or less that drives them.");
+      if (last_iterations >= parameters.max_iterations)
         throw NotSolved("the friction matrix was not solved within " + number_text(parameters.max_iterations)
                         + " iterations (residual " + number_text(std::sqrt(residual * start / allowed) * parameters.tolerance)
                         + " of the forces, allowed " + number_text(parameters.tolerance)

@@ -100,7 +100,7 @@ std::string ElasticCapsule::passed_wall(const double of_cell) const
     return passed + ", which with " + number_text(material.modulus) + " Pa, E/(1 - nu^2), is too soft to hold single cells ("
            + number_text(of_cell) + " Pa): use a stiffer Capsule/Modulus.";
   return passed + " under " + number_text(of_cells) + " Pa: use stiffer contacts (Contact/Local stiffness = closest, or Cell/Modulus), or where cells"
-                  " jump less Motion/Motility.";
+                  " jump less Motion/Motility or Migration force.";
 }
 
 void ElasticCapsule::find_near(const Particles<3> &particles, const double from_radius)

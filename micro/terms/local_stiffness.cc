@@ -101,7 +101,7 @@ LocalStiffness LocalStiffness::closest_packing(const double modulus, const doubl
   const double first = 1. - std::cbrt((hardening ? 1. / (1. + p_0) : std::exp(-p_0)) / packed);
   if (!(first < farthest))
     throw std::invalid_argument("contact stiffness: with E = " + number(modulus) + " Pa and K_0 = " + number(bulk_modulus)
-                                + " Pa the contacts are stiffer than the volumes throughout; a closest packing does not need more.");
+                                + " Pa the contacts are stiffer than the volumes throughout; a closest packing does not need more: use none.");
   std::vector<std::pair<double, double>> rows = {{first, modulus}};
   for (int k = 1; k <= pieces; ++k)
     {

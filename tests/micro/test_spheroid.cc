@@ -200,6 +200,21 @@ end
   BOOST_TEST(out.results.count("doubling_time_error") == 0u);
 }
 
+// Compressed by a thousandth while it still settles: it goes on to shrink, and no time of recovery is made up.
+BOOST_AUTO_TEST_CASE(a_spheroid_that_does_not_recover_has_no_relaxation_time)
+{
+  const Outcome out = run<SpheroidRelaxation>(R"(
+set First cells = 3
+set Duration = 70000
+set Samples = 40
+set Settling time = 7200
+set Frames = 0
+set Compressed size = 0.999
+)");
+  BOOST_TEST(out.results.at("radius_at_rest") <= out.results.at("radius_compressed"));
+  BOOST_TEST(out.results.count("relaxation_time") == 0u);
+}
+
 BOOST_AUTO_TEST_CASE(wrong_entries_are_named)
 {
   const auto says = [](const std::string &text, const std::string &part) {
