@@ -96,8 +96,7 @@ void FullMicro::require_finite(RunContext &, const TissueBlock &block, const Pro
           std::ostringstream sentence;
           sentence << "the run diverged before t = " << at.time() << " s (step " << at.step << "): a particle of cell ("
                    << c % columns << ", " << c / columns << ") left the scene or moves at more than twice the speed of sound. The last checkpoint holds the last good "
-                   << "state; use a smaller Step fraction (now " << step_fraction << ") or a smaller Load (now " << load
-                   << " Pa).";
+                   << "state; use a smaller Load (now " << load << " Pa) or an End time before it.";
           throw RunFailed(sentence.str());
         }
 }

@@ -248,7 +248,7 @@ void report_worth(RunContext &context, const Rows &rows, const double radius, co
   if (fluid_particles > 0.)
     judged(context, "most_crossed", crossed / fluid_particles, {0.01, 0.2},
            number_text(100. * crossed / fluid_particles)
-             + " % of the fluid particles are outside a wall that is whole (more Cell/Fluid particles or a smaller Speed hold them)");
+             + " % of the fluid particles are outside a wall that is whole (more Cell/Fluid particles or a smaller Deformation makes them fewer)");
   if (conservative)
     judged(context, "energy_balance_error", error, {0.02, 0.1},
            number_text(100. * std::abs(error)) + " % of the plates' work "

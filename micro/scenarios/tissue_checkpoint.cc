@@ -16,7 +16,7 @@ auto TissueLoading::Run::kept(Self &r)
   return std::tie(r.step, r.load_steps, r.inflation_steps, r.dt, r.angle_before, r.angle_inflated, r.stretch_inflated, r.void_fraction,
                   r.pressure_inflated, r.residual, r.tie_stress, r.start_energy, r.start.low,
                   r.start.high, r.start.width, r.start.cell_height, r.start.depth, r.history, r.broken_bonds, r.broken_at_junction,
-                  r.broken_ties, r.deepest, r.most_crossed, r.deepest_behind, r.most_outside, r.released, r.created, r.flowed, r.heat, r.heating_before);
+                  r.broken_ties, r.deepest, r.most_crossed, r.deepest_behind, r.most_outside, r.released, r.created, r.flowed, r.heat, r.heating_before, r.heated_until);
 }
 
 void TissueLoading::Run::save(std::ostream &out) const
@@ -75,8 +75,8 @@ void TissueLoading::Run::require_finite(const std::string &where) const
         if (load_steps == 0)
           sentence << ", before any plate has moved.";
         else
-          sentence << ". The last checkpoint, where there is one, holds the last good state; use a smaller Step fraction (now "
-                   << scene.step_fraction << ") or a smaller Speed (now " << scene.speed << " m/s).";
+          sentence << ". The last checkpoint, where there is one, holds the last good state; use an End strain (now " << scene.end_strain
+                   << ") below it" << or_slower() << ".";
         throw RunFailed(sentence.str());
       }
 }
@@ -87,9 +87,9 @@ void TissueLoading::Run::require_energy(const std::string &where) const
   if (load_steps > 0 && -missing_energy() > 0.02 * (start_energy + std::abs(plates->work())))
     {
       std::ostringstream sentence;
-      sentence << "energy appeared from nothing " << where << " (step " << step << "): the plate or a torn wall moves too fast for the "
-               << "step. What was written before holds; use a smaller Speed (now " << scene.speed << " m/s), Step fraction (now " << scene.step_fraction
-               << ") or End strain (now " << scene.end_strain << ").";
+      sentence << "energy appeared from nothing " << where << " (step " << step << "): contacts change faster than the step follows. What was "
+               << "written before holds; use a smaller Step fraction (now " << scene.step_fraction << ") or an End strain (now "
+               << scene.end_strain << ") below it.";
       throw RunFailed(sentence.str());
     }
   if (load_steps > 0 && plates->deepest() > 0.5 * scene.cell.period)

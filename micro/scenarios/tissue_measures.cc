@@ -137,6 +137,26 @@ double at_strain(const std::vector<TissueSample> &history, double TissueSample::
   return history.empty() ? 0. : history.back().*member;
 }
 
+double mean_around(const std::vector<TissueSample> &history, double TissueSample::*member, const double strain, const double half)
+{
+  if (history.empty())
+    return 0.;
+  const double from = std::max(strain - half, history.front().strain), to = std::min(strain + half, history.back().strain);
+  if (!(to > from))
+    return at_strain(history, member, strain);
+  double sum = 0., last_strain = from, last = at_strain(history, member, from);
+  const auto add = [&](const double here, const double value) {
+    sum += 0.5 * (last + value) * (here - last_strain);
+    last_strain = here;
+    last = value;
+  };
+  for (const TissueSample &s : history)
+    if (s.strain > from && s.strain < to)
+      add(s.strain, s.*member);
+  add(to, at_strain(history, member, to));
+  return sum / (to - from);
+}
+
 double oscillation(const std::vector<TissueSample> &history, const std::size_t window)
 {
   if (history.size() < window + 1)

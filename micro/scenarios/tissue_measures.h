@@ -44,6 +44,10 @@ double slope_between(const std::vector<TissueSample> &history, double from, doub
 /// Value of a member at a strain, linear between samples; the last one beyond them.
 double at_strain(const std::vector<TissueSample> &history, double TissueSample::*member, double strain);
 
+/// Mean of a member over strains within `half` of one, as far as the history goes. For the plates' forces: they ring, at 5 m/s and 5 % between half
+/// and one and a half of their mean.
+double mean_around(const std::vector<TissueSample> &history, double TissueSample::*member, double strain, double half);
+
 /// Oscillation of the transmitted force: how much it falls on its way, sum of falls of its mean over `window` samples, over its range.
 double oscillation(const std::vector<TissueSample> &history, std::size_t window);
 

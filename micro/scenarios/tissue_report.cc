@@ -34,11 +34,9 @@ void TissueLoading::Run::record()
   s.strain = strain();
   s.bottom = plates->force(0);
   s.top = plates->force(1);
-  const double now = heat_of_viscosity(system, dynamic_cast<SphFluid<2> *>(tissue->fluid)), overlap = tissue->contact->deepest(),
-               crossed = double(tissue->contact->crossed_bonds()), outside = double(tissue->fluid->crossed()), behind = plates->deepest();
-  if (!history.empty())
-    heat += 0.5 * (now + heating_before) * (s.time - history.back().time);
-  heating_before = now;
+  take_heat();
+  const double overlap = tissue->contact->deepest(), crossed = double(tissue->contact->crossed_bonds()),
+               outside = double(tissue->fluid->crossed()), behind = plates->deepest();
   deepest = std::max(deepest, overlap);
   most_crossed = std::max(most_crossed, crossed);
   most_outside = std::max(most_outside, outside);
@@ -52,6 +50,17 @@ void TissueLoading::Run::record()
   for (const double f : flattening_of_rows(*tissue, start, scene.brick.rows))
     row.push_back(f);
   by_row->add_row(row);
+}
+
+void TissueLoading::Run::take_heat()
+{
+  const double time = double(step) * dt;
+  if (step > 0 && time == heated_until)
+    return;
+  const double now = heat_of_viscosity(system, dynamic_cast<SphFluid<2> *>(tissue->fluid));
+  heat += 0.5 * (now + heating_before) * (time - heated_until);
+  heating_before = now;
+  heated_until = time;
 }
 
 FieldFrame TissueLoading::Run::frame() const
@@ -111,8 +120,8 @@ void TissueLoading::Run::report()
     if (e <= history.back().strain * (1. + 1e-9))
       {
         const std::string at = "_at_" + number_text(int(std::lround(100. * e))) + "_percent";
-        context.result("transmitted_stress" + at, at_strain(history, &TissueSample::bottom, e) / area, "Pa");
-        context.result("impact_stress" + at, at_strain(history, &TissueSample::top, e) / area, "Pa");
+        context.result("transmitted_stress" + at, mean_around(history, &TissueSample::bottom, e, 0.005) / area, "Pa");
+        context.result("impact_stress" + at, mean_around(history, &TissueSample::top, e, 0.005) / area, "Pa");
         context.result("centre_of_flattening" + at, at_strain(history, &TissueSample::centre, e), "");
         context.result("flattest_cell" + at, at_strain(history, &TissueSample::flattest, e), "");
         context.result("stretch_near_plate" + at, at_strain(history, &TissueSample::stretch_near, e), "");
@@ -148,6 +157,11 @@ double TissueLoading::Run::missing_energy() const
   return start_energy + plates->work() - system.potential_energy() - system.kinetic_energy() - released - flowed - heat;
 }
 
+std::string TissueLoading::Run::or_slower() const
+{
+  return scene.speed > 0.1 * sound ? ", or a smaller Speed (now " + number_text(scene.speed) + " m/s)" : "";
+}
+
 void TissueLoading::Run::report_worth()
 {
   double fluid = 0., bonds = 0.;
@@ -170,13 +184,15 @@ void TissueLoading::Run::report_worth()
          "cells stand up to " + percent(deepest_behind / scene.cell.period)
            + " of Cell/Period behind a plate (a larger Contact ratio or a smaller Speed holds them)");
   judged(context, "crossed_bonds", most_crossed / bonds, {0., 0.02},
-         percent(most_crossed / bonds) + " of the walls' bonds have passed through others (a larger Contact ratio, a smaller Speed or End strain)");
+         percent(most_crossed / bonds) + " of the walls' bonds have passed through others (a larger Contact ratio or a smaller End strain keeps them"
+           + " apart" + or_slower() + ")");
   judged(context, "most_crossed", most_outside / fluid, {0.01, 0.2},
          percent(most_outside / fluid)
-           + " of the fluid particles are outside a wall that is whole (more SPH/Particles per side or a smaller Speed hold them)");
+           + " of the fluid particles are outside a wall that is whole (more SPH/Particles per side or a smaller End strain makes them fewer"
+           + or_slower() + ")");
   judged(context, "energy_balance_error", error, {0.02, 0.1},
          percent(std::abs(error)) + " of the plate's work " + (error > 0. ? "is not found again" : "came from nothing")
-           + " (a smaller Step fraction or Speed, or more Samples of the heat)");
+           + " (a smaller Step fraction makes it less)");
 }
 
 void TissueLoading::Run::report_failure()

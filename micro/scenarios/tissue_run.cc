@@ -196,7 +196,8 @@ void TissueLoading::Run::squeeze(const bool resumed)
   std::unique_ptr<FieldOutput> fields;
   if (scene.frames > 0)
     fields = std::make_unique<FieldOutput>(context, "cells", resumed, [this] { return frame(); });
-  const std::uint64_t sample_every = steps_between(load_steps, scene.samples), frame_every = steps_between(load_steps, scene.frames);
+  const std::uint64_t sample_every = steps_between(load_steps, scene.samples), frame_every = steps_between(load_steps, scene.frames),
+                      heat_every = steps_between(load_steps, std::max(scene.samples, 400u));
   const auto where = [this] { return "at a strain of " + number_text(strain()); };
   const auto sample = [&] {
     require_finite(where());
@@ -217,6 +218,8 @@ void TissueLoading::Run::squeeze(const bool resumed)
   while (step < load_steps)
     {
       step_once();
+      if (step % heat_every == 0)
+        take_heat();
       if (step % sample_every == 0)
         sample();
       if (fields && step % frame_every == 0)

@@ -44,7 +44,14 @@ struct SphImpulses
     return over_k * over_k / kinematic_viscosity;
   }
   /// s: the least degree for the time waited. rate: 1/s, a bound of the fastest.
-  int degree(const double rate) const { return std::max(1, int(std::ceil(0.5 * (std::sqrt(1. + 4. * waited * rate) - 1.)))); }
+  int degree(const double rate) const
+  {
+    const double needed = std::ceil(0.5 * (std::sqrt(1. + 4. * waited * rate) - 1.));
+    return needed < most_degree ? std::max(1, int(needed)) : most_degree; // also where it is no number
+  }
+  /// Of a cell that has been torn to any size the bound grows without end: it has diverged, the scene's own checks say so, and it must not
+  /// take hours to come to them. Sound cells need dozens at 1e3 Pa s.
+  static constexpr int most_degree = 1000;
 
   void save(std::ostream &out) const
   {

@@ -249,4 +249,12 @@ BOOST_AUTO_TEST_CASE(impulses_keep_both_momenta_and_take_energy_at_any_viscosity
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_cell_that_has_flown_apart_ends_its_step)
+{
+  SphImpulses<2> impulses;
+  impulses.waited = 1.;
+  for (const auto &[rate, degree] : {std::pair{1e-3, 1}, std::pair{2., 1}, std::pair{6., 2}, std::pair{1e30, 1000}, std::pair{HUGE_VAL, 1000}, std::pair{double(NAN), 1000}})
+    BOOST_TEST(impulses.degree(rate) == degree);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -176,6 +176,30 @@ BOOST_AUTO_TEST_CASE(walls_that_flow_take_what_is_missing)
   BOOST_TEST(results.count("transmitted_stress_at_30_percent") == 1u); // the last sample is at the end
 }
 
+BOOST_AUTO_TEST_CASE(a_plate_too_fast_is_told_what_helps)
+{
+  // no step is small enough: walls fly off at twice the speed of sound
+  for (const char *fraction : {"0.8", "0.2"})
+    {
+      Disk disk;
+      MemoryContext context(disk, false);
+      BOOST_CHECK_EXCEPTION(run_small(*make_tissue_impact(), context, {{"Speed", "100"}, {"End strain", "0.3"}, {"Step fraction", fraction}}), RunFailed,
+                            Says{"use an End strain (now 0.3) below it, or a smaller Speed (now 100 m/s)."});
+    }
+  BOOST_TEST(results_of({{"Speed", "30"}, {"End strain", "0.3"}}).count("plate_work") == 1u);
+  BOOST_TEST(results_of({{"Speed", "100"}, {"End strain", "0.08"}}).count("plate_work") == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(heat_does_not_hang_on_the_samples)
+{
+  // of a run whose viscosity takes much of the work; ten samples alone made a tenth of it from nothing
+  std::map<std::string, double> of[2];
+  for (const bool many : {false, true})
+    of[many] = results_of({{"End strain", "0.3"}, {"Cell/Fluid viscosity", "0.1"}, {"Speed", "1.5"}, {"Samples", many ? "400" : "10"}});
+  BOOST_TEST(of[0].at("heat") == of[1].at("heat"), boost::test_tools::tolerance(0.01));
+  BOOST_TEST(std::abs(of[0].at("energy_balance_error")) < 0.02); // from there on a run says so
+}
+
 BOOST_AUTO_TEST_CASE(measures_by_hand)
 {
   std::vector<TissueSample> history(9);
@@ -190,6 +214,8 @@ BOOST_AUTO_TEST_CASE(measures_by_hand)
   BOOST_TEST(oscillation(history, 1) == 0.5); // falls by 2 within a range of 4
   BOOST_TEST(slope_between(history, 0.05, 0.35) == 10., boost::test_tools::tolerance(1e-12));
   BOOST_TEST(at_strain(history, &TissueSample::bottom, 0.45) == 1.25, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(mean_around(history, &TissueSample::bottom, 0.3, 0.05) == 2.5, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(mean_around(history, &TissueSample::bottom, 0.8, 0.1) == 3.25, boost::test_tools::tolerance(1e-12)); // half of it is there
   BOOST_TEST(strain_reaching(history, &TissueSample::failed_cells, 2.) == 0.5, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(strain_reaching(history, &TissueSample::failed_cells, 5.) == -1.);
   BOOST_TEST(fit_sigmoid({history[0], history[1]}, &TissueSample::failed_cells).height == 0.); // nothing failed
