@@ -96,8 +96,8 @@ void ElasticCapsule::advance_under(const double pressure, const double dt)
 std::string ElasticCapsule::passed_wall(const double of_cell) const
 {
   const std::string passed = "the centre of a cell has passed the capsule's wall";
-  if (material.modulus < 10. * of_cell)
-    return passed + ", which with " + number_text(material.modulus) + " Pa, E/(1 - nu^2), is too soft to hold single cells ("
+  if (material.modulus < of_cell)
+    return passed + ", which with " + number_text(material.modulus) + " Pa, E/(1 - nu^2), is softer than the contacts of packed cells ("
            + number_text(of_cell) + " Pa): use a stiffer Capsule/Modulus.";
   return passed + " under " + number_text(of_cells) + " Pa: use stiffer contacts (Contact/Local stiffness = closest, or Cell/Modulus), or where cells"
                   " jump less Motion/Motility or Migration force.";
@@ -181,7 +181,7 @@ void ElasticCapsule::add_forces(Particles<3> &particles)
       if (!(w < radius[i]))
         continue;
       if (!(w > 0.))
-        throw StepTooLong(passed_wall(modulus[i]));
+        throw StepTooLong(passed_wall(modulus[i] * (material.stiffness ? (*material.stiffness)(0.2).factor : 1.))); // as packed under some kPa
       const SphereContact c = material(radius[i], reference(i), modulus[i], -1. / parameters.radius, w);
       touches.push_back({i, particles.position(i) / -distance[k], w, c});
       for (int d = 0; d < 3; ++d)

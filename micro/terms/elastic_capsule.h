@@ -62,7 +62,7 @@ public:
   void advance_under(double pressure, double dt);
 
 private:
-  /// The sentence of a cell of this modulus (Pa) that has gone through, with what was seen to help.
+  /// The sentence of a cell that has gone through and whose contacts have this modulus (Pa), with what was seen to help.
   std::string passed_wall(double of_cell) const;
   /// Cells that reach beyond a radius (m).
   void find_near(const Particles<3> &particles, double from_radius);
