@@ -50,6 +50,8 @@ std::array<std::vector<double>, dim> SphFluid<dim>::viscous_forces(const Particl
 
 namespace
 {
+constexpr double stiff = 8.; ///< most time between impulses over the fastest rate (a step, if that is longer): of a history 0.7 %; 4: 0.2 % (doc/performance.md)
+
 /// N m: - sum f (x) x.
 template <int dim>
 Tensor2<dim> virial_of(const Particles<dim> &particles, const Group &g, const std::array<std::vector<double>, dim> &f)
@@ -82,8 +84,9 @@ void SphFluid<dim>::damp(Particles<dim> &particles, const Box<dim> &, const std:
   if (!impulses.due(dt))
     return;
   const Group &g = particles.groups[group];
-  impulses.longest = SphImpulses<dim>::longest_time(parameters.support / 2.6, parameters.viscosity / eos.reference_density());
-  const int degree = impulses.degree(damping_bound(particles, group));
+  const double rate = damping_bound(particles, group);
+  impulses.longest = std::min(SphImpulses<dim>::longest_time(parameters.support / 2.6, parameters.viscosity / eos.reference_density()), stiff / rate);
+  const int degree = impulses.degree(rate);
   const std::size_t n = g.end - g.begin;
   // Recurrence of the mean force since the last impulse: v_j = v_0 + t M^-1 f_j.
   std::array<std::vector<double>, dim> start, before, mean;
