@@ -3,6 +3,7 @@
 #include "app/declared_entries.h"
 #include "app/input_identity.h"
 #include "app/nearest_name.h"
+#include "app/outputs_text.h"
 #include "app/scenario_list.h"
 #include "micro/io/input_entries.h"
 #include "micro/io/prm_text.h"
@@ -69,7 +70,7 @@ void declare_all(InputEntries &prm, Scenario &scenario, const std::string &name,
 }
 
 /// The value of `Scenario`; a --set one wins.
-const PrmSetting &scenario_setting(const PrmText &text, const std::string &file, const ScenarioRegistry &registry)
+PrmSetting scenario_setting(const PrmText &text, const std::string &file, const ScenarioRegistry &registry)
 {
   const PrmSetting *found = nullptr;
   for (const PrmSetting &setting : text.settings)
@@ -93,6 +94,33 @@ void refuse_repeated(const PrmText &text)
   for (const PrmSetting &setting : text.settings)
     if (const auto [there, is_new] = first.emplace(setting.path(), setting.where); !is_new)
       throw InputError(setting.where + ": '" + setting.path() + "' is set a second time (first: " + there->second + ").");
+}
+} // namespace
+
+namespace
+{
+/// Settings by former names as if they had been written by those of today, with a remark each.
+void take_former_names(PrmText &text, const InputEntries &prm, std::vector<std::string> &remarks)
+{
+  for (PrmSetting &setting : text.settings)
+    {
+      const std::string before = setting.path();
+      if (const std::string now = prm.name_of_today(before); now != before)
+        {
+          remarks.push_back(setting.where + ": '" + before + "' is called '" + now + "' now; it is taken as that.");
+          const auto entry = std::find_if(prm.entries().begin(), prm.entries().end(),
+                                          [&](const InputEntry &candidate) { return candidate.path() == now; });
+          setting.section = entry->section;
+          setting.name = entry->name;
+        }
+    }
+  // A subsection of which nothing but former names is left.
+  std::erase_if(text.sections, [&](const PrmSection &section) {
+    const std::string path = join_path({section.path.begin(), section.path.end() - 1}, section.path.back()) + "/";
+    const auto begins = [&](const std::string &name) { return name.starts_with(path); };
+    return std::any_of(prm.former_names().begin(), prm.former_names().end(), [&](const auto &names) { return begins(names.first); }) &&
+           std::none_of(prm.entries().begin(), prm.entries().end(), [&](const InputEntry &entry) { return begins(entry.path()); });
+  });
 }
 } // namespace
 
@@ -132,14 +160,21 @@ Input load_input(const std::filesystem::path &file, const std::vector<std::strin
   PrmText set_values;
   for (const std::string &override_text : overrides)
     set_values.settings.push_back(parse_override(override_text));
-  text.settings.insert(text.settings.end(), set_values.settings.begin(), set_values.settings.end());
 
   Input input;
-  input.scenario_name = scenario_setting(text, file.string(), registry).value;
+  const auto all_settings = [&] {
+    PrmText all = text;
+    all.settings.insert(all.settings.end(), set_values.settings.begin(), set_values.settings.end());
+    return all;
+  };
+  input.scenario_name = scenario_setting(all_settings(), file.string(), registry).value;
   input.scenario = registry.make(input.scenario_name);
   InputEntries prm;
   declare_all(prm, *input.scenario, input.scenario_name, registry);
-  apply(text, prm);
+  take_former_names(text, prm, input.remarks);
+  refuse_repeated(text);
+  take_former_names(set_values, prm, input.remarks);
+  apply(all_settings(), prm);
   std::vector<RunIdentity::NamedFile> files = find_files(prm, file);
   std::vector<InputEntry> written = prm.entries();
   for (InputEntry &entry : written)
@@ -170,7 +205,7 @@ std::string parameters_text(const std::string &scenario_name, const ScenarioRegi
     throw InputError("There is no scenario '" + scenario_name + "'." + suggestion(scenario_name, registry.names));
   InputEntries prm;
   declare_all(prm, *scenario, scenario_name, registry);
-  return "# " + scenario->description() + "\n" + prm_of(prm.entries(), true, true);
+  return "# " + scenario->description() + "\n" + prm_of(prm.entries(), true, true) + outputs_as_comments(scenario->outputs());
 }
 
 std::string unit_of_entry(const std::string &scenario_name, const std::string &path, const ScenarioRegistry &registry)

@@ -21,6 +21,7 @@ struct Input
   std::string scenario_name;
   std::unique_ptr<Scenario> scenario; ///< parsed and checked
   RunIdentity identity;               ///< not comments or spelling of numbers
+  std::vector<std::string> remarks;   ///< for the person: entries that are called otherwise now
   std::string text;                   ///< a .prm of all entries with their values; files as they lie in the output directory
 };
 
@@ -38,7 +39,7 @@ ScenarioRegistry product_registry();
 Input load_input(const std::filesystem::path &file, const std::vector<std::string> &overrides,
                  const ScenarioRegistry &registry);
 
-/// The commented .prm of all entries with defaults; throws InputError for an unknown scene.
+/// The commented .prm of all entries with defaults, and below what a run leaves; throws InputError for an unknown scene.
 std::string parameters_text(const std::string &scenario_name, const ScenarioRegistry &registry);
 
 /// Sets everything in `text` in prm; entries and sections have to be declared. Used for study files as well.

@@ -2,6 +2,7 @@
 //   turgor run FILE.prm [-o DIR] [--set 'Section/Name=value']... [--resume] [--threads N] [--ranks N]
 //   turgor list | parameters SCENARIO | check FILE.prm | study FILE.prm [--list] | validate [NAME...] | plot DIR
 #include "app/nearest_name.h"
+#include "app/outputs_text.h"
 #include "app/plot_command.h"
 #include "app/ranks.h"
 #include "app/run_command.h"
@@ -112,8 +113,10 @@ int dispatch(int argc, char **argv)
 
   CLI::App *list_app = app.add_subcommand("list", "All scenes");
   std::string scenario;
-  CLI::App *parameters_app = app.add_subcommand("parameters", "A commented input file of a scene's entries with defaults");
-  parameters_app->add_option("SCENARIO", scenario, "Name of the scene; 'study' for the entries of a study")->required();
+  CLI::App *parameters_app = app.add_subcommand("parameters", "A commented input file of a scene's entries with defaults, and what its runs leave");
+  auto *const scenario_option = parameters_app->add_option("SCENARIO", scenario, "Name of the scene; 'study' for the entries of a study");
+  bool all_outputs = false;
+  parameters_app->add_flag("--outputs", all_outputs, "What runs of all scenes leave: doc/outputs.md")->excludes(scenario_option);
   CLI::App *check_app = app.add_subcommand("check", "Parse and check an input file without running it");
   input_options(check_app);
   check_app->add_flag("--identity", run.identity, "Print the run's identity: its entries, the files they name, this program");
@@ -168,6 +171,11 @@ int dispatch(int argc, char **argv)
     return list_command(registry);
   if (parameters_app->parsed())
     {
+      if (all_outputs)
+        std::cout << outputs_document(registry);
+      else if (scenario.empty())
+        throw InputError("Which scene? `turgor parameters SCENARIO` with one of `turgor list`, or `turgor parameters --outputs`.");
+      else
       std::cout << (scenario == "study" ? study_parameters_text() : parameters_text(scenario, registry));
       return 0;
     }

@@ -72,6 +72,8 @@ Start::Start(const RunOptions &options, const ScenarioRegistry &registry, MpiSes
   settings.directory = options.directory.empty() ? default_directory(options.file) : options.directory;
   settings.scenario = input.scenario_name;
   settings.identity = input.identity;
+  if (Outputs outputs = input.scenario->outputs(); !outputs.empty())
+    settings.outputs = std::move(outputs);
   settings.build = {program_version(), program_build().commit, program_build().compiler, program_build().instruction_set};
   settings.input_file = options.file;
   settings.input_text = input.text;
@@ -160,6 +162,9 @@ int run_command(const RunOptions &options, const ScenarioRegistry &registry, Mpi
   Ending ending = ending_of([&] { start = std::make_unique<Start>(options, registry, mpi); });
   bool together = agree_on_ending(ending, mpi);
   const bool is_begun = together && ending.code == 0, is_writer = mpi == nullptr || mpi->rank() == 0;
+  if (is_begun)
+    for (const std::string &remark : start->input.remarks)
+      start->directory->say(remark);
   if (is_begun && start->directory->has_finished())
     {
       start->directory->say("The run in " + start->settings.directory.string() + " has finished already: nothing is left to do.");
@@ -193,6 +198,8 @@ int run_command(const RunOptions &options, const ScenarioRegistry &registry, Mpi
 int check_command(const RunOptions &options, const ScenarioRegistry &registry)
 {
   const Input input = load_input(options.file, options.overrides, registry);
+  for (const std::string &remark : input.remarks)
+    std::cerr << "turgor: " << remark << "\n";
   std::cout << (options.identity ? input.identity.hash() : "ok") << std::endl;
   return 0;
 }

@@ -47,9 +47,9 @@ std::size_t mark_not_finite(FieldFrame &frame, const FieldFrame &before)
   return replaced;
 }
 
-FieldOutput::FieldOutput(const RunContext &context, std::string name_, const bool append, std::function<FieldFrame()> frame_,
+FieldOutput::FieldOutput(const RunContext &context_, std::string name_, const bool append, std::function<FieldFrame()> frame_,
                          std::function<FieldFrame()> failing_)
-  : directory(context.directory()), name(std::move(name_)), frame(std::move(frame_)), failing(std::move(failing_)),
+  : context(context_), directory(context_.directory()), name(std::move(name_)), frame(std::move(frame_)), failing(std::move(failing_)),
     exceptions(std::uncaught_exceptions())
 {
   if (!context.is_writer())
@@ -78,8 +78,16 @@ FieldOutput::~FieldOutput()
 
 void FieldOutput::write()
 {
-  if (file)
-    file->write(frame());
+  if (!file)
+    return;
+  const FieldFrame now = frame();
+  for (const NamedField &field : now.fields)
+    {
+      const std::size_t unit = field.name.rfind(" [");
+      const bool has_unit = unit != std::string::npos && field.name.ends_with(']');
+      context.require_defined(name + ".xdmf", field.name.substr(0, unit), has_unit ? field.name.substr(unit + 2, field.name.size() - unit - 3) : "");
+    }
+  file->write(now);
 }
 
 void FieldOutput::accept()

@@ -31,12 +31,13 @@ public:
 
   static constexpr const char *look_ending = "_at_failure.xdmf";
 
-  void write(); ///< throws as FieldFile::write()
+  void write(); ///< throws as FieldFile::write() and RunContext::require_defined()
   void accept();
 
 private:
   void look_at_failure();
 
+  const RunContext &context;
   std::filesystem::path directory;
   std::string name;
   std::function<FieldFrame()> frame, failing;

@@ -55,10 +55,26 @@ void InputEntries::leave_subsection()
   open.pop_back();
 }
 
+void InputEntries::rename(const std::string &former_path, const std::string &path)
+{
+  const auto is_declared = [&](const std::string &wanted) {
+    return std::any_of(all.begin(), all.end(), [&](const InputEntry &entry) { return entry.path() == wanted; });
+  };
+  if (!is_declared(path) || is_declared(former_path) || name_of_today(former_path) != former_path)
+    throw std::logic_error("'" + former_path + "' cannot be a former name of '" + path + "'.");
+  former.emplace_back(former_path, path);
+}
+
+const std::string &InputEntries::name_of_today(const std::string &path) const
+{
+  const auto renamed = std::find_if(former.begin(), former.end(), [&](const auto &names) { return names.first == path; });
+  return renamed != former.end() ? renamed->second : path;
+}
+
 void InputEntries::set(const std::string &name, const std::string &value)
 {
-  const auto entry =
-    std::find_if(all.begin(), all.end(), [&](const InputEntry &candidate) { return candidate.section == open && candidate.name == name; });
+  const std::string path = name_of_today(join_path(open, name));
+  const auto entry = std::find_if(all.begin(), all.end(), [&](const InputEntry &candidate) { return candidate.path() == path; });
   if (entry == all.end())
     throw std::invalid_argument("there is no entry '" + join_path(open, name) + "'");
   if (!entry->pattern.matches(value))

@@ -18,6 +18,7 @@
 #include <limits>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace turgor
@@ -83,6 +84,14 @@ public:
   void enter_subsection(const std::string &name);
   void leave_subsection();
 
+  /// An entry had another name once: `former` ("Section/Name", of the top) is still taken for the entry `path`, which is declared already.
+  void rename(const std::string &former, const std::string &path);
+
+  /// The path of today for a former one; itself for any other.
+  const std::string &name_of_today(const std::string &path) const;
+
+  const std::vector<std::pair<std::string, std::string>> &former_names() const { return former; } ///< and the path of today
+
   /// In the open subsection; throws std::invalid_argument for an unknown name and for what the pattern forbids.
   void set(const std::string &name, const std::string &value);
 
@@ -99,5 +108,6 @@ private:
 
   std::vector<std::string> open;
   std::vector<InputEntry> all;
+  std::vector<std::pair<std::string, std::string>> former;
 };
 } // namespace turgor

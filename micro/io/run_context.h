@@ -63,6 +63,9 @@ public:
 
   virtual std::unique_ptr<Series> series(const std::string &name, const std::vector<Column> &columns) = 0;
 
+  /// Throws std::logic_error where the scene does not define (Scenario::outputs) what it writes to a file of its directory.
+  virtual void require_defined(const std::string & /*file*/, const std::string & /*name*/, const std::string & /*unit*/) const {}
+
   /// Progress bar with time left; fraction in [0, 1]. Cheap to call every step.
   virtual void progress(double fraction, const std::string &what) = 0;
 

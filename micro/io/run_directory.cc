@@ -173,11 +173,32 @@ const std::filesystem::path &RunDirectory::directory() const
   return settings.directory;
 }
 
+void RunDirectory::require_defined(const std::string &file, const std::string &name, const std::string &unit) const
+{
+  if (settings.outputs)
+    try
+      {
+        settings.outputs->require(file, name, unit);
+      }
+    catch (const std::logic_error &why)
+      {
+        throw std::logic_error("Scene " + settings.scenario + ", " + why.what());
+      }
+}
+
+void RunDirectory::result(const std::string &name, const double value, const std::string &unit)
+{
+  require_defined(Outputs::results_file, name, unit);
+  record.result(name, value, unit);
+}
+
 std::unique_ptr<Series> RunDirectory::series(const std::string &name, const std::vector<Column> &columns)
 {
+  const std::string file_name = name + ".csv";
+  for (const Column &column : columns)
+    require_defined(file_name, column.name, column.unit);
   if (!settings.writer)
     return std::make_unique<UnwrittenSeries>(name, columns);
-  const std::string file_name = name + ".csv";
   if (open_series.count(name) == 0)
     require_claimable(settings.directory, file_name);
   prepare();

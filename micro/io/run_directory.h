@@ -12,6 +12,7 @@
 
 #include "micro/io/checkpoint_store.h"
 #include "micro/io/output_files.h"
+#include "micro/io/output_list.h"
 #include "micro/io/progress_bar.h"
 #include "micro/io/resource_use.h"
 #include "micro/io/run_context.h"
@@ -43,6 +44,7 @@ struct RunSettings
   BuildFacts build;
   std::filesystem::path input_file; ///< is not replaced, wherever it lies; may be empty
   std::string input_text;           ///< for DIR/input.prm
+  std::optional<Outputs> outputs; ///< what may be written; none: anything
   unsigned int threads = 1, ranks = 1;
   bool resume = false, writer = true, quiet = false;
   bool overwrite = false; ///< a finished run of another input too
@@ -62,10 +64,11 @@ public:
   const std::filesystem::path &directory() const override;
   unsigned int threads() const override { return settings.threads; }
   bool is_writer() const override { return settings.writer; }
-  void result(const std::string &name, double value, const std::string &unit) override { record.result(name, value, unit); }
+  void result(const std::string &name, double value, const std::string &unit) override;
   void note(const std::string &name, const std::string &text) override { record.note(name, text); }
   void active(const std::vector<std::string> &terms, const std::vector<std::string> &fields) override { record.active(terms, fields); }
   std::unique_ptr<Series> series(const std::string &name, const std::vector<Column> &columns) override;
+  void require_defined(const std::string &file, const std::string &name, const std::string &unit) const override;
   void progress(double fraction, const std::string &what) override;
   void say(const std::string &line) override;
   bool stop_requested() const override;

@@ -3,6 +3,8 @@
 // std::unique_ptr<turgor::Scenario> factory();
 #pragma once
 
+#include "micro/io/output_list.h"
+
 #include <memory>
 #include <string>
 
@@ -21,6 +23,9 @@ public:
 
   /// Declares all entries (add_parameter: pattern, default, "Units: ..." in the text).
   virtual void declare_parameters(InputEntries &prm) = 0;
+
+  /// Everything a run may write, defined (output_list.h); the same for all values of the entries. Nothing else can be written.
+  virtual Outputs outputs() const { return {}; }
 
   /// Called after parsing: what patterns cannot say. Throws InputError or std::invalid_argument with entry, value,
   /// allowed range.

@@ -67,6 +67,20 @@ BOOST_DATA_TEST_CASE(mistake, boost::unit_test::data::make(mistakes))
                         }));
 }
 
+BOOST_AUTO_TEST_CASE(former_names_with_a_remark)
+{
+  const std::string was = "set Scenario = tiny\nsubsection Decay\n set Speed = 7\nend\n", is = "set Scenario = tiny\nsubsection Law\n set Rate = 7\nend\n";
+  const Input input = load(was);
+  BOOST_REQUIRE(input.remarks.size() == 1u);
+  BOOST_TEST(input.remarks[0].ends_with("in.prm, line 3: 'Decay/Speed' is called 'Law/Rate' now; it is taken as that."));
+  BOOST_TEST(input.text == load(is).text);
+  BOOST_TEST(input.identity.hash() == load(is).identity.hash());
+  BOOST_TEST(load(is, {"Decay/Speed=7"}).identity.hash() == input.identity.hash());
+  BOOST_CHECK_EXCEPTION(load(was + "subsection Law\n set Rate = 7\nend\n"), InputError, Says{"line 6: 'Law/Rate' is set a second time (first: "});
+  BOOST_CHECK_EXCEPTION(load("set Scenario = tiny\nsubsection Decay\n set Speed = -7\nend\n"), InputError, Says{"line 3: 'Law/Rate' = '-7' is not allowed"});
+  BOOST_CHECK_EXCEPTION(load("set Scenario = tiny\nsubsection Decay\n set Sped = 7\nend\n"), InputError, Says{"Decay"});
+}
+
 BOOST_AUTO_TEST_CASE(missing_file_directory_and_binary)
 {
   const TemporaryDirectory directory;

@@ -81,6 +81,22 @@ BOOST_AUTO_TEST_CASE(every_kind_of_variable_takes_its_value)
   BOOST_CHECK_THROW(entries.add_parameter("a", a, ""), std::logic_error);
 }
 
+BOOST_AUTO_TEST_CASE(former_names_are_taken)
+{
+  InputEntries entries;
+  double a = 1.5;
+  entries.enter_subsection("S");
+  entries.add_parameter("Length", a, "Units: m.", Patterns::Double(0., 10.));
+  entries.leave_subsection();
+  entries.rename("Old/Size", "S/Length");
+  entries.read("subsection Old\n set Size = 3\nend\n");
+  BOOST_TEST(a == 3.);
+  BOOST_TEST(entries.entries().size() == 1u);
+  BOOST_CHECK_THROW(entries.rename("Old/Size", "S/Length"), std::logic_error);
+  BOOST_CHECK_THROW(entries.rename("S/Length", "S/Length"), std::logic_error);
+  BOOST_CHECK_THROW(entries.rename("Old/Other", "S/Width"), std::logic_error);
+}
+
 // Files written for one are files for the other: the inputs of the repository, read by both.
 BOOST_AUTO_TEST_CASE(deal_ii_reads_every_input_the_same_way)
 {

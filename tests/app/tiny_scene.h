@@ -34,6 +34,15 @@ public:
     prm.add_parameter("Rate", rate, "Decay rate. Units: 1/s.", Double(0., 1e3));
     prm.add_parameter("Weights", weights, "Weights.", List(Double(0., 1.), 1, 3));
     prm.leave_subsection();
+    prm.rename("Decay/Speed", "Law/Rate");
+  }
+
+  Outputs outputs() const override
+  {
+    Outputs all;
+    all.results({{"x", "1", "The number at the end of the run."}})
+      .table("series", "One row a step.", {{"time", "s", "Time since the start of the run."}, {"x", "", "The number at this time."}});
+    return all;
   }
 
   void check() const override
