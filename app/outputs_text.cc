@@ -59,15 +59,18 @@ std::string outputs_document(const ScenarioRegistry &registry)
   std::vector<Line> lines; // in the order of the scenes
   std::map<Line, std::vector<std::string>> scenes_of;
   for (const std::string &name : registry.names)
-    for (const OutputPlace &place : registry.make(name)->outputs().places())
-      for (const OutputDefinition &definition : place.all)
-        {
-          const Line line = {heading(place), "- `" + with_unit(definition.name, definition.unit) + "` " + sentence(definition) + "\n"};
-          std::vector<std::string> &scenes = scenes_of[line];
-          if (scenes.empty())
-            lines.push_back(line);
-          scenes.push_back(name);
-        }
+    {
+      const Outputs outputs = registry.make(name)->outputs();
+      for (const OutputPlace &place : outputs.places())
+        for (const OutputDefinition &definition : place.all)
+          {
+            const Line line = {heading(place), "- `" + with_unit(definition.name, definition.unit) + "` " + sentence(definition) + "\n"};
+            std::vector<std::string> &scenes = scenes_of[line];
+            if (scenes.empty())
+              lines.push_back(line);
+            scenes.push_back(name);
+          }
+    }
   std::vector<std::vector<std::string>> sections;
   for (const Line &line : lines)
     if (std::find(sections.begin(), sections.end(), scenes_of[line]) == sections.end())

@@ -72,8 +72,7 @@ Start::Start(const RunOptions &options, const ScenarioRegistry &registry, MpiSes
   settings.directory = options.directory.empty() ? default_directory(options.file) : options.directory;
   settings.scenario = input.scenario_name;
   settings.identity = input.identity;
-  if (Outputs outputs = input.scenario->outputs(); !outputs.empty())
-    settings.outputs = std::move(outputs);
+  settings.outputs = input.scenario->outputs();
   settings.build = {program_version(), program_build().commit, program_build().compiler, program_build().instruction_set};
   settings.input_file = options.file;
   settings.input_text = input.text;

@@ -10,7 +10,7 @@
 //   end
 //   subsection Measure force                  # columns "force [Pa]" and "error_force" of error_vs_time.csv
 //     set Table   = loading
-//     set Columns = stress_bottom
+//     set Columns = stress_lower
 //   end
 //
 // A reference is the label of a run, the directory of a finished run, a CSV file, or a closed form: an expression of the

@@ -25,8 +25,8 @@ void Bruise::open(RunContext &context, const Tissue<2> &)
                                      {"force", "N/m"},
                                      {"transmitted_force", "N/m"},
                                      {"tool_work", "J/m"},
-                                     {"failed_share", "1"},
-                                     {"permanent_stretch_mean", "1"},
+                                     {"bruised_share", "1"},
+                                     {"mean_permanent_stretch", "1"},
                                      {"dissipated_by_flow", "J/m"},
                                      {"dissipated_by_failure", "J/m"}});
   points = context.series("rve_points", {{"time", "s"},
@@ -122,7 +122,7 @@ void Bruise::results(RunContext &context, const Tissue<2> &tissue, const RveLaw<
   context.result("bruised_share", s.failed / s.area, "1");
   context.result("bruised_area", s.failed, "m^2");
   context.result("bruise_depth", s.depth, "m");
-  context.result("bruise_at_support", s.at_support ? 1. : 0., "1");
+  context.result("bruise_at_support", s.at_support ? 1. : 0., "");
   if (s.at_support)
     context.say("The bruise has reached the support: how deep it is and how much is bruised is decided by the size of the block.");
   const double size = tissue.tools()->own_size(), deepest = std::max(memory.penetration, memory.support_penetration);
@@ -141,8 +141,8 @@ void Bruise::results(RunContext &context, const Tissue<2> &tissue, const RveLaw<
     context.result("time_of_first_failure", memory.first_failure_time, "s");
     context.result("strain_at_first_failure", memory.first_failure_travel / width, "1"); // travel over width
   }
-  context.result("permanent_stretch_max", memory.largest_permanent, "1");
-  context.result("permanent_stretch_mean", s.permanent / s.area, "1");
+  context.result("largest_permanent_stretch", memory.largest_permanent, "1");
+  context.result("mean_permanent_stretch", s.permanent / s.area, "1");
   // Of the block as a whole: its mean deformation, and the mean of both plates' nominal pressure carried over to a Cauchy stress as in a
   // homogeneous block, sigma_xx = P_xx / F_yy (F without shear).
   dealii::Tensor<2, 2> mean;
@@ -154,8 +154,8 @@ void Bruise::results(RunContext &context, const Tissue<2> &tissue, const RveLaw<
   context.result("final_plates_stress_xx", -0.5 * (tissue.state().tool.force + tissue.state().tool.support) / (tissue.size()[1] * mean[1][1]),
                  "Pa");
   context.result("tool_work", tissue.state().tool_work, "J/m");
-  context.result("energy_dissipated_by_flow", s.by_flow, "J/m");
-  context.result("energy_dissipated_by_failure", s.by_failure, "J/m");
+  context.result("dissipated_by_flow", s.by_flow, "J/m");
+  context.result("dissipated_by_failure", s.by_failure, "J/m");
 }
 
 void Bruise::save(std::ostream &out) const { write_binary(out, memory); }

@@ -41,7 +41,7 @@ void TissueBruise::declare_parameters(InputEntries &prm)
   prm.add_parameter("Outlined RVEs", settings.outlined_rves,
                     "RVEs whose cells are written for the picture. Units: 1.", Patterns::Integer(0, 9));
   prm.add_parameter("Steps between rebalances", settings.law.rebalance_every,
-                    "With several MPI ranks: steps between two looks at which rank computes which RVE; 0 = never. "
+                    "Steps between two looks at which rank computes which RVE, on several MPI ranks; 0 = never. "
                     "The results do not depend on it. Units: 1.",
                     Patterns::Integer(0, 1000000));
   prm.leave_subsection();

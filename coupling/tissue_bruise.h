@@ -15,6 +15,7 @@ public:
   TissueBruise();
   std::string description() const override;
   void declare_parameters(InputEntries &prm) override;
+  Outputs outputs() const override;
   void check() const override;
   bool uses_ranks() const override { return true; }
   void run(RunContext &context) override;

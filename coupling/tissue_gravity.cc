@@ -37,7 +37,7 @@ void TissueGravity::declare_parameters(InputEntries &prm)
   prm.add_parameter("Outlined RVEs", settings.outlined_rves,
                     "RVEs whose cells are written at the end, for the picture. Units: 1.", Patterns::Integer(0, 9));
   prm.add_parameter("Steps between rebalances", settings.law.rebalance_every,
-                    "With several MPI ranks: steps between two looks at which rank computes which RVE; 0 = never. "
+                    "Steps between two looks at which rank computes which RVE, on several MPI ranks; 0 = never. "
                     "The results do not depend on it. Units: 1.",
                     Patterns::Integer(0, 1000000));
   prm.leave_subsection();
@@ -70,7 +70,7 @@ void TissueGravity::run(RunContext &context)
 
   context.result("width", width, "m");
   context.result("density", rve->density(), "kg/m^3");
-  context.result("body_force", settings.tissue.body_force.norm(), "N/kg");
+  context.result("body_force", settings.tissue.body_force.norm(), "m/s^2");
   context.note("rve", rve_parameters.rule + ", " + rve_parameters.fluid + " fluid, " +
                         number_text(rve_parameters.columns) + " x " + number_text(rve_parameters.rows) + " cells");
   if (const double left = rve_parameters.equilibrium_tolerance() * rve_parameters.cell.turgor;

@@ -19,6 +19,7 @@ public:
   TissueGravity();
   std::string description() const override;
   void declare_parameters(InputEntries &prm) override;
+  Outputs outputs() const override;
   void check() const override;
   bool uses_ranks() const override { return true; }
   void run(RunContext &context) override;

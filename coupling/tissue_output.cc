@@ -89,7 +89,7 @@ void write_cell_displacement(RunContext &context, const Tissue<2> &tissue, const
   const std::vector<Tensor<1, 2>> u = tissue.displacement_at(points);
 
   const auto table = context.series("cell_displacement",
-                                    {{"cell_x", "1"}, {"cell_y", "1"}, {"displacement_x", "m"}, {"displacement_y", "m"}});
+                                    {{"cell_x", ""}, {"cell_y", ""}, {"displacement_x", "m"}, {"displacement_y", "m"}});
   const std::size_t per_cell = std::size_t(samples) * samples;
   for (unsigned int j = 0; j < cells[1]; ++j)
     for (unsigned int i = 0; i < cells[0]; ++i)
@@ -119,8 +119,8 @@ RveOutlines::RveOutlines(RunContext &context, const Tissue<2> &tissue, unsigned 
       chosen.push_back(nearest);
   }
   table = context.series("rve_outlines", {{"time", "s"},
-                                          {"rve", "1"},
-                                          {"ring", "1"},
+                                          {"rve", ""},
+                                          {"ring", ""},
                                           {"point_x", "m"},
                                           {"point_y", "m"},
                                           {"F_xx", "1"},

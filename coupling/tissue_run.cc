@@ -164,25 +164,25 @@ void Run::results()
 {
   observer.results(context, tissue, law);
   const TissueEnergies e = tissue.energies();
-  context.result("energy_dissipated", e.dissipated(), "J/m");
+  context.result("dissipated", e.dissipated(), "J/m");
   context.result("energy_taken_share", memory.energy.taken_share(), "1");
   if (rve.knows_heating())
   {
-    context.result("energy_heat", e.heat, "J/m");
+    context.result("heat", e.heat, "J/m");
     context.result("energy_unexplained_share", memory.energy.unexplained_share(), "1");
   }
 
   const RveLawStatistics &s = law.statistics();
   const double cpu = memory.cpu_seconds + law.shares().sum(process_cpu_seconds() - cpu_at_start);
   const double wall = memory.wall_seconds + seconds_since(started);
-  const auto count = [&](const char *name, std::uint64_t n) { context.result(name, static_cast<double>(n), "1"); };
+  const auto count = [&](const char *name, std::uint64_t n) { context.result(name, static_cast<double>(n), ""); };
   count("steps", tissue.steps());
   count("steps_rejected", tissue.counters().rejected);
   count("rve_points", tissue.quadrature_points().size());
   count("rve_calls", s.calls);
   count("rve_calls_failed", s.failed_calls);
   context.result("rve_iterations_mean", s.calls > 0 ? double(s.iterations) / double(s.calls) : 0., "1");
-  context.result("rve_iterations_max", s.max_iterations, "1");
+  context.result("rve_iterations_max", s.max_iterations, "");
   context.result("rve_residual_max", s.max_residual, "1");
   if (rve.has_history())
   {
@@ -245,11 +245,11 @@ void Run::go()
     energy_columns.push_back({"heat", "J/m"});
   energy_series = context.series("energies", energy_columns);
   cost_series = context.series("cost", {{"time", "s"},
-                                        {"step", "s"},
-                                        {"rve_calls", "1"},
-                                        {"iterations_mean", "1"},
-                                        {"iterations_max_so_far", "1"},
-                                        {"failed_calls", "1"},
+                                        {"time_step", "s"},
+                                        {"rve_calls", ""},
+                                        {"rve_iterations_mean", "1"},
+                                        {"rve_iterations_max", ""},
+                                        {"rve_calls_failed", ""},
                                         {"rve_cpu_time", "s"},
                                         {"rank_imbalance", "1"}});
   outlines.emplace(context, tissue, settings.outlined_rves, observer.places());

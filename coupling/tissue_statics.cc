@@ -42,8 +42,8 @@ void TissueStatics::declare_parameters(InputEntries &prm)
   prm.add_parameter("Cell samples", cell_samples,
                     "Points per direction over which the displacement of a cell is averaged. Units: 1.",
                     Patterns::Integer(1, 100));
-  prm.add_parameter("Elements", elements, "Elements from the clamp to the free end. Units: 1.", Patterns::Integer(1, 1000));
-  prm.add_parameter("Elements across", elements_across, "Elements along the clamp; 0: as many as Elements. Units: 1.",
+  prm.add_parameter("Elements", elements, "Number of finite elements from the clamp to the free end. Units: 1.", Patterns::Integer(1, 1000));
+  prm.add_parameter("Elements across", elements_across, "Number of finite elements along the clamp; 0: as many as Elements. Units: 1.",
                     Patterns::Integer(0, 1000));
   prm.add_parameter("Degree", tissue.degree, "Polynomial degree of the elements: 1 bilinear, 2 biquadratic. Units: 1.",
                     Patterns::Integer(1, 2));
@@ -149,16 +149,16 @@ void TissueStatics::run(RunContext &context)
   context.result("tip_over_width", -u[1] / width, "1");
   context.result("pressure_min", *least, "Pa");
   context.result("pressure_max", *most, "Pa");
-  context.result("newton_iterations", answer.iterations, "1");
-  context.result("load_increments", answer.increments, "1");
+  context.result("newton_iterations", answer.iterations, "");
+  context.result("load_increments", answer.increments, "");
   context.result("residual", answer.residuals.back(), "1");
   context.result("residual_of_round_off", answer.round_off, "1");
-  context.result("rve_points", double(body.quadrature_points().size()), "1");
-  context.result("rve_calls", double(law.statistics().calls), "1");
+  context.result("rve_points", double(body.quadrature_points().size()), "");
+  context.result("rve_calls", double(law.statistics().calls), "");
   context.result("rve_cpu_time", law.statistics().rve_cpu_seconds, "s");
   context.result("width", width, "m");
   context.result("density", rve->density(), "kg/m^3");
-  context.result("body_force", whole.body_force.norm(), "N/kg");
+  context.result("body_force", whole.body_force.norm(), "m/s^2");
   context.result("solve_time", std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count(), "s");
   write_cell_displacement(context, body, block(), period, cell_samples);
   fields.write();

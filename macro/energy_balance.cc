@@ -23,10 +23,10 @@ std::string EnergyCheck::complaint() const
     return "The energy of the tissue does not add up: of " + number_text(work) + " J/m of work by loads and tools, " + number_text(std::abs(unexplained)) +
            (unexplained > 0. ? " J/m have gone without heat, flow or breaking that took them" :
                                " J/m more were taken by heat, flow and breaking than have gone") +
-           " (allowed is a share of " + number_text(allowed_unexplained) + "). Its motion means nothing; take a smaller Time/CFL fraction.";
+           " (allowed is a share of " + number_text(allowed_unexplained) + "). Its motion means nothing; take a smaller Time/Step fraction.";
   return "The tissue has gained energy from nothing: " + number_text(by_law ? -last.taken() : -last.dissipated()) +
          " J/m, where loads and tools have done " + number_text(work) + " J/m of work (allowed is a share of " +
-         number_text(by_law ? allowed : allowed_lent) + "). Its motion means nothing; take a smaller Time/CFL fraction.";
+         number_text(by_law ? allowed : allowed_lent) + "). Its motion means nothing; take a smaller Time/Step fraction.";
 }
 
 bool EnergyCheck::hopeless() const

@@ -29,11 +29,11 @@ void TissueParameters<dim>::declare(InputEntries &prm, bool with_size_and_body_f
 
   prm.enter_subsection("Tissue");
   for (unsigned int d = 0; d < dim && with_size_and_body_force; ++d)
-    prm.add_parameter(size_names[d], size[d], "Size of the piece in " + std::string(axis_names[d]) + ". Units: m.",
+    prm.add_parameter(size_names[d], size[d], "Size of the undeformed piece along " + std::string(axis_names[d]) + ". Units: m.",
                       Patterns::Double(1e-9, 1e3));
   for (unsigned int d = 0; d < dim; ++d)
     prm.add_parameter("Elements " + std::string(axis_names[d]), elements[d],
-                      "Number of elements in " + std::string(axis_names[d]) + ". Units: 1.", Patterns::Integer(1, 4096));
+                      "Number of finite elements along " + std::string(axis_names[d]) + ". Units: 1.", Patterns::Integer(1, 4096));
   prm.add_parameter("Degree", degree, "Polynomial degree of the elements: 1 bilinear, 2 biquadratic. Units: 1.",
                     Patterns::Integer(1, 2));
   prm.add_parameter("Locking treatment", locking,
@@ -59,23 +59,24 @@ void TissueParameters<dim>::declare(InputEntries &prm, bool with_size_and_body_f
                     "central_differences: second order, one stress evaluation a step; dormand_prince: the thesis's adaptive "
                     "Runge-Kutta 5(4) of SUNDIALS. Units: none.",
                     Patterns::Selection("central_differences|dormand_prince"));
-  prm.add_parameter("End time", end_time, end_of_run("Simulated time. Units: s."), Patterns::Double(1e-12, 1e6));
-  prm.add_parameter("CFL fraction", cfl, "Step as a fraction of the largest stable step. Units: 1.",
+  prm.add_parameter("End time", end_time, end_of_run("Simulated time after which the run ends. Units: s."), Patterns::Double(1e-12, 1e6));
+  prm.add_parameter("Step fraction", cfl, "Time step over the largest that is stable; smaller is more accurate and slower. Units: 1.",
                     Patterns::Double(0.01, 1.));
+  prm.rename("CFL fraction", "Step fraction");
   prm.add_parameter("Steps between estimates", estimate_every,
                     "The stable step is found anew from the tangents of the law after this many steps; 0 uses only the "
                     "law's bounds, which is safe but gives shorter steps. Units: 1.",
                     Patterns::Integer(0, 1000000));
-  prm.add_parameter("Relative tolerance", relative_tolerance, "Local error of dormand_prince. Units: 1.",
+  prm.add_parameter("Relative tolerance", relative_tolerance, "Allowed local error of a step of dormand_prince, relative to displacement and velocity. Units: 1.",
                     Patterns::Double(1e-14, 1.));
   prm.add_parameter("Displacement tolerance", displacement_tolerance,
-                    "Absolute local error of the displacement, dormand_prince. Units: m.", Patterns::Double(1e-18, 1.));
+                    "Allowed local error of the displacement in a step of dormand_prince, added to the relative one. Units: m.", Patterns::Double(1e-18, 1.));
   prm.add_parameter("Velocity tolerance", velocity_tolerance,
-                    "Absolute local error of the velocity, dormand_prince. Units: m/s.", Patterns::Double(1e-15, 1e3));
+                    "Allowed local error of the velocity in a step of dormand_prince, added to the relative one. Units: m/s.", Patterns::Double(1e-15, 1e3));
   prm.add_parameter("Output interval", output_interval,
                     "Simulated time between two pictures of the fields; steps end on them. Units: s.",
                     Patterns::Double(1e-12, 1e6));
-  prm.add_parameter("Checkpoint interval", checkpoint_interval, free_to_change("Wall time between two checkpoints. Units: s."),
+  prm.add_parameter("Checkpoint interval", checkpoint_interval, free_to_change("Wall time between two checkpoints, from which --resume goes on. Units: s."),
                     Patterns::Double(0., 1e6));
   prm.leave_subsection();
 }

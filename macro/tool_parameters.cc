@@ -31,13 +31,13 @@ void ToolParameters::declare(InputEntries &prm)
 {
     prm.add_parameter("Tool", shape, "What hits the side x = Width: a plate or a cylinder. Units: none.",
                     Patterns::Selection("plate|cylinder"));
-  prm.add_parameter("Radius", radius, "Of the cylinder. Units: m.", Patterns::Double(1e-9, 1e3));
+  prm.add_parameter("Radius", radius, "Radius of the cylinder that hits, with Tool = cylinder. Units: m.", Patterns::Double(1e-9, 1e3));
   prm.add_parameter("Motion", motion,
                     "steady: at constant speed to the depth, then at rest; rebound: half a sine to the depth and back, as a mass "
                     "moves on a spring. Units: none.",
                     Patterns::Selection("steady|rebound"));
-  prm.add_parameter("Speed", speed, "Of the tool at first contact, at t = 0. Units: m/s.", Patterns::Double(1e-9, 1e3));
-  prm.add_parameter("Depth", depth, "How far the tool goes in. Units: m.", Patterns::Double(1e-12, 1e3));
+  prm.add_parameter("Speed", speed, "Speed of the tool at first contact, at t = 0. Units: m/s.", Patterns::Double(1e-9, 1e3));
+  prm.add_parameter("Depth", depth, "How far the tool goes in from the first contact. Units: m.", Patterns::Double(1e-12, 1e3));
   prm.add_parameter("Contact stiffness", stiffness,
                     "Penalty of the contact, over the stiffness bound of the tissue per distance of nodes. A node sinks in by "
                     "pressure over that; the stable step shrinks as it grows. Units: 1.",

@@ -56,16 +56,17 @@ void RveParameters::add_parameters(InputEntries &prm)
                     "Cell fluid: hydrostatic (one pressure per cell plus the viscous stress of F_dot) or sph "
                     "(particles). Units: none.",
                     Selection("hydrostatic|sph"));
-  prm.add_parameter("Columns", columns, "Cells of the RVE in x. Units: 1.", Integer(1, 100));
-  prm.add_parameter("Rows", rows, "Cells of the RVE in y. Units: 1.", Integer(1, 100));
+  prm.add_parameter("Columns", columns, "Number of cells of the RVE along x. Units: 1.", Integer(1, 100));
+  prm.add_parameter("Rows", rows, "Number of cells of the RVE along y. Units: 1.", Integer(1, 100));
   prm.add_parameter("Tolerance", tolerance,
                     "Largest unbalanced force on a wall node or particle at equilibrium, over turgor * node spacing * "
                     "depth: 1e-13 to 0.1, or 0 for what suits the fluid, which is 1e-9 with Fluid = hydrostatic and 1e-3 "
                     "with Fluid = sph. Particles stop at it and count as balanced up to 50 times it. Units: 1.",
                     Double(0., 1e-1));
-  prm.add_parameter("Max iterations", max_iterations,
+  prm.add_parameter("Most iterations", max_iterations,
                     "Newton iterations after which one search for equilibrium gives up. Units: 1.",
                     Integer(1, 100000));
+  prm.rename("Max iterations", "Most iterations");
   prm.add_parameter("Window tau_0", window,
                     "Time in the middle of a constrained-runs burst over which the virial stress is averaged (Eq. 3.17), at most "
                     "the burst; 0 takes the middle alone. Units: s.",
@@ -75,7 +76,7 @@ void RveParameters::add_parameters(InputEntries &prm)
                     "is slowed by the ratio: good for slow loading, not for dynamics, which bursts follow that last a macro step. Such "
                     "bursts cost an RVE what the same cells cost in a full particle run, so with more cells in the RVEs than in the "
                     "piece the full run (scene full_micro) is cheaper. A run tells where it stands. Units: s.", Double(0., 1.));
-  prm.add_parameter("Bursts", bursts, "Bursts of one constrained-runs call. Units: 1.", Integer(1, 1000));
+  prm.add_parameter("Bursts", bursts, "Number of bursts in one call of constrained_runs. Units: 1.", Integer(1, 1000));
   prm.add_parameter("Step fraction", step_fraction,
                     "Micro time step over the stable limit that the terms state; for Fluid = sph. Units: 1.",
                     Double(0.01, 1.));
@@ -93,11 +94,13 @@ void RveParameters::add_parameters(InputEntries &prm)
                     "Whether walls soften when they are stretched (thesis Eq. 3.8): none; reversible, along the same curve back; "
                     "plastic, elastic on the way back, so that a stretch stays. Units: none.",
                     Selection("none|reversible|plastic"));
-  prm.add_parameter("Yield sharpness A", yield.sharpness,
-                    "The higher, the sooner the wall gives way: half of what it loses is lost at a stretch of 1 + 1/A. Units: 1.",
+  prm.add_parameter("Yield sharpness", yield.sharpness,
+                    "A of Eq. 3.8, the higher, the sooner the wall gives way: half of what it loses is lost at a stretch of 1 + 1/A. Units: 1.",
                     Double(1e-3, 1e4));
-  prm.add_parameter("Yield drop B", yield.drop, "Share of the stiffness that is lost at large stretch. Units: 1.",
+  prm.add_parameter("Yield drop", yield.drop, "B of Eq. 3.8, the share of the stiffness that a wall loses by yielding at large stretch. Units: 1.",
                     Double(0., 1.));
+  prm.rename("Yield sharpness A", "Yield sharpness");
+  prm.rename("Yield drop B", "Yield drop");
   prm.add_parameter("Critical stretch", walls.critical_stretch,
                     "Length over length at rest (before inflation and flow) at which a bond of the wall breaks, for good; its cell "
                     "has failed and loses its fluid. 0: walls do not break. Units: 1.",

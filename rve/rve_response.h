@@ -12,6 +12,7 @@ class RveResponse : public Scenario
 public:
   std::string description() const override;
   void declare_parameters(InputEntries &prm) override;
+  Outputs outputs() const override;
   void check() const override;
   void run(RunContext &context) override;
 

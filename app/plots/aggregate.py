@@ -48,9 +48,9 @@ def draw(axis, frame, table, start, norm, colours, plates=True):
     axis.set_aspect("equal")
     axis.axis("off")
     if plates:
-        for y, height in ((low - 12, 12), (table["plate_top [m]"][k] * 1e6, 12)):
+        for y, height in ((low - 12, 12), (table["plate_upper [m]"][k] * 1e6, 12)):
             axis.add_patch(Rectangle((left, y), right - left, height, facecolor="#8795a1", edgecolor="none"))
-    axis.set_title(f"strain {100 * table['strain'][k]:.0f} %", color=INK, fontsize=11)
+    axis.set_title(f"strain {100 * table['strain [1]'][k]:.0f} %", color=INK, fontsize=11)
     return k
 
 
@@ -61,7 +61,7 @@ def picture(directory, name):
     points = np.concatenate([f.points[:, :2][f.field("wall").ravel() > 0.5] for f in chosen]) * 1e6
     first = chosen[0].points[:, 1] * 1e6
     margin = 25
-    start = (first.min(), table["plate_top [m]"][0] * 1e6, points[:, 0].min() - margin, points[:, 0].max() + margin)
+    start = (first.min(), table["plate_upper [m]"][0] * 1e6, points[:, 0].min() - margin, points[:, 0].max() + margin)
     values = [p for f in chosen for _, p, gone, _ in cells_of(f) if not gone]
     norm = matplotlib.colors.Normalize(min(values), max(np.percentile(values, 95), min(values) + 1))
     colours = plt.get_cmap("viridis")
@@ -77,10 +77,10 @@ def picture(directory, name):
         draw(axis, frame, table, start, norm, colours)
     colour_bar(figure, [0.35, 3.35 / total, 0.3, 0.1 / total], norm, colours, "mean fluid pressure of a cell [kPa]" + (", failed cells hatched" if failing else ""))
 
-    strain = 100 * table["strain"]
+    strain = 100 * table["strain [1]"]
     left = figure.add_axes([0.07, 0.6 / total, 0.40 if failing else 0.56, 1.9 / total])
-    left.plot(strain, table["stress_top [Pa]"] / 1e3, color=ACCENT, linewidth=1.2, label="moving plate")
-    left.plot(strain, table["stress_bottom [Pa]"] / 1e3, color=ALONG, linewidth=1.8, label="fixed plate (transmitted)")
+    left.plot(strain, table["stress_upper [Pa]"] / 1e3, color=ACCENT, linewidth=1.2, label="moving plate")
+    left.plot(strain, table["stress_lower [Pa]"] / 1e3, color=ALONG, linewidth=1.8, label="fixed plate (transmitted)")
     left.set_xlabel("strain [%]", color=INK, fontsize=9)
     left.set_ylabel("force over area [kPa]", color=INK, fontsize=9)
     left.legend(frameon=False, fontsize=9)
@@ -102,7 +102,7 @@ def picture(directory, name):
         names = [n for n in rows if n.startswith("row_")]
         for k, row in enumerate(names):
             share = k / max(1, len(names) - 1)
-            right.plot(100 * rows["strain"], 100 * rows[row], color=plt.get_cmap("cividis")(0.9 * share), linewidth=1.3,
+            right.plot(100 * rows["strain [1]"], 100 * rows[row], color=plt.get_cmap("cividis")(0.9 * share), linewidth=1.3,
                        label={0: "lowest row", len(names) - 1: "row at the moving plate"}.get(k))
         right.set_ylabel("flattening of the rows of cells [%]", color=INK, fontsize=9)
         right.legend(frameon=False, fontsize=8)

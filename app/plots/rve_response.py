@@ -40,7 +40,7 @@ def main(directory):
         if np.ptp(strain[c]) > 1e-9:
             axes[0].plot(scale * time, strain[c], color=COLOURS[c], linewidth=1.8, label=NAMES[c])
     axes[0].set_ylabel("deformation F - I [%]", color=INK)
-    applies = table.get("closed_form_applies [1]", np.zeros(len(time))) > 0.5
+    applies = table.get("closed_form_applies", np.zeros(len(time))) > 0.5
     for axis, (lead, rows) in zip(axes[1:], parts):
         for c in ("xx", "xy", "yy"):
             for k, pair in enumerate(rows):

@@ -79,9 +79,9 @@ def picture(directory, name, title):
     right.set_xlim(0, 100 * deformation.max())
     right.legend(frameon=False, fontsize=9, loc="upper left")
     style(right)
-    if table["broken"][-1] > 0:
+    if table["broken_bonds"][-1] > 0:
         count = right.twinx()
-        count.plot(100 * deformation, table["broken"], color=INK, linestyle="--", linewidth=1.2)
+        count.plot(100 * deformation, table["broken_bonds"], color=INK, linestyle="--", linewidth=1.2)
         count.set_ylabel("broken bonds (dashed)", fontsize=9, color=INK)
         count.tick_params(colors=INK, labelsize=8)
         count.spines["top"].set_visible(False)

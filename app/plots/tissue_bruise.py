@@ -82,7 +82,7 @@ def picture(directory):
     stretch_norm = matplotlib.colors.Normalize(0, max(1e-3, table["permanent_stretch [1]"].max()))
     rest = history[0].points[:, :2] * 1e3
     low, high = rest.min(axis=0)[::-1], rest.max(axis=0)[::-1]
-    share = np.interp(main_frame.time, t, impact["failed_share [1]"])
+    share = np.interp(main_frame.time, t, impact["bruised_share [1]"])
 
     high_figure, wide_figure = 8.8, 13.0
     figure = plt.figure(figsize=(wide_figure, high_figure), facecolor="white")
@@ -98,7 +98,7 @@ def picture(directory):
 
     outlines = os.path.join(directory, "rve_outlines.csv")
     rves = read_rves(outlines, main_frame.time) if os.path.exists(outlines) else []
-    numbers = np.unique(read_table(outlines)["rve [1]"]).astype(int) if rves else []
+    numbers = np.unique(read_table(outlines)["rve"]).astype(int) if rves else []
     swap = np.array([[0.0, 1.0], [1.0, 0.0]])
     for number, rve in zip(numbers, rves):
         rve["number"] = number
@@ -135,7 +135,7 @@ def picture(directory):
     below.set_ylabel("force per depth [kN/m]", color=INK, fontsize=9)
     style(below)
     twin = below.twinx()
-    twin.plot(t * 1e3, 100 * impact["failed_share [1]"], color="#8a4b2a", linewidth=1.4, linestyle=(0, (5, 2)), label="failed cells")
+    twin.plot(t * 1e3, 100 * impact["bruised_share [1]"], color="#8a4b2a", linewidth=1.4, linestyle=(0, (5, 2)), label="failed cells")
     twin.set_ylabel("failed cells [%]", color="#8a4b2a", fontsize=9)
     twin.set_ylim(0, None)
     twin.tick_params(colors="#8a4b2a", labelsize=8)
@@ -146,7 +146,7 @@ def picture(directory):
     end = figure.add_axes([0.71, 0.045, 0.27, 0.235])
     draw_tissue(end, last_frame, last, stretch_norm, 6)
     end.autoscale_view()
-    end.set_title(f"at the end, t = {last_frame.time * 1e3:.2f} ms: {100 * impact['failed_share [1]'][-1]:.0f} %", fontsize=9.5,
+    end.set_title(f"at the end, t = {last_frame.time * 1e3:.2f} ms: {100 * impact['bruised_share [1]'][-1]:.0f} %", fontsize=9.5,
                   color=INK, pad=3)
     path = os.path.join(directory, "tissue_bruise.png")
     figure.savefig(path, dpi=150)

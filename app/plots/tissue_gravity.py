@@ -26,13 +26,13 @@ def read_rves(path, time):
     now = table["time [s]"][np.argmin(np.abs(table["time [s]"] - time))]
     table = {name: column[table["time [s]"] == now] for name, column in table.items()}
     rves = []
-    for number in np.unique(table["rve [1]"]):
-        rows = table["rve [1]"] == number
+    for number in np.unique(table["rve"]):
+        rows = table["rve"] == number
         first = np.flatnonzero(rows)[0]
         F = np.array([[table[f"F_{a}{b} [1]"][first] for b in "xy"] for a in "xy"])
         rings = []
-        for ring in np.unique(table["ring [1]"][rows]):
-            pick = rows & (table["ring [1]"] == ring)
+        for ring in np.unique(table["ring"][rows]):
+            pick = rows & (table["ring"] == ring)
             rings.append(np.column_stack([table["x [m]"][pick], table["y [m]"][pick]]))
         rves.append(
             dict(

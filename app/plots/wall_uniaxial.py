@@ -22,21 +22,21 @@ def main(directory):
     if not os.path.exists(path):
         return []
     table = read_table(path)
-    if not len(table.get("A", [])):
+    if not len(table.get("A [1]", [])):
         return []
-    sharpness = sorted(set(table["A"]))
+    sharpness = sorted(set(table["A [1]"]))
     figure, axes = plt.subplots(1, len(sharpness), figsize=(3.8 * len(sharpness) + 0.6, 3.8), sharey=True, squeeze=False, facecolor="white")
     for axis, a in zip(axes[0], sharpness):
-        drops = sorted(set(table["B"][table["A"] == a]))
+        drops = sorted(set(table["B [1]"][table["A [1]"] == a]))
         for k, b in enumerate(drops):
             colour = plt.get_cmap("viridis")(0.85 * k / max(1, len(drops) - 1))
-            own = (table["A"] == a) & (table["B"] == b)
+            own = (table["A [1]"] == a) & (table["B [1]"] == b)
             out, back = own & (table["back"] < 0.5), own & (table["back"] > 0.5)
-            axis.plot(table["stretch"][out], 1e3 * table["tension [N]"][out], color=colour, linewidth=1.8, label=f"B = {b:g}")
+            axis.plot(table["stretch [1]"][out], 1e3 * table["tension [N]"][out], color=colour, linewidth=1.8, label=f"B = {b:g}")
             carried = back & (table["tension [N]"] >= 0)
-            axis.plot(table["stretch"][carried], 1e3 * table["tension [N]"][carried], color=colour, linewidth=1.0, linestyle=(0, (4, 2)))
+            axis.plot(table["stretch [1]"][carried], 1e3 * table["tension [N]"][carried], color=colour, linewidth=1.0, linestyle=(0, (4, 2)))
             some = np.flatnonzero(out)[::6]
-            axis.plot(table["stretch"][some], 1e3 * table["law [N]"][some], "o", color=colour, markersize=3.5, markerfacecolor="white")
+            axis.plot(table["stretch [1]"][some], 1e3 * table["law [N]"][some], "o", color=colour, markersize=3.5, markerfacecolor="white")
         axis.set_title(f"A = {a:g}", color=INK, fontsize=11)
         axis.set_xlabel("stretch", color=INK, fontsize=9)
         style(axis)

@@ -45,7 +45,7 @@ def runs():
 
 def balance(directory, row):
     """{term: % of the closed form at the middle radius}, and what the spheroid looks like."""
-    speed, middle = row["radial_speed"], row["radial_speed_closed_form"]
+    speed, middle = (row[name] * 1e-6 / 86400 for name in ("radial_speed", "radial_speed_closed_form"))  # m/s
     k = np.log(2) / row["doubling_time_closed_form"]
     table = read_table(os.path.join(directory, "growth.csv"))
     t, E, V, P = (table[name] for name in ("time [s]", "radius [m]", "volume [m^3]", "proliferating_volume [m^3]"))

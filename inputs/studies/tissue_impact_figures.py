@@ -89,15 +89,15 @@ def failure(directory):
     for kind, runs in kinds.items():
         def of(name):
             return [results[r][name] for r in runs if name in results[r]]
-        shares = np.array([np.interp(at, curves[r]["strain"], curves[r]["failed_cells"] / CELLS) for r in runs])
+        shares = np.array([np.interp(at, curves[r]["strain [1]"], curves[r]["failed_cells"] / CELLS) for r in runs])
         F, e0, w, explained = logistic(at, shares.mean(axis=0)) if shares.max() > 0.1 else (0, 0, 0, 0)
-        first = [e for e in of("strain_first_failure") if e >= 0]
+        first = [e for e in of("strain_at_first_failure") if e >= 0]
         peel = [(results[r]["first_ties_from_wall_end"], results[r]["last_ties_from_wall_end"]) for r in runs if results[r].get("broken_ties", 0) >= 10]
         lines.append([kind, str(len(runs)), spread(first, 100), spread(of("strain_at_50_percent_of_failures"), 100), spread(of("failed_share"), 100),
                       "%.3g, %.2g, %.2f" % (100 * e0, 100 * w, explained) if F else "-",
                       spread(of("failed_depth_first"), 1, 2), spread(of("failed_depth"), 1, 2), spread(of("broken_bonds_at_junctions"), 100, 2),
                       spread(of("broken_ties")), "; ".join("%.0f, %.0f" % (1e6 * a, 1e6 * b) for a, b in peel) or "-",
-                      "%.1g" % max(abs(x) for x in of("energy_balance_error")), "%g" % max(of("crossed_bonds"))])
+                      "%.1g" % max(abs(x) for x in of("energy_balance_error")), "%g" % max(of("most_crossed_bonds"))])
         if kind in shown:
             axis = axes[0][panel]
             for share in shares:
@@ -122,10 +122,10 @@ def impact(directory):
     results, curves = read(directory, "impact")
     names = [("centre_of_flattening_at_5_percent", 1, "centre of flattening at 5 %"), ("centre_of_flattening_at_10_percent", 1, "at 10 %"),
              ("flattest_cell_at_5_percent", 100, "flattest cell at 5 %, %"), ("stretch_near_plate_at_5_percent", 1, "stretch below the plate at 5 %"),
-             ("transmitted_stress_at_5_percent", 1e-3, "transmitted at 5 %, kPa"), ("transmitted_stress_at_10_percent", 1e-3, "at 10 %, kPa"),
-             ("transmitted_stress_peak", 1e-6, "peak, MPa"), ("transmitted_oscillation", 1, "falls over range"),
+             ("stress_lower_at_5_percent", 1e-3, "transmitted at 5 %, kPa"), ("stress_lower_at_10_percent", 1e-3, "at 10 %, kPa"),
+             ("largest_stress_lower", 1e-6, "peak, MPa"), ("stress_lower_oscillation", 1, "falls over range"),
              ("largest_stretch_at_10_percent", 1, "largest stretch at 10 %"), ("energy_balance_error", 1, "energy balance"),
-             ("crossed_bonds", 1, "crossed bonds")]
+             ("most_crossed_bonds", 1, "crossed bonds")]
     table(["run"] + [n[2] for n in names], [[run] + ["%.3g" % (scale * r[name]) if scale != 1 or "stretch" not in name else "%.3f" % r[name]
                                                      for name, scale, _ in names] for run, r in results.items()])
     chosen = [(s, w) for s in ("dense", "sparse") for w in (1, 10) if any(r.startswith("%s, wall x %d," % (s, w)) for r in results)]
@@ -136,7 +136,7 @@ def impact(directory):
         for k, viscosity in enumerate((1, 10, 100, 1000)):
             curve = curves.get("%s, wall x %d, viscosity x %d" % (structure, wall, viscosity))
             if curve:
-                axis.plot(100 * curve["strain"], curve["stress_bottom [Pa]"] / 1e6, color=plt.get_cmap("viridis")(0.28 * k), linewidth=1.4,
+                axis.plot(100 * curve["strain [1]"], curve["stress_lower [Pa]"] / 1e6, color=plt.get_cmap("viridis")(0.28 * k), linewidth=1.4,
                           label="viscosity x %d" % viscosity)
         axis.set_title("%s, wall x %d" % (structure, wall), fontsize=9, color=INK)
         axis.set_xlabel("strain [%]", fontsize=9, color=INK)
@@ -153,27 +153,27 @@ def compression(directory):
         return
     def modulus(run, low, high):
         curve = curves[run]
-        strain, force = curve["strain"], 0.5 * (curve["stress_top [Pa]"] + curve["stress_bottom [Pa]"])
+        strain, force = curve["strain [1]"], 0.5 * (curve["stress_upper [Pa]"] + curve["stress_lower [Pa]"])
         inside = (strain >= low) & (strain <= high)
         return np.polyfit(strain[inside], force[inside], 1)[0] / 1e6
 
     def stress(run, strain):
         curve = curves[run]
-        return 0.5e-3 * np.interp(strain, curve["strain"], np.convolve(curve["stress_top [Pa]"] + curve["stress_bottom [Pa]"], np.ones(3) / 3, "same"))
+        return 0.5e-3 * np.interp(strain, curve["strain [1]"], np.convolve(curve["stress_upper [Pa]"] + curve["stress_lower [Pa]"], np.ones(3) / 3, "same"))
 
     table(["run", "void fraction, %", "modulus at 2 to 10 %, MPa", "at 20 to 29 %, MPa", "ratio", "stress at 10 %, kPa", "at 20 %", "at 29 %",
            "on the moving plate over the fixed one at 20 %", "crossed bonds"],
           [[run, "%.2g" % (100 * r["void_fraction"]), "%.3g" % modulus(run, 0.02, 0.1), "%.3g" % modulus(run, 0.2, 0.29),
             "%.2f" % (modulus(run, 0.2, 0.29) / modulus(run, 0.02, 0.1))] + ["%.3g" % stress(run, e) for e in (0.1, 0.2, 0.29)]
-           + ["%.2f" % (r["impact_stress_at_20_percent"] / r["transmitted_stress_at_20_percent"]), "%g" % r["crossed_bonds"]]
+           + ["%.2f" % (r["stress_upper_at_20_percent"] / r["stress_lower_at_20_percent"]), "%g" % r["most_crossed_bonds"]]
            for run, r in results.items()])
     figure, (left, right) = plt.subplots(1, 2, figsize=(8.6, 3.1))
     for run, r in results.items():
         curve = curves[run]
         if run.startswith("9 cells") and any(not other.startswith("9 cells") and "yielding" in other and "gap 16" in other for other in results):
             continue # shown where the larger tissues are missing
-        smooth = np.convolve(curve["stress_bottom [Pa]"], np.ones(5) / 5, "same")[2:-2]
-        left.plot(100 * curve["strain"][2:-2], smooth / 1e3, "--" if "elastic" in run else ":" if run.startswith("9 cells") else "-", linewidth=1.4,
+        smooth = np.convolve(curve["stress_lower [Pa]"], np.ones(5) / 5, "same")[2:-2]
+        left.plot(100 * curve["strain [1]"][2:-2], smooth / 1e3, "--" if "elastic" in run else ":" if run.startswith("9 cells") else "-", linewidth=1.4,
                   color=plt.get_cmap("viridis")(min(0.9, 10 * r["void_fraction"])),
                   label="%.1f %% void%s%s" % (100 * r["void_fraction"], ", elastic" if "elastic" in run else "", ", 9 cells" if run.startswith("9 cells") else ""))
     left.set_xlabel("strain [%]", fontsize=9, color=INK)
@@ -206,7 +206,7 @@ def cells(directory, part, chosen, moments):
     for row, (run, title) in zip(axes, chosen):
         table = read_table(os.path.join(run, "loading.csv"))
         every = frames(run, "cells")
-        start = (every[0].points[:, 1].min() * 1e6, table["plate_top [m]"][0] * 1e6, -150, 780)
+        start = (every[0].points[:, 1].min() * 1e6, table["plate_upper [m]"][0] * 1e6, -150, 780)
         for axis, moment in zip(row, moments):
             draw(axis, every[moment * (len(every) - 1) // 12], table, start, norm, plt.get_cmap("viridis"))
         row[0].text(-0.02, 0.5, title, rotation=90, fontsize=9, color=INK, transform=row[0].transAxes, va="center", ha="right")

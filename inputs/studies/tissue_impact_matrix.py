@@ -20,7 +20,7 @@ SIZE = {"Columns": "5", "Rows": "5", "Cell/Nodes per side": "12", "SPH/Particles
 STRUCTURE = {"dense": {"Gap": "0"}, "sparse": {"Gap": "20e-6"}}
 GAPS = (0, 8, 16, 24) # um: with 8.3 um from node to node no, one, two, three ties less at each end of a wall
 SEEDS = (1, 2, 3, 4, 5, 6)
-KEPT = ["strain", "stress_top [Pa]", "stress_bottom [Pa]", "centre", "failed_cells", "broken_ties"]
+KEPT = ["strain [1]", "stress_upper [Pa]", "stress_lower [Pa]", "centre_of_flattening [1]", "failed_cells", "broken_ties"]
 
 
 def runs(part):

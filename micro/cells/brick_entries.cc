@@ -12,20 +12,20 @@ namespace turgor
 void BrickParameters::add_parameters(InputEntries &prm)
 {
   using namespace Patterns;
-  prm.add_parameter("Columns", columns, "Cells in a row. Units: none.", Integer(1, 1000));
-  prm.add_parameter("Rows", rows, "Rows of cells. Units: none.", Integer(1, 1000));
+  prm.add_parameter("Columns", columns, "Number of cells in each row of the aggregate. Units: none.", Integer(1, 1000));
+  prm.add_parameter("Rows", rows, "Number of rows of cells from the lower to the upper plate. Units: none.", Integer(1, 1000));
   prm.add_parameter("Jitter", jitter,
                     "Largest random displacement of a cell corner in x and in y over Cell/Period. Units: none.", Double(0., 0.2));
   prm.add_parameter("Gap", gap,
                     "Length without lamella ties at either end of a wall shared by two cells: 0 gives dense tissue, more opens the "
                     "spaces between three cells. Units: m.",
                     Double(0., 1e-2));
-  prm.add_parameter("Tissue seed", seed, "Seed of the random displacements. Units: none.", Integer(0));
+  prm.add_parameter("Tissue seed", seed, "Seed of the random displacements of Jitter: another one, another tissue. Units: none.", Integer(0));
   prm.add_parameter("Rest residual", rest_residual,
-                    "Of the inflated tissue: largest force on a particle that may be left over turgor times the wall of a node (spacing times "
+                    "Largest force that may be left on a particle of the inflated tissue, over turgor times the wall of a node (spacing times "
                     "depth). Units: none.",
                     Double(1e-5, 0.1));
-  prm.add_parameter("Rest steps", rest_steps, "In which the inflated tissue has to come to rest, at most. Units: steps.", Integer(1000, 100000000));
+  prm.add_parameter("Rest steps", rest_steps, "Most steps in which the inflated tissue has to come to rest. Units: steps.", Integer(1000, 100000000));
   prm.add_parameter("Contact ratio", contact_ratio,
                     "Stiffness of the contact between walls, and with the plates, over that of one wall spring at rest. Where walls "
                     "break, it is between them at least what stops a torn wall that recoils, 59 (Critical stretch - 1)^2. Units: none.",
@@ -34,8 +34,8 @@ void BrickParameters::add_parameters(InputEntries &prm)
                     "Wall yielding, thesis Eq. 3.8: none; reversible: force g(lambda) F(lambda) on the way out and back; plastic: "
                     "what goes beyond that curve stays longer. Units: none.",
                     Selection("none|reversible|plastic"));
-  prm.add_parameter("Yield sharpness", yield.sharpness, "A of Eq. 3.8. Units: none.", Double(1e-3, 1e4));
-  prm.add_parameter("Yield drop", yield.drop, "B of Eq. 3.8. Units: none.", Double(0., 1.));
+  prm.add_parameter("Yield sharpness", yield.sharpness, "A of Eq. 3.8: half of what a wall loses by yielding is lost at a stretch of 1 + 1/A. Units: none.", Double(1e-3, 1e4));
+  prm.add_parameter("Yield drop", yield.drop, "B of Eq. 3.8, the share of the stiffness that a wall loses by yielding at large stretch. Units: none.", Double(0., 1.));
   prm.add_parameter("Critical stretch", critical_stretch,
                     "Length over rest length at which a wall bond breaks and its cell has failed; 0: never. Units: none.",
                     Double(0., 100.));

@@ -17,30 +17,30 @@ void ParenchymaParameters::add_parameters(InputEntries &prm)
   using Patterns::Double;
   using Patterns::Integer;
   prm.add_parameter("Period", period, "Side L of the inflated cell. Units: m.", Double(1e-7, 1e-2));
-  prm.add_parameter("Depth", depth, "Depth z0 of the slab. Units: m.", Double(1e-8, 1e-1));
+  prm.add_parameter("Depth", depth, "Depth z0 of the slab of tissue out of the plane; forces and masses are proportional to it. Units: m.", Double(1e-8, 1e-1));
   prm.add_parameter("Nodes per side", nodes_per_side,
                     "Wall nodes per cell side; a cell has four times as many. Units: 1.", Integer(2, 1000));
   prm.add_parameter("Wall stiffness", wall_stiffness,
-                    "G t0, shear modulus times wall thickness (thesis 3.2). Units: N/m.", Double(1e-6, 1e9));
+                    "G t0, shear modulus times wall thickness (thesis 3.2); of an incompressible wall with Young's modulus E it is E t0/3. Units: N/m.", Double(1e-6, 1e9));
   prm.add_parameter("Wall thickness", wall_thickness,
-                    "t0; gives the wall its mass and bending stiffness. Units: m.", Double(1e-9, 1e-3));
-  prm.add_parameter("Wall density", wall_density, "Units: kg/m^3.", Double(1., 1e5));
+                    "Thickness t0 of the wall, which gives it its mass and bending stiffness; Wall stiffness contains it already. Units: m.", Double(1e-9, 1e-3));
+  prm.add_parameter("Wall density", wall_density, "Mass of the wall over its volume. Units: kg/m^3.", Double(1., 1e5));
   prm.add_parameter("Wall beta", wall_beta,
                     "Axial over hoop stress of the wall (thesis Eq. 3.5): 0.5 cylinder, 1 cube. Units: 1.",
                     Double(0., 1.));
   prm.add_parameter("Wall bending", wall_bending,
-                    "Bending stiffness E t0^3/12 of the wall with E = 4 G. Without it slack walls have no "
+                    "Whether the wall has a bending stiffness, E t0^3/12 with E = 4 G. Without it slack walls have no "
                     "resistance. Units: true or false.",
                     Bool());
   prm.add_parameter("Lamella ratio", lamella_ratio,
                     "Stiffness of a middle-lamella tie over that of one wall spring at rest. Units: 1.",
                     Double(1e-3, 1e6));
-  prm.add_parameter("Turgor", turgor, "Fluid pressure of the reference state, gauge. Units: Pa.",
+  prm.add_parameter("Turgor", turgor, "Pressure of the cells' fluid above that outside, in the undeformed tissue. Units: Pa.",
                     Double(0., 1e8));
-  prm.add_parameter("Fluid density", fluid_density, "rho_0 of Eq. 2.22. Units: kg/m^3.", Double(1., 1e5));
+  prm.add_parameter("Fluid density", fluid_density, "Density rho_0 of the fluid without pressure (Eq. 2.22). Units: kg/m^3.", Double(1., 1e5));
   prm.add_parameter("Fluid modulus", fluid_modulus,
                     "K of Eq. 2.22; the bulk modulus is 7 K. Units: Pa.", Double(1e3, 1e10));
-  prm.add_parameter("Fluid viscosity", fluid_viscosity, "Dynamic viscosity. Units: Pa s.", Double(0., 1e6));
+  prm.add_parameter("Fluid viscosity", fluid_viscosity, "Dynamic viscosity mu of the cells' fluid (water: 1e-3). Units: Pa s.", Double(0., 1e6));
   prm.add_parameter("Cavitation pressure", cavitation_pressure,
                     "Gauge pressure below which the liquid gives way (keeps 1 % of its stiffness). Units: Pa.",
                     Double(-1e10, -1e-3));

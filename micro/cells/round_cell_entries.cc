@@ -17,45 +17,45 @@ NeoHookeanWall RoundCellParameters::ring_law() const
 void RoundCellParameters::add_parameters(InputEntries &prm)
 {
   using namespace Patterns;
-  prm.add_parameter("Radius", radius, "Radius of the turgid cell. Units: m.", Double(1e-7, 1e-2));
-  prm.add_parameter("Depth", depth, "Dimension = 2: depth z0 of the slab. Units: m.", Double(1e-8, 1e-1));
-  prm.add_parameter("Ring nodes", ring_nodes, "Dimension = 2: wall nodes. Units: none.", Integer(8, 60000));
+  prm.add_parameter("Radius", radius, "Radius of the turgid cell, before anything acts on it. Units: m.", Double(1e-7, 1e-2));
+  prm.add_parameter("Depth", depth, "Dimension = 2: depth z0 of the slab out of the plane. Units: m.", Double(1e-8, 1e-1));
+  prm.add_parameter("Ring nodes", ring_nodes, "Dimension = 2: number of nodes of the wall. Units: none.", Integer(8, 60000));
   prm.add_parameter("Frequency", frequency,
                     "Dimension = 3: nu of the geodesic sphere, 10 nu^2 + 2 wall nodes (14: 1962). Units: none.", Integer(2, 80));
-  prm.add_parameter("Wall stiffness", wall_stiffness, "G t0, shear modulus times wall thickness. Units: N/m.",
+  prm.add_parameter("Wall stiffness", wall_stiffness, "G t0, shear modulus times thickness of the wall; of an incompressible wall with Young's modulus E it is E t0/3. Units: N/m.",
                     Double(1e-6, 1e9));
-  prm.add_parameter("Wall thickness", wall_thickness, "t0; gives the wall its mass and bending stiffness. Units: m.",
+  prm.add_parameter("Wall thickness", wall_thickness, "Thickness t0 of the wall, which gives it its mass and bending stiffness; Wall stiffness contains it already. Units: m.",
                     Double(1e-10, 1e-3));
   prm.add_parameter("Wall density", wall_density,
-                    "Units: kg/m^3. Quasi-static loading may take a larger one than the wall's: longer steps, same equilibrium.",
+                    "Mass of the wall over its volume. Quasi-static loading may take a larger one than the wall's: longer steps, same equilibrium. Units: kg/m^3.",
                     Double(1., 1e7));
-  prm.add_parameter("Wall beta", wall_beta, "Dimension = 2: axial over hoop stress (thesis Eq. 3.5). Units: none.",
+  prm.add_parameter("Wall beta", wall_beta, "Dimension = 2: axial over hoop stress of the wall (thesis Eq. 3.5), 0.5 of a cylinder, 1 of a cube. Units: none.",
                     Double(0., 1.));
-  prm.add_parameter("Yield sharpness", yield_sharpness, "Dimension = 2: A of Eq. 3.8. Units: none.", Double(0., 1e6));
-  prm.add_parameter("Yield drop", yield_drop, "Dimension = 2: B of Eq. 3.8; 0: the wall does not yield. Units: none.",
+  prm.add_parameter("Yield sharpness", yield_sharpness, "Dimension = 2: A of Eq. 3.8, half of what a wall loses by yielding is lost at a stretch of 1 + 1/A. Units: none.", Double(0., 1e6));
+  prm.add_parameter("Yield drop", yield_drop, "Dimension = 2: B of Eq. 3.8, the share of the stiffness that yielding takes at large stretch; 0: the wall does not yield. Units: none.",
                     Double(0., 1.));
-  prm.add_parameter("Wall bending", wall_bending, "Bending stiffness of the wall's own thickness. Units: true or false.", Bool());
-  prm.add_parameter("Turgor", turgor, "Pressure of the turgid cell, gauge. Units: Pa.", Double(0., 1e8));
+  prm.add_parameter("Wall bending", wall_bending, "Whether the wall has the bending stiffness of its own thickness. Units: true or false.", Bool());
+  prm.add_parameter("Turgor", turgor, "Pressure of the turgid cell's fluid above that outside. Units: Pa.", Double(0., 1e8));
   prm.add_parameter("Fluid", fluid,
-                    "sph: particles; thesis: particles by the thesis's scheme (density by continuity, Lennard-Jones wall, Eq. 3.7), the "
+                    "What fills the cell. sph: particles; thesis: particles by the thesis's scheme (density by continuity, Lennard-Jones wall, Eq. 3.7), the "
                     "baseline, intact walls only; pressure: one pressure for the whole cell (nothing flows, quasi-static loading only); "
                     "none: an empty shell. Units: none.",
                     Selection("sph|thesis|pressure|none"));
-  prm.add_parameter("Fluid particles", fluid_particles, "Fluid = sph or thesis. Units: none.", Integer(20, 60000));
-  prm.add_parameter("Fluid density", fluid_density, "rho_0 of Eq. 2.22. Units: kg/m^3.", Double(1., 1e5));
+  prm.add_parameter("Fluid particles", fluid_particles, "Number of particles of the fluid, with Fluid = sph or thesis. Units: none.", Integer(20, 60000));
+  prm.add_parameter("Fluid density", fluid_density, "Density rho_0 of the fluid without pressure (Eq. 2.22). Units: kg/m^3.", Double(1., 1e5));
   prm.add_parameter("Fluid modulus", fluid_modulus, "K of Eq. 2.22; the bulk modulus is 7 K. Units: Pa.", Double(1e3, 1e10));
-  prm.add_parameter("Fluid viscosity", fluid_viscosity, "Dynamic viscosity. Units: Pa s.", Double(0., 1e6));
+  prm.add_parameter("Fluid viscosity", fluid_viscosity, "Dynamic viscosity mu of the cell's fluid (water: 1e-3). Units: Pa s.", Double(0., 1e6));
   prm.add_parameter("Cavitation pressure", cavitation_pressure,
                     "Gauge pressure below which the liquid gives way. Units: Pa.", Double(-1e10, -1e-3));
   prm.add_parameter("Kernel", kernel,
-                    "Of the fluid's sums. fourth_order has no second moment: sound waves and pressure gradients are smoothed to "
+                    "Kernel of the fluid's sums. fourth_order has no second moment: sound waves and pressure gradients are smoothed to "
                     "fourth order in the support, at shorter steps; walls that do not fail only. Units: none.",
                     Selection("wendland|fourth_order"));
   prm.add_parameter("Support ratio", support_ratio, "Kernel radius (2 h) over particle spacing. Units: none.", Double(2., 4.));
   prm.add_parameter("Skin ratio", skin_ratio, "Verlet skin over particle spacing; speed only. Units: none.", Double(0.05, 2.));
   prm.add_parameter("Ordering", ordering, "Pressure that keeps particles evenly spread, over Fluid modulus. Units: none.",
                     Double(0., 1.));
-  prm.add_parameter("Seed", seed, "Of the initial disorder of the fluid. Units: none.", Integer(0));
+  prm.add_parameter("Seed", seed, "Seed of the initial disorder of the fluid's particles. Units: none.", Integer(0));
   prm.add_parameter("Settle steps", settle_steps,
                     "Fluid = sph: damped steps, before those of Anneal steps, in which the fluid spreads evenly in the wall that is held. "
                     "Units: steps.",

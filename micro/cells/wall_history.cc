@@ -43,7 +43,7 @@ double work(const NeoHookeanWall &loaded, const double from, const double to)
 
 void WallLimits::check(const WallYield &yield) const
 {
-  require(!plastic || yield.active(), "Wall/Yield drop B", yield.drop,
+  require(!plastic || yield.active(), "Wall/Yield drop", yield.drop,
           "more than 0 with 'Yielding = plastic' (there is nothing to yield otherwise)");
   require(critical_stretch == 0. || critical_stretch > 1., "Wall/Critical stretch", critical_stretch,
           "0 (bonds do not break) or more than 1");

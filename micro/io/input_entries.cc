@@ -55,8 +55,9 @@ void InputEntries::leave_subsection()
   open.pop_back();
 }
 
-void InputEntries::rename(const std::string &former_path, const std::string &path)
+void InputEntries::rename(const std::string &former_name, const std::string &name)
 {
+  const std::string former_path = join_path(open, former_name), path = join_path(open, name);
   const auto is_declared = [&](const std::string &wanted) {
     return std::any_of(all.begin(), all.end(), [&](const InputEntry &entry) { return entry.path() == wanted; });
   };

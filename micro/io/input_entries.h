@@ -84,7 +84,7 @@ public:
   void enter_subsection(const std::string &name);
   void leave_subsection();
 
-  /// An entry had another name once: `former` ("Section/Name", of the top) is still taken for the entry `path`, which is declared already.
+  /// `former` is still taken for the entry `path`, declared already; both "Name" or "Section/Name" from the open subsection on.
   void rename(const std::string &former, const std::string &path);
 
   /// The path of today for a former one; itself for any other.

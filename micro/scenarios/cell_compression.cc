@@ -30,6 +30,8 @@ public:
   }
 
 protected:
+  Outputs more_outputs() const override { return cell_compression_outputs(); }
+
   void report(RunContext &context, const Rows &rows) const override
   {
     const Rows mean = squeezed::smoothed(rows, window);

@@ -71,14 +71,14 @@ std::string CellEndurance::description() const
 void CellEndurance::declare_parameters(InputEntries &prm)
 {
   using namespace Patterns;
-  prm.add_parameter("Steps", steps, "Micro steps. Units: steps.", Double(1., 1e12));
+  prm.add_parameter("Steps", steps, "Number of time steps of the run, a whole number. Units: steps.", Double(1., 1e12));
   prm.add_parameter("F_dot", F_dot, "Constant rate of the deformation gradient, xx, xy; yx, yy, from F = I. Units: 1/s.",
                     List(List(Double(-1e6, 1e6), 2, 2, ","), 2, 2, ";"));
   prm.add_parameter("Start speed", start_speed,
                     "Largest component of random velocities that disturb the cell at the start; 0: none. Units: m/s.",
                     Double(0., 100.));
   declare_step_fraction(prm, step_fraction);
-  prm.add_parameter("Samples", samples, "Rows of endurance.csv. Units: none.", Integer(10, 1000000));
+  prm.add_parameter("Samples", samples, "Number of equal parts of the run after each of which endurance.csv gets a row. Units: none.", Integer(10, 1000000));
   declare_checkpoints(prm, checkpoints);
   declare_sph_cell(prm, cell, sph);
 }
@@ -175,8 +175,8 @@ void CellEndurance::run(RunContext &context)
   std::vector<Column> columns = {{"time", "s"}};
   for (const char *name : {"F_xx", "F_xy", "F_yx", "F_yy"})
     columns.push_back({name, "1"});
-  for (const char *name : {"sigma_xx", "sigma_xy", "sigma_yx", "sigma_yy", "eos_pressure", "eos_pressure_closed_form",
-                           "virial_pressure", "virial_pressure_closed_form"})
+  for (const char *name : {"sigma_xx", "sigma_xy", "sigma_yx", "sigma_yy", "pressure_eos", "pressure_eos_closed_form",
+                           "pressure_virial", "pressure_virial_closed_form"})
     columns.push_back({name, "Pa"});
   columns.insert(columns.end(), {{"momentum_x", "kg m/s"},
                                  {"momentum_y", "kg m/s"},
@@ -281,13 +281,13 @@ void CellEndurance::report(RunContext &context, const SphPatch &wet, const Progr
     mass += 1. / inverse;
   context.result("steps", double(at.step), "");
   context.result("time_step", at.dt, "s");
-  context.result("simulated_time", at.time(), "s");
-  context.result("eos_pressure_start", at.eos_start, "Pa");
-  context.result("virial_pressure_start", at.virial_start, "Pa");
-  context.result("eos_pressure_drift", 100. * at.late_off[0] / at.late_count, "%");
-  context.result("virial_pressure_drift", 100. * at.late_off[1] / at.late_count, "%");
-  context.result("eos_pressure_largest_deviation", 100. * at.most_off[0], "%");
-  context.result("virial_pressure_largest_deviation", 100. * at.most_off[1], "%");
+  context.result("time", at.time(), "s");
+  context.result("pressure_eos_start", at.eos_start, "Pa");
+  context.result("pressure_virial_start", at.virial_start, "Pa");
+  context.result("pressure_eos_drift", 100. * at.late_off[0] / at.late_count, "%");
+  context.result("pressure_virial_drift", 100. * at.late_off[1] / at.late_count, "%");
+  context.result("pressure_eos_largest_deviation", 100. * at.most_off[0], "%");
+  context.result("pressure_virial_largest_deviation", 100. * at.most_off[1], "%");
   context.result("momentum_drift", momentum.norm(), "kg m/s");
   context.result("momentum_drift_over_round_off", momentum.norm() / round_off, "1");
   context.result("mean_velocity_drift", momentum.norm() / mass, "m/s");

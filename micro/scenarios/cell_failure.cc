@@ -36,6 +36,8 @@ public:
   }
 
 protected:
+  Outputs more_outputs() const override { return cell_failure_outputs(); }
+
   void report(RunContext &context, const Rows &rows) const override
   {
     double upper = 0., lower = 0.;

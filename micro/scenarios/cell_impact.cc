@@ -20,10 +20,12 @@ public:
   }
 
 protected:
+  Outputs more_outputs() const override { return cell_impact_outputs(); }
+
   void report(RunContext &context, const Rows &rows) const override
   {
     result_at(context, rows, "force_upper", &Row::force_upper, "N");
-    result_at(context, rows, "force_transmitted", &Row::force_lower, "N");
+    result_at(context, rows, "force_lower", &Row::force_lower, "N");
     result_at(context, rows, "height_share_upper", &Row::height_share, "1");
     result_at(context, rows, "contact_upper", &Row::contact_upper, "m");
     result_at(context, rows, "contact_lower", &Row::contact_lower, "m");
@@ -33,9 +35,9 @@ protected:
       if (const double share = squeezed::upper_share(rows, 0.01 * percent - 1e-9); std::isfinite(share))
         context.result(std::string("deformation_share_upper_at_") + (percent < 10 ? "0" : "") + number_text(percent), share, "1");
     const squeezed::Swing swing = squeezed::transmitted_swing(rows);
-    context.result("transmitted_largest", swing.largest, "N");
-    context.result("transmitted_reversals", swing.reversals, "");
-    context.result("transmitted_deepest_fall", swing.deepest_fall, "1");
+    context.result("largest_force_lower", swing.largest, "N");
+    context.result("force_lower_reversals", swing.reversals, "");
+    context.result("force_lower_deepest_fall", swing.deepest_fall, "1");
     double most_upper = 1., most_lower = 1.;
     for (const Row &row : rows)
       {

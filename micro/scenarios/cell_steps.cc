@@ -26,19 +26,19 @@ std::string CellSteps::description() const
 void CellSteps::declare_parameters(InputEntries &prm)
 {
   using namespace Patterns;
-  prm.add_parameter("Cells", count, "In the ball. Units: none.", Integer(2, 1000000));
-  prm.add_parameter("Duration", duration, "Of the relaxation. Units: s.", Double(1e-9, 1e12));
-  prm.add_parameter("Newborn share", newborn, "Of the cells that are replaced by a pair a fifth of a radius apart. Units: none.",
+  prm.add_parameter("Cells", count, "Number of cells in the ball at the start, before pairs replace some. Units: none.", Integer(2, 1000000));
+  prm.add_parameter("Duration", duration, "Simulated time over which the ball relaxes in every run. Units: s.", Double(1e-9, 1e12));
+  prm.add_parameter("Newborn share", newborn, "Share of the cells that are replaced by a pair of daughters a fifth of a radius apart. Units: none.",
                     Double(0., 1.));
   prm.add_parameter("Compression", compression, "Volume of the ball at rest over that at the start. Units: none.", Double(0.1, 1000.));
-  prm.add_parameter("Stiffer", stiffer, "Factor on the modulus. Units: none.", Double(1e-6, 1e9));
-  prm.add_parameter("Less friction", less_friction, "Divisor of all friction. Units: none.", Double(1e-6, 1e9));
-  prm.add_parameter("Radius", radius, "Of a cell. Units: m.", Double(1e-9, 1.));
-  prm.add_parameter("Modulus", modulus, "E/(1 - nu^2) of a cell. Units: Pa.", Double(1e-3, 1e12));
-  prm.add_parameter("Cell friction", pair_friction, "Between cells, of the contact's area. Units: N s/m^3.", Double(0., 1e20));
-  prm.add_parameter("Medium friction", medium_friction, "Of the cell's surface. Units: N s/m^3.", Double(1e-3, 1e20));
-  prm.add_parameter("Halvings", halvings, "Of the fixed step, at most. Units: none.", Integer(1, 24));
-  prm.add_parameter("Reference tolerance", tightest, "Of the reference, over the radius. Units: none.", Double(1e-9, 0.1));
+  prm.add_parameter("Stiffer", stiffer, "Factor on Modulus: cells that are that much stiffer. Units: none.", Double(1e-6, 1e9));
+  prm.add_parameter("Less friction", less_friction, "Divisor of Cell friction and Medium friction: motion that much faster. Units: none.", Double(1e-6, 1e9));
+  prm.add_parameter("Radius", radius, "Radius of a cell that is not a daughter. Units: m.", Double(1e-9, 1.));
+  prm.add_parameter("Modulus", modulus, "Plane modulus E/(1 - nu^2) of a cell where it touches others. Units: Pa.", Double(1e-3, 1e12));
+  prm.add_parameter("Cell friction", pair_friction, "Friction between two cells in any direction: force over velocity and area of contact. Units: N s/m^3.", Double(0., 1e20));
+  prm.add_parameter("Medium friction", medium_friction, "Friction of a cell with the medium: force over velocity and surface 4 pi R^2. Units: N s/m^3.", Double(1e-3, 1e20));
+  prm.add_parameter("Halvings", halvings, "How often the fixed step, at first Duration, is halved at most. Units: none.", Integer(1, 24));
+  prm.add_parameter("Reference tolerance", tightest, "Allowed error of a step of the reference run (heun, adaptive), over Radius. Units: none.", Double(1e-9, 0.1));
 }
 
 void CellSteps::check() const
@@ -146,8 +146,8 @@ double CellSteps::error(const Outcome &outcome, const Outcome &reference) const
 
 void CellSteps::run(RunContext &context)
 {
-  const auto table = context.series("steps", {{"method", ""}, {"adaptive", ""}, {"step", "s"}, {"tolerance", "1"}, {"error", "1"},
-                                              {"cpu", "s"}, {"steps", ""}, {"stable", ""}});
+  const auto table = context.series("steps", {{"method", ""}, {"adaptive", ""}, {"time_step", "s"}, {"tolerance", "1"}, {"error", "1"},
+                                              {"cpu_time", "s"}, {"steps", ""}, {"stable", ""}});
   context.active({"hertz_contact", pair_friction > 0. ? "cell_friction" : "medium_friction"}, start().field_names());
   const Outcome reference = relax(OverdampedMethod::heun, tightest, 0., context.threads());
   if (!reference.ended)
@@ -157,8 +157,8 @@ void CellSteps::run(RunContext &context)
   for (std::size_t i = 0; i < first.size(); ++i)
     largest_move = std::max(largest_move, (reference.cells.position(i) - first.position(i)).norm());
   context.result("cells", double(first.size()), "");
-  context.result("largest_displacement", largest_move / radius, "1");
-  context.result("reference_cpu", reference.cpu, "s");
+  context.result("largest_displacement_over_radius", largest_move / radius, "1");
+  context.result("reference_cpu_time", reference.cpu, "s");
   for (std::size_t m = 0; m < methods.size(); ++m)
     {
       double stable_step = 0., stable_error = 0., fewest = 0.;
@@ -186,7 +186,7 @@ void CellSteps::run(RunContext &context)
         {
           context.result("longest_stable_step_" + name, stable_step, "s");
           context.result("error_at_it_" + name, stable_error, "1");
-          context.result("cpu_at_it_" + name, fewest, "s");
+          context.result("cpu_time_at_it_" + name, fewest, "s");
         }
       for (const double tolerance : {3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4})
         {
@@ -196,7 +196,7 @@ void CellSteps::run(RunContext &context)
           if (tolerance == 1e-3 && run.ended)
             {
               context.result("adaptive_error_" + name, error(run, reference), "1");
-              context.result("adaptive_cpu_" + name, run.cpu, "s");
+              context.result("adaptive_cpu_time_" + name, run.cpu, "s");
             }
         }
     }

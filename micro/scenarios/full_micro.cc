@@ -53,16 +53,16 @@ void FullMicro::declare_parameters(InputEntries &prm)
 {
   using namespace Patterns;
   declare_block(prm, columns, rows, load);
-  prm.add_parameter("End time", end_time, "Simulated time, a whole number of steps. Units: s.", Double(1e-9, 10.));
+  prm.add_parameter("End time", end_time, "Simulated time after which the run ends; steps are shortened so that it is a whole number of them. Units: s.", Double(1e-9, 10.));
   declare_step_fraction(prm, step_fraction);
   prm.add_parameter("Window", window,
                     "Share of the steps that is really run, to time a scene too large to finish; 0 runs all. Units: none.",
                     Double(0., 1.));
   declare_surfaces(prm, surfaces);
-  prm.add_parameter("Relax steps", relax_steps, "Damped steps before t = 0 for free surfaces. Units: steps.",
+  prm.add_parameter("Relax steps", relax_steps, "Damped steps before t = 0 in which the surfaces come to rest, with Surfaces = free or osmosis. Units: steps.",
                     Integer(0, 100000000));
-  prm.add_parameter("Samples", samples, free_to_change("Rows of probe.csv. Units: none."), Integer(1, 1000000));
-  prm.add_parameter("Frames", frames, free_to_change("Frames of the field file after the first; 0 writes no fields. Units: none."),
+  prm.add_parameter("Samples", samples, free_to_change("Number of equal parts of the run after each of which probe.csv and energy.csv get a row. Units: none."), Integer(1, 1000000));
+  prm.add_parameter("Frames", frames, free_to_change("Number of equal parts of the run after each of which the particles are written for ParaView and pictures; 0: never. Units: none."),
                     Integer(0, 100000));
   declare_checkpoints(prm, checkpoints);
   declare_sph_cell(prm, cell, sph);
@@ -148,7 +148,7 @@ FieldFrame frame_of(const Particles<2> &p, const std::vector<double> (&x0)[2], c
   FieldFrame frame;
   frame.time = time;
   NamedField displacement{"displacement [m]", 3, {}, false}, velocity{"velocity [m/s]", 3, {}, false},
-    pressure{"pressure [Pa]", 1, {}, false}, wall{"wall [-]", 1, {}, false}, cell{"cell [-]", 1, {}, false};
+    pressure{"pressure [Pa]", 1, {}, false}, wall{"wall", 1, {}, false}, cell{"cell", 1, {}, false};
   for (std::size_t c = 0; c < p.groups.size(); ++c)
     for (std::uint32_t i = p.groups[c].begin; i < p.groups[c].end; ++i)
       {
@@ -267,26 +267,26 @@ void FullMicro::run(RunContext &context)
     {
       const double cpu = process_cpu_seconds() - cpu_start;
       const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
-      context.result("cpu_per_particle_step", cpu / steps_run / n * 1e9, "ns");
-      context.result("wall_per_particle_step", wall / steps_run / n * 1e9, "ns");
-      context.result("step_loop_cpu", cpu, "s");
-      context.result("step_loop_cpu_whole_run", cpu / steps_run * double(at.steps), "s");
+      context.result("cpu_time_per_particle_step", cpu / steps_run / n * 1e9, "ns");
+      context.result("wall_time_per_particle_step", wall / steps_run / n * 1e9, "ns");
+      context.result("step_loop_cpu_time", cpu, "s");
+      context.result("step_loop_cpu_time_whole_run", cpu / steps_run * double(at.steps), "s");
     }
   if (window > 0. && window < 1.)
     context.note("window", "only a share of the steps was run, for timing");
   const Vector<2> u = probe_displacement(block, at);
-  context.result("probe_displacement_y", u[1], "m");
+  context.result("tip_displacement_y", u[1], "m");
   context.result("steps", double(at.steps), "");
   context.result("time_step", at.dt, "s");
   context.result("extra_steps", double(integrator.extra_steps()), "");
   context.result("particles", n, "");
   context.result("density", block.density, "kg/m^3");
-  context.result("body_force", acceleration, "m/s^2");
-  context.result("reference_eos_pressure", reference.mean_pressure, "Pa");
-  context.result("reference_virial_pressure", reference.fluid_pressure, "Pa");
-  context.result("reference_residual_shear", reference.residual_stress[2], "Pa");
-  context.result("neighbours_per_particle", block.cells->fluid->mean_neighbours(particles), "");
-  context.result("list_builds_per_cell", double(block.cells->fluid->list_builds()) / double(particles.groups.size()), "");
+  context.result("body_force", std::abs(acceleration), "m/s^2");
+  context.result("pressure_eos_reference", reference.mean_pressure, "Pa");
+  context.result("pressure_virial_reference", reference.fluid_pressure, "Pa");
+  context.result("residual_shear_reference", reference.residual_stress[2], "Pa");
+  context.result("mean_neighbours", block.cells->fluid->mean_neighbours(particles), "1");
+  context.result("list_builds_per_cell", double(block.cells->fluid->list_builds()) / double(particles.groups.size()), "1");
   write_tables(context, block, at);
 }
 

@@ -17,6 +17,7 @@ class FullMicro final : public Scenario
 public:
   std::string description() const override;
   void declare_parameters(InputEntries &prm) override;
+  Outputs outputs() const override;
   void check() const override;
   void run(RunContext &context) override;
 

@@ -18,8 +18,8 @@ std::string Laplace::description() const
 void Laplace::declare_parameters(InputEntries &prm)
 {
   using namespace Patterns;
-  prm.add_parameter("Dimension", dimension, "2: slab, 3: sphere. Units: none.", Integer(2, 3));
-  prm.add_parameter("Samples", samples, "Rows of laplace.csv. Units: none.", Integer(2, 100000));
+  prm.add_parameter("Dimension", dimension, "Dimension of the cell: 2 a round slab, 3 a sphere. Units: none.", Integer(2, 3));
+  prm.add_parameter("Samples", samples, "Number of equal parts of the inflation after each of which laplace.csv gets a row. Units: none.", Integer(2, 100000));
   prm.enter_subsection("Cell");
   cell.add_parameters(prm);
   prm.leave_subsection();
@@ -81,26 +81,26 @@ void Laplace::run_in(RunContext &context) const
 
   const double cut = round.cut_tension(deviation), virial = round.virial_tension();
   const double eos = round.pressure(), fluid_virial = round.virial_pressure();
-  const char *unit = dim == 3 ? "N/m" : "N";
+  const double per = dim == 3 ? 1. : 1. / cell.depth, share = dim == 3 ? 0.5 : 1.;
   context.result("wall_nodes", round.group().wall_count(), "");
   context.result("fluid_particles", round.group().fluid_count(), "");
   context.result("radius", round.mean_radius(), "m");
   context.result("wall_stretch", round.mean_radius() / round.rest_radius, "1");
-  context.result("residual", residual, "1");
-  context.result("tension_cut", cut, unit);
-  context.result("tension_cut_deviation", deviation, unit);
-  context.result("tension_virial", virial, unit);
+  context.result("rest_residual", residual, "1");
+  context.result("tension_cut", per * cut, "N/m");
+  context.result("tension_cut_deviation", per * deviation, "N/m");
+  context.result("tension_virial", per * virial, "N/m");
   context.result("pressure_eos", eos, "Pa");
   context.result("pressure_virial", fluid_virial, "Pa");
-  context.result("laplace_eos", eos * round.mean_radius() * (dim == 3 ? 0.5 : cell.depth), unit);
-  context.result("laplace_virial", fluid_virial * round.mean_radius() * (dim == 3 ? 0.5 : cell.depth), unit);
+  context.result("laplace_eos", share * eos * round.mean_radius(), "N/m");
+  context.result("laplace_virial", share * fluid_virial * round.mean_radius(), "N/m");
   context.result("deviation_cut_eos", 100. * (balances(cut) / eos - 1.), "%");
   context.result("deviation_cut_virial", 100. * (balances(cut) / fluid_virial - 1.), "%");
   context.result("deviation_virial_eos", 100. * (balances(virial) / eos - 1.), "%");
   context.result("deviation_virial_virial", 100. * (balances(virial) / fluid_virial - 1.), "%");
   if (round.fluid)
     {
-      context.result("mean_neighbours", round.fluid->mean_neighbours(round.system.particles), "");
+      context.result("mean_neighbours", round.fluid->mean_neighbours(round.system.particles), "1");
       context.result("crossed", double(round.fluid->crossed()), "");
     }
   RoundCellFields<dim>(context, false, round, [] { return 0.; }).write();

@@ -80,7 +80,7 @@ private:
           if (!(cell.damage && cell.damage->cells[0].bond_broken[k]))
             frame.cells.insert(frame.cells.end(), {cell.ends(k).first, cell.ends(k).second});
       }
-    frame.fields = {{"stretch [1]", 1, stretch, false}, {"broken [1]", 1, broken, false}};
+    frame.fields = {{"stretch [1]", 1, stretch, false}, {"broken", 1, broken, false}};
     return frame;
   }
 

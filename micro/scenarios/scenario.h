@@ -25,7 +25,7 @@ public:
   virtual void declare_parameters(InputEntries &prm) = 0;
 
   /// Everything a run may write, defined (output_list.h); the same for all values of the entries. Nothing else can be written.
-  virtual Outputs outputs() const { return {}; }
+  virtual Outputs outputs() const = 0;
 
   /// Called after parsing: what patterns cannot say. Throws InputError or std::invalid_argument with entry, value,
   /// allowed range.

@@ -11,9 +11,9 @@ namespace turgor
 
 void declare_block(InputEntries &prm, unsigned int &columns, unsigned int &rows, double &load)
 {
-  prm.add_parameter("Columns", columns, "Cells in x. Units: none.", Patterns::Integer(1, 1000));
-  prm.add_parameter("Rows", rows, "Cells in y. Units: none.", Patterns::Integer(1, 1000));
-  prm.add_parameter("Load", load, "Tissue density times body force times width, downward. Units: Pa.",
+  prm.add_parameter("Columns", columns, "Number of cells of the block along x, from the clamp to the free side. Units: none.", Patterns::Integer(1, 1000));
+  prm.add_parameter("Rows", rows, "Number of cells of the block along y, upwards. Units: none.", Patterns::Integer(1, 1000));
+  prm.add_parameter("Load", load, "Body force as the stress it would make at the clamp: tissue density times body force times width, downward. Units: Pa.",
                     Patterns::Double(-1e8, 1e8));
 }
 
@@ -28,7 +28,7 @@ void declare_surfaces(InputEntries &prm, std::string &surfaces)
 void declare_step_fraction(InputEntries &prm, double &step_fraction)
 {
   prm.add_parameter("Step fraction", step_fraction,
-                    "Time step over the stable limit that the terms state. Units: none.", Patterns::Double(0.01, 1.));
+                    "Time step over the largest that is stable by the stiffnesses of all forces; smaller is more accurate and slower. Units: none.", Patterns::Double(0.01, 1.));
 }
 
 void declare_substeps(InputEntries &prm, unsigned int &substeps)
@@ -47,7 +47,7 @@ void check_substeps(const unsigned int substeps, const SphParameters &sph)
 
 void declare_checkpoints(InputEntries &prm, unsigned int &checkpoints)
 {
-  prm.add_parameter("Checkpoints", checkpoints, free_to_change("Checkpoints during the run; 0: none. Units: none."),
+  prm.add_parameter("Checkpoints", checkpoints, free_to_change("Number of checkpoints, evenly over the run, from which --resume goes on; 0: none. Units: none."),
                     Patterns::Integer(0, 100000));
 }
 } // namespace turgor

@@ -44,21 +44,21 @@ std::string ShellOscillation::description() const
 void ShellOscillation::declare_parameters(InputEntries &prm)
 {
   using namespace Patterns;
-  prm.add_parameter("Filled", filled, "With liquid (A.2), else empty (A.3). Units: true or false.", Bool());
+  prm.add_parameter("Filled", filled, "Whether the shell is filled with liquid (A.2); else it is empty (A.3). Units: true or false.", Bool());
   prm.add_parameter("Sound speed", sound_speed,
-                    "c of the liquid; Cell/Fluid modulus is then rho c^2/7, whatever is set there. Units: m/s.",
+                    "Speed of sound c of the liquid; Cell/Fluid modulus is then rho c^2/7, whatever is set there. Units: m/s.",
                     Double(1., 5000.));
-  prm.add_parameter("Inward speed", speed, "Of all wall nodes at the start. Units: m/s.", Double(1e-6, 10.));
+  prm.add_parameter("Inward speed", speed, "Speed of all wall nodes towards the centre at the start. Units: m/s.", Double(1e-6, 10.));
   prm.add_parameter("Struck", struck,
                     "wall: only its nodes move at the start (thesis A.1); most of that stays in tones of the wall above all that the "
                     "liquid's particles carry. whole: the liquid moves with it in proportion to the radius. Units: none.",
                     Selection("wall|whole"));
   prm.add_parameter("Periods", periods, "Length of the run in periods of the lowest closed form. Units: none.",
                     Double(4., 10000.));
-  prm.add_parameter("Samples per period", samples_per_period, "Rows of radius.csv in such a period. Units: none.",
+  prm.add_parameter("Samples per period", samples_per_period, "Rows of radius.csv in each period of the lowest closed form. Units: none.",
                     Integer(20, 100000));
-  prm.add_parameter("Modes", modes, "Closed-form modes to compare with. Units: none.", Integer(1, 20));
-  prm.add_parameter("Harmonics", fitted, "Decaying cosines fitted to the radial speed. Units: none.", Integer(1, 60));
+  prm.add_parameter("Modes", modes, "Number of closed-form modes, from the lowest, that are looked for in the motion. Units: none.", Integer(1, 20));
+  prm.add_parameter("Harmonics", fitted, "Largest number of decaying cosines that are fitted to the radial speed. Units: none.", Integer(1, 60));
   declare_step_fraction(prm, step_fraction);
   prm.enter_subsection("Cell");
   cell.add_parameters(prm);

@@ -48,14 +48,14 @@ void SpheroidCapsule::declare_more(InputEntries &prm)
 {
   using namespace Patterns;
   prm.enter_subsection("Capsule");
-  prm.add_parameter("Radius", capsule.radius, "Inner, at rest. Units: m.", Double(1e-9, 1.));
-  prm.add_parameter("Thickness", capsule.thickness, "H of the wall at rest. Units: m.", Double(1e-9, 1.));
-  prm.add_parameter("Modulus", capsule.modulus, "Young's modulus of the wall. Units: Pa.", Double(1e-3, 1e12));
-  prm.add_parameter("Poisson ratio", capsule_poisson, "Of the wall, where cells press into it; its dilatation is incompressible. Units: none.",
+  prm.add_parameter("Radius", capsule.radius, "Inner radius of the capsule at rest. Units: m.", Double(1e-9, 1.));
+  prm.add_parameter("Thickness", capsule.thickness, "Thickness H of the capsule's wall at rest. Units: m.", Double(1e-9, 1.));
+  prm.add_parameter("Modulus", capsule.modulus, "Young's modulus E_0 of the capsule's wall. Units: Pa.", Double(1e-3, 1e12));
+  prm.add_parameter("Poisson ratio", capsule_poisson, "Poisson ratio of the wall where cells press into it; for the dilatation of the capsule the wall is incompressible. Units: none.",
                     Double(0., 0.5));
-  prm.add_parameter("Hardening", capsule.hardening, "a of E (1 + a u/R) (C.6); 0 for thick capsules. Units: none.", Double(0., 100.));
-  prm.add_parameter("Damping", capsule.damping, "gamma of the wall (C.8); 0: it follows the cells at once. Units: Pa s.", Double(0., 1e12));
-  prm.add_parameter("Friction", wall_friction, "Of cells with the wall, of the contact's area. Units: N s/m^3.", Double(0., 1e20));
+  prm.add_parameter("Hardening", capsule.hardening, "Factor a by which the modulus rises with the hoop strain u/R, E = E_0 (1 + a u/R) (C.6); 0 for thick capsules. Units: none.", Double(0., 100.));
+  prm.add_parameter("Damping", capsule.damping, "Viscosity gamma of the wall's dilatation (C.8); 0: it follows the cells at once. Units: Pa s.", Double(0., 1e12));
+  prm.add_parameter("Friction", wall_friction, "Friction of cells with the capsule's wall: force over velocity and area of contact. Units: N s/m^3.", Double(0., 1e20));
   prm.add_parameter("Time confined", confined, end_of_run("The run ends so long after confluence; 0: with Duration. Units: s."), Double(0., 1e12));
   prm.leave_subsection();
 }
@@ -96,6 +96,12 @@ bool SpheroidCapsule::finished(const GrowthTable &table) const
 {
   const double start = confluence(table);
   return confined > 0. && start >= 0. && table.rows.back()[0] >= start + confined;
+}
+
+double SpheroidCapsule::share_until_finished(const GrowthTable &table) const
+{
+  const double start = confluence(table);
+  return confined > 0. && start >= 0. ? table.rows.back()[0] / (start + confined) : 0.;
 }
 
 void SpheroidCapsule::report(RunContext &context, const GrowthTable &table, CellCulture &) const

@@ -22,10 +22,12 @@ public:
   std::string description() const override;
 
 protected:
+  Outputs more_outputs() const override;
   void declare_more(InputEntries &prm) override;
   void check_more() const override;
   std::vector<std::unique_ptr<Surroundings>> make_surroundings() const override;
   bool finished(const GrowthTable &table) const override;
+  double share_until_finished(const GrowthTable &table) const override;
   void report(RunContext &context, const GrowthTable &table, CellCulture &culture) const override;
 
 private:

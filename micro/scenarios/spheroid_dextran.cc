@@ -32,12 +32,12 @@ void SpheroidDextran::declare_more(InputEntries &prm)
 {
   using namespace Patterns;
   prm.enter_subsection("Dextran");
-  prm.add_parameter("Cell line", cell_line, "Sets cycle time and change of the rim; own: Cell/Cycle time, no change. Units: none.",
+  prm.add_parameter("Cell line", cell_line, "Cell line, which sets the cycle time and how the rim changes at Regime change; own: Cell/Cycle time, no change. Units: none.",
                     Selection("CT26|AB6|HT29|BC52|FHI|own"));
-  prm.add_parameter("Pressure", pressure, "Mean of the cells (5.3); 0: the control without dextran. Units: Pa.", Double(0., 1e9));
-  prm.add_parameter("Fixed force", fixed_force, "F_0 stays what it is when the whole pressure is first there, instead of holding it. Units: none.", Bool());
-  prm.add_parameter("Rise time", rise, "Until the whole pressure is there. Units: s.", Double(0., 1e12));
-  prm.add_parameter("Regime change", regime_change, "When BC52's and FHI's rim changes. Units: s.", Double(0., 1e12));
+  prm.add_parameter("Pressure", pressure, "Osmotic pressure of the dextran as the mean pressure of the cells (5.3); 0: the control without dextran. Units: Pa.", Double(0., 1e9));
+  prm.add_parameter("Fixed force", fixed_force, "Whether the force F_0 on an outer cell stays what it is when the whole Pressure is first there; else it follows so that Pressure is held. Units: true or false.", Bool());
+  prm.add_parameter("Rise time", rise, "Time in which the pressure rises evenly from 0 to Pressure, from the start. Units: s.", Double(0., 1e12));
+  prm.add_parameter("Regime change", regime_change, "Time since the start at which the rim of BC52 and FHI becomes thinner; other lines have no change. Units: s.", Double(0., 1e12));
   prm.leave_subsection();
 }
 

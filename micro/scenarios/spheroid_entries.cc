@@ -33,24 +33,24 @@ void CultureEntries::declare(InputEntries &prm)
   using namespace Patterns;
   CellLifeParameters &life = numbers.life;
   prm.enter_subsection("Cell");
-  prm.add_parameter("Birth radius", life.birth_radius, "Of a newborn cell, uncompressed; it divides at twice the volume. Units: m.",
+  prm.add_parameter("Birth radius", life.birth_radius, "Radius of a newborn cell without pressure on it; it divides at twice the volume. Units: m.",
                     Double(1e-9, 1.));
-  prm.add_parameter("Cycle time", life.cycle_time, "Mean T of uncompressed cells, mitosis included. Units: s.", Double(1., 1e12));
-  prm.add_parameter("Modulus", life.modulus, "Mean Young's modulus of the contacts. Units: Pa.", Double(1e-3, 1e12));
-  prm.add_parameter("Poisson ratio", life.poisson, "Of the contacts. Units: none.", Double(0., 0.5));
-  prm.add_parameter("Bulk modulus", life.bulk_modulus, "Mean K_0, without stress (C.1). Units: Pa.", Double(1e-3, 1e12));
-  prm.add_parameter("Strain hardening", life.volume.hardening, "K = K_0 V_ref/V (C.2). Units: none.", Bool());
-  prm.add_parameter("Relaxation time", life.relaxation, "T_rel of the volume (C.3); 0: at once. Units: s.", Double(0., 1e12));
+  prm.add_parameter("Cycle time", life.cycle_time, "Mean time T from birth to division of uncompressed cells, mitosis included. Units: s.", Double(1., 1e12));
+  prm.add_parameter("Modulus", life.modulus, "Mean Young's modulus E of the cells where they touch. Units: Pa.", Double(1e-3, 1e12));
+  prm.add_parameter("Poisson ratio", life.poisson, "Poisson ratio of the cells where they touch. Units: none.", Double(0., 0.5));
+  prm.add_parameter("Bulk modulus", life.bulk_modulus, "Mean bulk modulus K_0 of a cell without pressure on it (C.1). Units: Pa.", Double(1e-3, 1e12));
+  prm.add_parameter("Strain hardening", life.volume.hardening, "Whether cells harden as they are compressed, K = K_0 V_ref/V (C.2); else K = K_0. Units: true or false.", Bool());
+  prm.add_parameter("Relaxation time", life.relaxation, "Time T_rel in which a cell's volume follows its pressure (C.3); 0: at once. Units: s.", Double(0., 1e12));
   prm.add_parameter("Variability", life.variability.spread,
                     "Standard deviation over the mean of T, E, K_0, T_lys and p_th, clamped at 4 of them. Units: none.",
                     Double(0., 0.24));
-  prm.add_parameter("Seed", seed, "Of all that is drawn at random. Units: none.", Double(0., 1e15));
+  prm.add_parameter("Seed", seed, "Seed of all that is drawn at random: another one, another run. Units: none.", Double(0., 1e15));
   prm.leave_subsection();
 
   prm.enter_subsection("Contact");
-  prm.add_parameter("Law", numbers.law, "hertz (2.5), extended_hertz (2.7) or jkr (2.8, 2.9). Units: none.",
+  prm.add_parameter("Law", numbers.law, "Contact law of two cells: hertz without adhesion (2.5), extended_hertz (2.7) or jkr (2.8, 2.9) with it. Units: none.",
                     Selection("hertz|extended_hertz|jkr"));
-  prm.add_parameter("Adhesion", numbers.adhesion, "Energy of adhesion W. Units: J/m^2.", Double(0., 1e3));
+  prm.add_parameter("Adhesion", numbers.adhesion, "Energy of adhesion W per area of contact between two cells; without effect with Law = hertz. Units: J/m^2.", Double(0., 1e3));
   prm.add_parameter("Local stiffness", stiffness,
                     "Rise of the modulus with the packing: none, closest (derived: cells of a closest packing fill all space and have the"
                     " pressure of their volume), C9 (the thesis's, as errata repairs it; refuted: under it the space between cells grows"
@@ -60,67 +60,67 @@ void CultureEntries::declare(InputEntries &prm)
                     "What the local stiffness goes by: the mean compression of each cell, or that of each contact, whose force is then"
                     " the slope of an energy. Units: none.",
                     Selection("cell|contact"));
-  prm.add_parameter("Normal friction", numbers.friction.normal, "Between cells, along their line, of the contact's area. Units: N s/m^3.",
+  prm.add_parameter("Normal friction", numbers.friction.normal, "Friction between two cells that move along the line of their centres: force over velocity and area of contact. Units: N s/m^3.",
                     Double(0., 1e20));
   prm.add_parameter("Tangential friction", numbers.friction.tangential,
-                    "Between cells, across their line, of the contact's area. Units: N s/m^3.", Double(0., 1e20));
-  prm.add_parameter("Medium friction", numbers.medium_friction, "With medium or matrix, of the cell's surface. Units: N s/m^3.",
+                    "Friction between two cells that slide along each other: force over velocity and area of contact. Units: N s/m^3.", Double(0., 1e20));
+  prm.add_parameter("Medium friction", numbers.medium_friction, "Friction of a cell with the medium or matrix around it: force over velocity and surface 4 pi R^2. Units: N s/m^3.",
                     Double(1e-3, 1e20));
   prm.leave_subsection();
 
   prm.enter_subsection("Growth");
-  prm.add_parameter("Rate", rate, "constant or exponential (C.5). Units: none.", Selection("constant|exponential"));
-  prm.add_parameter("Inhibition", inhibition, "By volumetric strain: none, hill (5.2) or linear (5.4.2). Units: none.",
+  prm.add_parameter("Rate", rate, "How the volume of an uncompressed cell grows over its cycle: constant, by the same volume every second, or exponential (C.5). Units: none.", Selection("constant|exponential"));
+  prm.add_parameter("Inhibition", inhibition, "How compression slows growth down, by the volumetric strain log(V_ref/V): none, hill (5.2) or linear (5.4.2). Units: none.",
                     Selection("none|hill|linear"));
-  prm.add_parameter("Threshold", life.growth.threshold, "Strain at which the growth is half. Units: none.", Double(1e-6, 1e6));
-  prm.add_parameter("Exponent", life.growth.exponent, "n of the Hill law. Units: none.", Double(0.1, 1e4));
+  prm.add_parameter("Threshold", life.growth.threshold, "Volumetric strain log(V_ref/V), positive when compressed, at which Inhibition leaves half of the free growth. Units: none.", Double(1e-6, 1e6));
+  prm.add_parameter("Exponent", life.growth.exponent, "Exponent n of Inhibition = hill: the larger, the sharper the threshold. Units: none.", Double(0.1, 1e4));
   prm.add_parameter("Quiescence below", life.cycle.quiescence_below,
                     "alpha_qui: share of the free growth below which a cell before its restriction point rests. Units: none.",
                     Double(0., 1.));
-  prm.add_parameter("Reversible rest", life.cycle.reversible, "Resting cells go on when they are less compressed. Units: none.", Bool());
-  prm.add_parameter("Restriction point", life.cycle.restriction, "Phase of the cycle. Units: none.", Double(0., 1.));
-  prm.add_parameter("Division at", division_at, "Twice the volume (size) or after the cycle time (time). Units: none.",
+  prm.add_parameter("Reversible rest", life.cycle.reversible, "Whether resting cells go on with their cycle when they are less compressed; else they rest for good. Units: true or false.", Bool());
+  prm.add_parameter("Restriction point", life.cycle.restriction, "Phase of the cycle (0 newborn, 1 divides) from which on a cell does not go to rest any more. Units: none.", Double(0., 1.));
+  prm.add_parameter("Division at", division_at, "When a cell divides: at twice its volume at birth (size) or after its cycle time (time). Units: none.",
                     Selection("size|time"));
-  prm.add_parameter("Mitosis time", life.cycle.mitosis, "In which newborn cells do not grow. Units: s.", Double(0., 1e12));
+  prm.add_parameter("Mitosis time", life.cycle.mitosis, "Time after birth in which cells do not grow. Units: s.", Double(0., 1e12));
   prm.leave_subsection();
 
   prm.enter_subsection("Division");
-  prm.add_parameter("Direction", direction, "random, random_in_plane, least_stress or given. Units: none.",
+  prm.add_parameter("Direction", direction, "Line on which daughters lie: random, random_in_plane (z = 0), least_stress (where the mother is pressed least) or given (Axis). Units: none.",
                     Selection("random|random_in_plane|least_stress|given"));
-  prm.add_parameter("Axis", axis, "Where Direction = given: x, y, z. Units: none.", List(Double(-1e6, 1e6), 3, 3, ","));
-  prm.add_parameter("Distance", distance, "Of the pair: inside the mother, or least_energy. Units: none.",
+  prm.add_parameter("Axis", axis, "Line on which daughters lie with Direction = given, of any length: x, y, z. Units: none.", List(Double(-1e6, 1e6), 3, 3, ","));
+  prm.add_parameter("Distance", distance, "How far apart daughters are laid: inside the mother's sphere, or where their contact has least_energy. Units: none.",
                     Selection("inside|least_energy"));
   prm.leave_subsection();
 
   prm.enter_subsection("Death");
   prm.add_parameter("Rim", rim, "What happens below the viable rim: none, quiescent (Model II) or necrotic (Model I). Units: none.",
                     Selection("none|quiescent|necrotic"));
-  prm.add_parameter("Rim thickness", life.death.rim_thickness, "lambda, depth to which cells live or proliferate. Units: m.", Double(0., 1.));
+  prm.add_parameter("Rim thickness", life.death.rim_thickness, "Depth lambda (counted as Rim from says) to which nutrients reach: what is deeper rests or dies; with Rim = none without effect. Units: m.", Double(0., 1.));
   prm.add_parameter("Rim from", rim_from,
-                    "What its depth counts from: surface (the nearest outer cell or wall) or edge (the thesis's mean edge of the whole"
+                    "What the depth of a cell in the rim counts from: surface (the nearest outer cell or wall) or edge (the thesis's mean edge of the whole"
                     " spheroid, under which whatever stands out runs ahead). Units: none.",
                     Selection("surface|edge"));
-  prm.add_parameter("Necrosis pressure", life.death.necrosis_pressure, "Mean p_th. Units: Pa.", Double(0., 1e12));
-  prm.add_parameter("Lysis time", life.death.lysis_time, "Mean T_lys. Units: s.", Double(1., 1e12));
-  prm.add_parameter("Solid fraction", life.death.solid_fraction, "phi. Units: none.", Double(0.01, 1.));
-  prm.add_parameter("Lysis", lysis, "delayed (C.1.3) or linear (2.12). Units: none.", Selection("delayed|linear"));
-  prm.add_parameter("Remove lysed", life.death.remove, "Take the remains away. Units: none.", Bool());
+  prm.add_parameter("Necrosis pressure", life.death.necrosis_pressure, "Mean of the pressure p_th above which a cell deeper than the rim dies, with Rim = necrotic. Units: Pa.", Double(0., 1e12));
+  prm.add_parameter("Lysis time", life.death.lysis_time, "Mean of the time T_lys in which a dead cell's fluid drains. Units: s.", Double(1., 1e12));
+  prm.add_parameter("Solid fraction", life.death.solid_fraction, "Share phi of a cell's volume at death that is solid and does not drain. Units: none.", Double(0.01, 1.));
+  prm.add_parameter("Lysis", lysis, "How a dead cell's volume falls to its solid part: delayed, exponentially (C.1.3), or linear in time (2.12). Units: none.", Selection("delayed|linear"));
+  prm.add_parameter("Remove lysed", life.death.remove, "Whether the remains of lysed cells are taken away (as in a living body); else they stay (in vitro). Units: true or false.", Bool());
   prm.leave_subsection();
 
   prm.enter_subsection("Motion");
-  prm.add_parameter("Method", method, "euler, heun or implicit. Units: none.", Selection("euler|heun|implicit"));
-  prm.add_parameter("Tolerance", numbers.motion.tolerance, "Error of a step over the mean radius. Units: none.", Double(1e-9, 1.));
-  prm.add_parameter("Motility", numbers.motility, "D of the cells' random motion in the medium. Units: m^2/s.", Double(0., 1.));
+  prm.add_parameter("Method", method, "Steps of the cells' motion: euler (explicit, first order), heun (explicit, second order) or implicit (first order, long steps). Units: none.", Selection("euler|heun|implicit"));
+  prm.add_parameter("Tolerance", numbers.motion.tolerance, "Allowed error of a cell's place in one step over the mean radius; decides the length of steps. Units: none.", Double(1e-9, 1.));
+  prm.add_parameter("Motility", numbers.motility, "Diffusion coefficient D of a lone cell's random motion in the medium; 0: none. Units: m^2/s.", Double(0., 1.));
   prm.add_parameter("Migration force", numbers.migration.force,
-                    "F_0 of cells that crawl along a polarity (2.10); 0: none. Units: N.", Double(0., 1.));
-  prm.add_parameter("Persistence time", numbers.migration.persistence, "tau of the polarity. Units: s.", Double(1e-3, 1e12));
+                    "Force F_0 with which cells crawl along their polarity (2.10); 0: they do not crawl. Units: N.", Double(0., 1.));
+  prm.add_parameter("Persistence time", numbers.migration.persistence, "Time tau in which a cell's polarity is forgotten; with Migration force > 0. Units: s.", Double(1e-3, 1e12));
   prm.add_parameter("Preferred direction", preferred, "P_0, the mean of the polarity, whose components scatter by 1/sqrt(3): x, y, z. Units: none.",
                     List(Double(-1e6, 1e6), 3, 3, ","));
   prm.add_parameter("Mean error", numbers.motion.mean_error,
-                    "Tolerance for the root mean square of all cells instead of the largest error. Units: none.", Bool());
+                    "Whether Tolerance is for the root mean square error of all cells; else for the largest error. Units: true or false.", Bool());
   prm.add_parameter("Growth tolerance", numbers.growth_tolerance,
-                    "Growth of a radius between steps of the cells' life, over the radius. Units: none.", Double(1e-6, 0.1));
-  prm.add_parameter("Solver tolerance", numbers.friction.tolerance, "Residual of the friction matrix over the forces. Units: none.",
+                    "Largest growth of a cell's radius between two looks at the cells' life, over the radius; decides their interval. Units: none.", Double(1e-6, 0.1));
+  prm.add_parameter("Solver tolerance", numbers.friction.tolerance, "Allowed residual of the equations for the velocities, over the norm of the forces. Units: none.",
                     Double(1e-14, 0.1));
   prm.leave_subsection();
 }

@@ -76,9 +76,10 @@ void SpheroidFree::report(RunContext &context, const GrowthTable &table, CellCul
       const double l = entries.numbers.life.death.rim_thickness, rate = std::numbers::ln2 / expected;
       const double R = 0.5 * (radius.back() + radius[radius.size() / 2]);
       const auto closed_form = [&](const double r) { return l * rate * (1. - l / r + l * l / (3. * r * r)); };
-      context.result("radial_speed", fitted_slope(time, radius, 0.5 * end, end, false), "m/s");
+      constexpr double um_per_day = 86400. * 1e6;
+      context.result("radial_speed", um_per_day * fitted_slope(time, radius, 0.5 * end, end, false), "um/d");
       if (R > l)
-        context.result("radial_speed_closed_form", closed_form(R), "m/s");
+        context.result("radial_speed_closed_form", um_per_day * closed_form(R), "um/d");
       const auto first = std::size_t(std::lower_bound(time.begin(), time.end(), 0.5 * end) - time.begin());
       if (first + 1 >= time.size())
         return;
@@ -86,7 +87,7 @@ void SpheroidFree::report(RunContext &context, const GrowthTable &table, CellCul
         {
           std::vector<double> speed(radius.size(), 0.);
           std::transform(radius.begin() + std::ptrdiff_t(first), radius.end(), speed.begin() + std::ptrdiff_t(first), closed_form);
-          context.result("radial_speed_closed_form_mean", time_integral(time, speed, time[first]) / (time.back() - time[first]), "m/s");
+          context.result("radial_speed_closed_form_mean", um_per_day * time_integral(time, speed, time[first]) / (time.back() - time[first]), "um/d");
         }
       const std::vector<double> volume = table.column("volume");
       const double growing = time_integral(time, table.column("proliferating_volume"), time[first]);

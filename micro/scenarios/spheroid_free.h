@@ -21,6 +21,7 @@ public:
   std::string description() const override;
 
 protected:
+  Outputs more_outputs() const override;
   void report(RunContext &context, const GrowthTable &table, CellCulture &culture) const override;
 };
 

@@ -26,9 +26,9 @@ std::string SpheroidRelaxation::description() const
 void SpheroidRelaxation::declare_more(InputEntries &prm)
 {
   using namespace Patterns;
-  prm.add_parameter("Compressed size", size, "Of the spheroid before it is let go, over its size at rest. Units: none.",
+  prm.add_parameter("Compressed size", size, "Size of the spheroid before it is let go, over its size at rest: all places are drawn together by that factor. Units: none.",
                     Double(0.5, 0.999));
-  prm.add_parameter("Settling time", settling, "In which the first cluster comes to rest. Units: s.", Double(0., 1e12));
+  prm.add_parameter("Settling time", settling, "Simulated time in which the first cluster comes to rest before it is compressed. Units: s.", Double(0., 1e12));
 }
 
 void SpheroidRelaxation::check_more() const
@@ -89,8 +89,8 @@ void SpheroidRelaxation::report(RunContext &context, const GrowthTable &table, C
 {
   const std::vector<double> time = table.column("time"), radius = table.column("gyration_radius");
   const double start = radius.front(), end = radius.back(), level = end - (end - start) * std::exp(-1.);
-  context.result("radius_compressed", start, "m");
-  context.result("radius_at_rest", end, "m");
+  context.result("gyration_radius_compressed", start, "m");
+  context.result("gyration_radius_at_rest", end, "m");
   if (!(end > start))
     return context.note("relaxation_time", "None: the spheroid did not grow when it was let go. It was compressed by less than it still settled"
                                            " (Compressed size, Settling time).");

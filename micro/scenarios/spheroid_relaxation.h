@@ -18,6 +18,7 @@ public:
   std::string description() const override;
 
 protected:
+  Outputs more_outputs() const override;
   void declare_more(InputEntries &prm) override;
   void check_more() const override;
   CultureParameters culture_parameters() const override;

@@ -53,14 +53,14 @@ double fitted_slope(const std::vector<double> &time, const std::vector<double> &
 void SpheroidScene::declare_parameters(InputEntries &prm)
 {
   using namespace Patterns;
-  prm.add_parameter("First cells", first_cells, "Number of cells at the start. Units: none.", Integer(1, 10000000));
+  prm.add_parameter("First cells", first_cells, "Number of cells in the cluster at the start. Units: none.", Integer(1, 10000000));
   prm.add_parameter("First phases", phases,
-                    "Of the first cells: synchronous (all newborn) or spread (ages of exponential growth). Units: none.",
+                    "Phases of the first cells in their cycle: synchronous (all newborn) or spread (ages of exponential growth). Units: none.",
                     Selection("synchronous|spread"));
-  prm.add_parameter("Duration", duration, end_of_run("Simulated time. Units: s."), Double(0., 1e12));
-  prm.add_parameter("Most cells", most_cells, "The run ends when there are so many; 0: no limit. Units: none.", Double(0., 1e9));
-  prm.add_parameter("Samples", samples, end_of_run("Rows of growth.csv, over Duration. Units: none."), Integer(10, 1000000));
-  prm.add_parameter("Frames", frames, free_to_change("Frames of the field file after the first; 0 writes no fields. Units: none."),
+  prm.add_parameter("Duration", duration, end_of_run("Simulated time after which the run ends, unless something else ends it before. Units: s."), Double(0., 1e12));
+  prm.add_parameter("Most cells", most_cells, "The run ends when there are so many cells, if that is before Duration; 0: no limit. Units: none.", Double(0., 1e9));
+  prm.add_parameter("Samples", samples, end_of_run("Number of equal parts of Duration after each of which growth.csv gets a row; a run that ends before it has fewer. Units: none."), Integer(10, 1000000));
+  prm.add_parameter("Frames", frames, free_to_change("Number of equal parts of Duration after each of which the cells are written for ParaView and pictures; 0: never. Units: none."),
                     Integer(0, 100000));
   declare_checkpoints(prm, checkpoints);
   entries.declare(prm);
@@ -157,8 +157,8 @@ FieldFrame SpheroidScene::frame_of(CellCulture &culture)
   frame.fields = {{"radius [m]", 1, gathered(p.field("radius"), by_id)},
                   {"volume [m^3]", 1, volume},
                   {"pressure [Pa]", 1, gathered(pressure, by_id)},
-                  {"strain", 1, gathered(p.field("strain"), by_id)},
-                  {"phase", 1, gathered(p.field("phase"), by_id)},
+                  {"strain [1]", 1, gathered(p.field("strain"), by_id)},
+                  {"phase [1]", 1, gathered(p.field("phase"), by_id)},
                   {"state", 1, state}};
   return frame;
 }
@@ -279,7 +279,7 @@ void SpheroidScene::run(RunContext &context)
         }
       if (fields && (end || full || (frame_every > 0 && done % frame_every == 0)))
         fields->write();
-      context.progress(culture.time() / duration, number_text(culture.cells.size()) + " cells");
+      context.progress(std::max(culture.time() / duration, share_of_the_run(table, culture)), number_text(culture.cells.size()) + " cells");
       if (!end && !full)
         keep.after_step(done);
       // From here a longer run goes on: behind it lie only whole intervals and no row that such a run would not have.
@@ -288,6 +288,14 @@ void SpheroidScene::run(RunContext &context)
     }
   report_growth(context, table, culture);
   report(context, table, culture);
+}
+
+/// As if cells multiplied evenly up to Most cells.
+double SpheroidScene::share_of_the_run(const GrowthTable &table, const CellCulture &culture) const
+{
+  const double now = double(culture.cells.size()), first = double(first_cells);
+  const double of_cells = most_cells > first && now > first ? std::log(now / first) / std::log(most_cells / first) : 0.;
+  return std::min(1., std::max(of_cells, share_until_finished(table)));
 }
 
 void SpheroidScene::report_growth(RunContext &context, const GrowthTable &table, CellCulture &culture) const

@@ -35,11 +35,13 @@ class SpheroidScene : public Scenario
 {
 public:
   void declare_parameters(InputEntries &prm) final;
+  Outputs outputs() const final;
   void check() const final;
   void run(RunContext &context) final;
 
 protected:
   virtual void declare_more(InputEntries &) {}
+  virtual Outputs more_outputs() const { return {}; } ///< beside what all write of their population
   virtual void check_more() const {}
   virtual std::vector<std::unique_ptr<Surroundings>> make_surroundings() const { return {}; }
   virtual CultureParameters culture_parameters() const { return entries.parameters(); }
@@ -49,6 +51,8 @@ protected:
   virtual void before_interval(CellCulture &) const {}
   /// Whether the run may end before its Duration; asked after each row of the table.
   virtual bool finished(const GrowthTable &) const { return false; }
+  /// How much of the way to where it may end is gone, 0 to 1; for the progress bar.
+  virtual double share_until_finished(const GrowthTable &) const { return 0.; }
   virtual void report(RunContext &, const GrowthTable &, CellCulture &) const {}
 
   CultureEntries entries;
@@ -67,6 +71,7 @@ protected:
 private:
   std::vector<double> row_of(CellCulture &culture) const;
   static struct FieldFrame frame_of(CellCulture &culture);
+  double share_of_the_run(const GrowthTable &table, const CellCulture &culture) const;
   void report_growth(RunContext &context, const GrowthTable &table, CellCulture &culture) const;
 };
 } // namespace turgor

@@ -57,26 +57,26 @@ double winding(const RoundCell<dim> &cell, const Vector<dim> &x)
 void SqueezedCell::declare_parameters(InputEntries &prm)
 {
   using namespace Patterns;
-  prm.add_parameter("Dimension", dimension, "2: slab, 3: sphere. Units: none.", Integer(2, 3));
-  prm.add_parameter("Speed", speed, "Of approach of the plates. Units: m/s.", Double(1e-4, 1000.));
+  prm.add_parameter("Dimension", dimension, "Dimension of the cell: 2 a round slab, 3 a sphere. Units: none.", Integer(2, 3));
+  prm.add_parameter("Speed", speed, "Speed at which the plates approach each other. Units: m/s.", Double(1e-4, 1000.));
   prm.add_parameter("Both plates move", both_move,
-                    "Each at half the speed; else the upper one alone. Units: true or false.", Bool());
+                    "Whether both plates move, each at half the Speed; else the upper one alone moves. Units: true or false.", Bool());
   prm.add_parameter("Damping", damping,
                     "Rate at which all velocities decay, for quasi-static loading; 0: none. Units: 1/s.", Double(0., 1e12));
-  prm.add_parameter("Deformation", deformation, "Approach of the plates over 2 R at the end. Units: none.",
+  prm.add_parameter("Deformation", deformation, "Approach of the plates at the end of the run, over the height 2 R of the turgid cell. Units: none.",
                     Double(0.001, 0.9));
   prm.add_parameter("Plate mass", plate_mass,
-                    "Of the upper plate, which then starts at Speed and moves by its own inertia, Plate force and the cell; 0: driven at Speed. "
+                    "Mass of the upper plate, which then starts at Speed and moves by its own inertia, Plate force and the cell; 0: driven at Speed. "
                     "Units: kg.",
                     Double(0., 1.));
   prm.add_parameter("Plate force", plate_force, "Plate mass > 0: constant force that presses the upper plate down. Units: N.", Double(0., 1e6));
   prm.add_parameter("End time", end_time, "Plate mass > 0: length of the run, in place of Deformation. Units: s.", Double(0., 1e3));
-  prm.add_parameter("Plate stiffness", plate_stiffness, "Penalty of a wall node behind a plate; 0: ten times the wall's G t0. Units: N/m.", Double(0., 1e9));
+  prm.add_parameter("Plate stiffness", plate_stiffness, "Force with which a plate pushes a wall node back, over how far it is behind the plate; 0: ten times Cell/Wall stiffness. Units: N/m.", Double(0., 1e9));
   prm.add_parameter("Critical stretch", critical_stretch,
                     "lambda_c at which a bond of the wall breaks, above 1; 0: walls do not fail. Units: none.",
                     Double(0., 100.));
-  prm.add_parameter("Samples", samples, "Rows of force.csv. Units: none.", Integer(2, 1000000));
-  prm.add_parameter("Frames", frames, free_to_change("Frames of wall.xdmf and fluid.xdmf. Units: none."), Integer(0, 100000));
+  prm.add_parameter("Samples", samples, "Number of equal parts of the run after each of which force.csv gets a row; heat is summed over them. Units: none.", Integer(2, 1000000));
+  prm.add_parameter("Frames", frames, free_to_change("Number of equal parts of the run after each of which wall and fluid are written for ParaView and pictures; 0: never. Units: none."), Integer(0, 100000));
   declare_step_fraction(prm, step_fraction);
   declare_checkpoints(prm, checkpoints);
   prm.enter_subsection("Cell");
@@ -210,7 +210,7 @@ void SqueezedCell::run_in(RunContext &context)
                                               {"given_off", "J"},
                                               {"behind_plate", "m"},
                                               {"crossed", ""},
-                                              {"broken", ""}});
+                                              {"broken_bonds", ""}});
   std::unique_ptr<RoundCellFields<dim>> fields;
   if (frames > 0)
     fields = std::make_unique<RoundCellFields<dim>>(context, resumed, round, [&] { return double(at_step.step) * at_step.dt; });
@@ -321,9 +321,9 @@ void SqueezedCell::run_in(RunContext &context)
     }
 
   context.result("radius", radius, "m");
-  context.result("turgor_eos", rows.front().pressure, "Pa");
-  context.result("turgor_virial", start_pressure, "Pa");
-  context.result("residual", at_step.residual, "1");
+  context.result("pressure_eos_start", rows.front().pressure, "Pa");
+  context.result("pressure_virial_start", start_pressure, "Pa");
+  context.result("rest_residual", at_step.residual, "1");
   context.result("time_step", at_step.dt, "s");
   context.result("steps", double(last), "");
   context.result("volume_change", rows.back().volume / rows.front().volume - 1., "1");
@@ -360,7 +360,7 @@ void SqueezedCell::run_in(RunContext &context)
   if (round.damage)
     context.result("energy_given_off_by_breaking", at_step.given_off, "J");
   if (!(rows.back().broken > 0.)) // a broken bond takes its energy along
-    context.result("energy_dissipated", squeezed::energy_dissipated(rows), "1");
+    context.result("dissipated_share", squeezed::energy_dissipated(rows), "1");
   first_deformation = at_step.first_deformation;
   report(context, rows);
   squeezed::report_worth(context, rows, radius, round.group().fluid_count(), conservative, 1e-3 * std::abs(at_step.start_energy));

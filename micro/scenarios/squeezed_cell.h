@@ -22,12 +22,14 @@ public:
   using Rows = squeezed::Rows;
 
   void declare_parameters(InputEntries &prm) override;
+  Outputs outputs() const override;
   void check() const override;
   void run(RunContext &context) override;
 
 protected:
   /// The scene's own results, after the last step.
   virtual void report(RunContext &context, const Rows &rows) const = 0;
+  virtual Outputs more_outputs() const = 0; ///< what it defines
 
   /// As result, unless the run did not get that far.
   static void result_at(RunContext &context, const Rows &rows, const std::string &name, double Row::*quantity,
@@ -55,6 +57,11 @@ private:
   template <int dim>
   void run_in(RunContext &context);
 };
+
+/// squeezed_outputs.cc
+Outputs cell_compression_outputs();
+Outputs cell_impact_outputs();
+Outputs cell_failure_outputs();
 
 std::unique_ptr<Scenario> make_cell_compression();
 std::unique_ptr<Scenario> make_cell_impact();

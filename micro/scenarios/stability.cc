@@ -53,7 +53,7 @@ void Stability::declare_parameters(InputEntries &prm)
                     Double(0., 1000.));
   prm.add_parameter("Hold steps", hold_steps, "Length of every trial, in steps that the program would take. Units: steps.",
                     Integer(100, 100000000));
-  prm.add_parameter("Bisections", bisections, "Each halves the range of the largest stable step. Units: none.", Integer(1, 40));
+  prm.add_parameter("Bisections", bisections, "Most trials after the first bracket, each of which halves the range of the largest stable step. Units: none.", Integer(1, 40));
   declare_step_fraction(prm, step_fraction);
   declare_substeps(prm, substeps);
   declare_sph_cell(prm, cell, sph);
@@ -174,7 +174,7 @@ void Stability::run(RunContext &context)
   const std::string start = out.str();
 
   const double duration = hold_steps * step_fraction * std::min(at_reference, measured.dt);
-  const auto table = context.series("trials", {{"step", "s"}, {"stable", ""}, {"energy_error", "1"}});
+  const auto table = context.series("trials", {{"time_step", "s"}, {"stable", ""}, {"energy_error", "1"}});
   double good = 0., bad = 0.;
   Trial best;
   unsigned int tried = 0;
@@ -209,15 +209,15 @@ void Stability::run(RunContext &context)
   context.result("stable_over_chosen", good / chosen, "1");
   context.result("measured_step", measured.dt, "s");
   context.result("stable_over_measured", good / measured.dt, "1");
-  context.result("measured_evaluations", measured.evaluations, "1");
+  context.result("measured_evaluations", measured.evaluations, "");
   context.result("bound_here", system.stable_time_step(), "s");
   context.result("fluid_step", slow.dt, "s");
   context.result("wall_step", fast.dt, "s");
-  context.result("chosen_is_stable", own.stable, "1");
+  context.result("chosen_is_stable", own.stable, "");
   context.result("energy_error_chosen", std::min(own.energy_error, 1e3), "1");
   context.result("energy_error_largest", best.energy_error, "1");
-  context.result("cpu_per_second_chosen", own.cpu_per_second, "1");
-  context.result("cpu_per_second_largest", best.cpu_per_second, "1");
+  context.result("cpu_time_per_second_chosen", own.cpu_per_second, "1");
+  context.result("cpu_time_per_second_largest", best.cpu_per_second, "1");
 }
 
 std::unique_ptr<Scenario> make_stability() { return std::make_unique<Stability>(); }

@@ -236,7 +236,7 @@ FieldFrame StaticLattice::frame_of(const LatticeBlock &block, const std::vector<
 {
   FieldFrame frame;
   frame.time = share_of_load;
-  NamedField u{"displacement [m]", 3, {}, false}, pressure{"pressure [Pa]", 1, {}, false}, cells{"cell [-]", 1, {}, false};
+  NamedField u{"displacement [m]", 3, {}, false}, pressure{"pressure [Pa]", 1, {}, false}, cells{"cell", 1, {}, false};
   const std::vector<WallRing> &rings = block.network->patch().rings;
   for (std::size_t c = 0; c < rings.size() && !x.empty(); ++c)
     for (std::size_t i = rings[c].first; i < rings[c].first + rings[c].count; ++i)
@@ -288,21 +288,21 @@ void StaticLattice::run(RunContext &context)
 
   const Vector<2> u = block.probe_displacement();
   const auto [least, most] = std::minmax_element(block.pressure().begin(), block.pressure().end());
-  context.result("probe_displacement_x", u[0], "m");
-  context.result("probe_displacement_y", u[1], "m");
+  context.result("tip_displacement_x", u[0], "m");
+  context.result("tip_displacement_y", u[1], "m");
   context.result("tip_over_width", -u[1] / block.width, "1");
   context.result("pressure_min", *least, "Pa");
   context.result("pressure_max", *most, "Pa");
   context.result("pressure_reference", block.reference_pressure, "Pa");
   context.result("pressure_min_unloaded", relaxed_pressure, "Pa");
   context.result("largest_displacement_unloaded", bulge, "m");
-  context.result("newton_iterations_unloaded", relaxing.iterations, "1");
-  context.result("newton_iterations", loading.iterations, "1");
-  context.result("factorisations", relaxing.factorisations + loading.factorisations, "1");
-  context.result("load_increments", loading.increments, "1");
-  context.result("saddles_left", relaxing.escapes + loading.escapes, "1");
+  context.result("newton_iterations_unloaded", relaxing.iterations, "");
+  context.result("newton_iterations", loading.iterations, "");
+  context.result("factorisations", relaxing.factorisations + loading.factorisations, "");
+  context.result("load_increments", loading.increments, "");
+  context.result("saddles_left", relaxing.escapes + loading.escapes, "");
   context.result("residual", loading.residual, "1");
-  context.result("unknowns", double(block.x.size() - 2 * block.clamped.size()), "1");
+  context.result("unknowns", double(block.x.size() - 2 * block.clamped.size()), "");
   context.result("width", block.width, "m");
   context.result("density", block.density, "kg/m^3");
   context.result("body_force", block.acceleration, "m/s^2");

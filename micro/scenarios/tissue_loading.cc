@@ -25,16 +25,16 @@ void TissueLoading::declare_parameters(InputEntries &prm)
 {
   using namespace Patterns;
   brick.add_parameters(prm);
-  prm.add_parameter("Speed", speed, "Of the upper plate, downward. Units: m/s.", Double(1e-4, 100.));
-  prm.add_parameter("End strain", end_strain, "Way of the plate over the height of the inflated tissue. Units: none.",
+  prm.add_parameter("Speed", speed, "Speed of the upper plate, which moves down. Units: m/s.", Double(1e-4, 100.));
+  prm.add_parameter("End strain", end_strain, "Way of the upper plate at the end of the run, over the height of the inflated tissue. Units: none.",
                     Double(1e-4, 0.9));
   prm.add_parameter("Damping", damping,
                     "Rate at which all velocities decay while the plate moves: for quasi-static loading; 0: none. Units: 1/s.",
                     Double(0., 1e9));
   declare_step_fraction(prm, step_fraction);
   declare_substeps(prm, substeps);
-  prm.add_parameter("Samples", samples, "Rows of loading.csv. Units: none.", Integer(10, 1000000));
-  prm.add_parameter("Frames", frames, free_to_change("Frames of the field file after the first; 0 writes no fields. Units: none."),
+  prm.add_parameter("Samples", samples, "Number of equal parts of the plate's way after each of which loading.csv and rows.csv get a row. Units: none.", Integer(10, 1000000));
+  prm.add_parameter("Frames", frames, free_to_change("Number of equal parts of the plate's way after each of which the particles are written for ParaView and pictures; 0: never. Units: none."),
                     Integer(0, 100000));
   declare_checkpoints(prm, checkpoints);
   declare_sph_cell(prm, cell, sph);

@@ -33,6 +33,7 @@ public:
 
   std::string description() const override { return text; }
   void declare_parameters(InputEntries &prm) override;
+  Outputs outputs() const override;
   void check() const override;
   void run(RunContext &context) override;
 

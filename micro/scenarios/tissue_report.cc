@@ -13,15 +13,15 @@ namespace turgor
 {
 void TissueLoading::Run::open_series()
 {
-  std::vector<Column> rows{{"time", "s"}, {"strain", ""}};
+  std::vector<Column> rows{{"time", "s"}, {"strain", "1"}};
   for (unsigned int r = 0; r < scene.brick.rows; ++r)
-    rows.push_back({"row_" + number_text(r), ""});
-  loading = context.series("loading", {{"time", "s"}, {"strain", ""}, {"force_top", "N"}, {"force_bottom", "N"},
-                                       {"stress_top", "Pa"}, {"stress_bottom", "Pa"}, {"plate_top", "m"},
+    rows.push_back({"row_" + number_text(r), "1"});
+  loading = context.series("loading", {{"time", "s"}, {"strain", "1"}, {"force_upper", "N"}, {"force_lower", "N"},
+                                       {"stress_upper", "Pa"}, {"stress_lower", "Pa"}, {"plate_upper", "m"},
                                        {"mean_pressure", "Pa"}, {"potential", "J"}, {"kinetic", "J"}, {"work", "J"},
-                                       {"centre", ""}, {"flattest_cell", ""}, {"stretch_near", ""}, {"stretch", ""},
-                                       {"largest_stretch", ""}, {"failed_cells", ""}, {"broken_bonds", ""}, {"broken_ties", ""},
-                                       {"failed_depth", ""}, {"crossed", ""}, {"given_off", "J"}, {"heat", "J"}, {"overlap", "m"},
+                                       {"centre_of_flattening", "1"}, {"flattest_cell", "1"}, {"stretch_near_plate", "1"}, {"mean_stretch", "1"},
+                                       {"largest_stretch", "1"}, {"failed_cells", ""}, {"broken_bonds", ""}, {"broken_ties", ""},
+                                       {"failed_depth", "1"}, {"crossed", ""}, {"given_off", "J"}, {"heat", "J"}, {"overlap", "m"},
                                        {"crossed_bonds", ""}, {"behind_plate", "m"}});
   by_row = context.series("rows", rows);
 }
@@ -68,8 +68,8 @@ FieldFrame TissueLoading::Run::frame() const
   const Particles<2> &p = system.particles;
   FieldFrame f;
   f.time = double(step) * dt;
-  NamedField velocity{"velocity [m/s]", 3, {}, false}, pressure{"pressure [Pa]", 1, {}, false}, wall{"wall [-]", 1, {}, false},
-    of_cell{"cell [-]", 1, {}, false}, failed{"failed [-]", 1, {}, false};
+  NamedField velocity{"velocity [m/s]", 3, {}, false}, pressure{"pressure [Pa]", 1, {}, false}, wall{"wall", 1, {}, false},
+    of_cell{"cell", 1, {}, false}, failed{"failed", 1, {}, false};
   for (std::size_t c = 0; c < p.groups.size(); ++c)
     for (std::uint32_t i = p.groups[c].begin; i < p.groups[c].end; ++i)
       {
@@ -106,27 +106,27 @@ void TissueLoading::Run::report()
   context.result("time_step", dt, "s");
   context.result("inflated_height", start.height(), "m");
   context.result("inflated_width", start.width, "m");
-  context.result("void_fraction", void_fraction, "");
-  context.result("turgor_inflated", pressure_inflated, "Pa");
-  context.result("rest_residual", residual, "");
-  context.result("mean_stretch_inflated", stretch_inflated, "");
-  context.result("junction_angle_deviation_inflated", angle_inflated * degrees, "degree");
-  context.result("junction_angle_deviation_laid", angle_before * degrees, "degree");
-  context.result("junction_angle_deviation_end", tissue->angle_deviation() * degrees, "degree");
-  context.result("stress_at_end", history.back().bottom / area, "Pa");
+  context.result("void_fraction", void_fraction, "1");
+  context.result("pressure_inflated", pressure_inflated, "Pa");
+  context.result("rest_residual", residual, "1");
+  context.result("mean_stretch_inflated", stretch_inflated, "1");
+  context.result("junction_angle_deviation_inflated", angle_inflated * degrees, "degrees");
+  context.result("junction_angle_deviation_laid", angle_before * degrees, "degrees");
+  context.result("junction_angle_deviation_end", tissue->angle_deviation() * degrees, "degrees");
+  context.result("stress_lower_at_end", history.back().bottom / area, "Pa");
   context.result("modulus_start", slope_between(history, 0.02, 0.1) / area, "Pa");
   context.result("modulus_later", slope_between(history, 0.2, 0.3) / area, "Pa");
   for (const double e : {0.05, 0.1, 0.2, 0.3})
     if (e <= history.back().strain * (1. + 1e-9))
       {
         const std::string at = "_at_" + number_text(int(std::lround(100. * e))) + "_percent";
-        context.result("transmitted_stress" + at, mean_around(history, &TissueSample::bottom, e, 0.005) / area, "Pa");
-        context.result("impact_stress" + at, mean_around(history, &TissueSample::top, e, 0.005) / area, "Pa");
-        context.result("centre_of_flattening" + at, at_strain(history, &TissueSample::centre, e), "");
-        context.result("flattest_cell" + at, at_strain(history, &TissueSample::flattest, e), "");
-        context.result("stretch_near_plate" + at, at_strain(history, &TissueSample::stretch_near, e), "");
-        context.result("largest_stretch" + at, at_strain(history, &TissueSample::largest_stretch, e), "");
-        context.result("mean_stretch" + at, at_strain(history, &TissueSample::stretch, e), "");
+        context.result("stress_lower" + at, mean_around(history, &TissueSample::bottom, e, 0.005) / area, "Pa");
+        context.result("stress_upper" + at, mean_around(history, &TissueSample::top, e, 0.005) / area, "Pa");
+        context.result("centre_of_flattening" + at, at_strain(history, &TissueSample::centre, e), "1");
+        context.result("flattest_cell" + at, at_strain(history, &TissueSample::flattest, e), "1");
+        context.result("stretch_near_plate" + at, at_strain(history, &TissueSample::stretch_near, e), "1");
+        context.result("largest_stretch" + at, at_strain(history, &TissueSample::largest_stretch, e), "1");
+        context.result("mean_stretch" + at, at_strain(history, &TissueSample::stretch, e), "1");
       }
   double peak = 0., flat = 0.;
   for (const TissueSample &s : history)
@@ -134,12 +134,12 @@ void TissueLoading::Run::report()
       peak = std::max(peak, s.bottom);
       flat = std::max(flat, s.flattest);
     }
-  context.result("transmitted_stress_peak", peak / area, "Pa");
-  context.result("flattest_cell_ever", flat, "");
+  context.result("largest_stress_lower", peak / area, "Pa");
+  context.result("flattest_cell_ever", flat, "1");
   // a mean over 1/80 of the run: what is faster is ringing of single walls
-  context.result("transmitted_oscillation", oscillation(history, std::max<std::size_t>(1, history.size() / 80)), "");
+  context.result("stress_lower_oscillation", oscillation(history, std::max<std::size_t>(1, history.size() / 80)), "1");
   const double unaccounted = missing_energy() + heat;
-  context.result("plate_work", plates->work(), "J");
+  context.result("work", plates->work(), "J");
   context.result("energy_unaccounted", unaccounted, "J"); // what heat should be
   context.result("energy_given_off_by_breaking", released, "J");
   context.result("energy_created_by_breaking", created, "J");
@@ -147,7 +147,7 @@ void TissueLoading::Run::report()
   if (tissue->flow)
     context.result("energy_taken_by_flow", flowed, "J");
   if (tissue->flow)
-    context.result("largest_permanent_stretch", tissue->flow->largest(), "");
+    context.result("largest_permanent_stretch", tissue->flow->largest(), "1");
   report_failure();
   report_worth();
 }
@@ -173,9 +173,9 @@ void TissueLoading::Run::report_worth()
   const double error = missing_energy() / std::max(std::abs(plates->work()), 1e-3 * start_energy);
   context.result("deepest_overlap", deepest, "m");
   context.result("deepest_behind_plate", deepest_behind, "m");
-  context.result("crossed_bonds", most_crossed, "");
+  context.result("most_crossed_bonds", most_crossed, "");
   context.result("most_crossed", most_outside, "");
-  context.result("energy_balance_error", error, "");
+  context.result("energy_balance_error", error, "1");
   const auto percent = [](const double share) { return number_text(100. * share) + " %"; };
   judged(context, "deepest_overlap", deepest / tissue->contact->range(), {0.5, HUGE_VAL},
          "walls of cells have come closer than their contact's range by up to " + percent(deepest / tissue->contact->range())
@@ -183,7 +183,7 @@ void TissueLoading::Run::report_worth()
   judged(context, "deepest_behind_plate", deepest_behind / scene.cell.period, {0.05, 0.5},
          "cells stand up to " + percent(deepest_behind / scene.cell.period)
            + " of Cell/Period behind a plate (a larger Contact ratio or a smaller Speed holds them)");
-  judged(context, "crossed_bonds", most_crossed / bonds, {0., 0.02},
+  judged(context, "most_crossed_bonds", most_crossed / bonds, {0., 0.02},
          percent(most_crossed / bonds) + " of the walls' bonds have passed through others (a larger Contact ratio or a smaller End strain keeps them"
            + " apart" + or_slower() + ")");
   judged(context, "most_crossed", most_outside / fluid, {0.01, 0.2},
@@ -202,20 +202,20 @@ void TissueLoading::Run::report_failure()
     {
       const double cells = double(p.groups.size()), failed = history.back().failed_cells;
       context.result("failed_cells", failed, "");
-      context.result("failed_share", failed / cells, "");
-      context.result("strain_first_failure", strain_reaching(history, &TissueSample::failed_cells, 1.), "");
+      context.result("failed_share", failed / cells, "1");
+      context.result("strain_at_first_failure", strain_reaching(history, &TissueSample::failed_cells, 1.), "1");
       for (const int share : {10, 50, 90})
         context.result("strain_at_" + number_text(share) + "_percent_of_failures",
-                       strain_reaching(history, &TissueSample::failed_cells, 0.01 * share * failed), "");
+                       strain_reaching(history, &TissueSample::failed_cells, 0.01 * share * failed), "1");
       const Sigmoid sigmoid = fit_sigmoid(history, &TissueSample::failed_cells);
-      context.result("failure_sigmoid_centre", sigmoid.centre, "");
-      context.result("failure_sigmoid_width", sigmoid.width, "");
-      context.result("failure_sigmoid_explains", sigmoid.explained, "");
+      context.result("failure_sigmoid_centre", sigmoid.centre, "1");
+      context.result("failure_sigmoid_width", sigmoid.width, "1");
+      context.result("failure_sigmoid_explains", sigmoid.explained, "1");
       context.result("failed_depth_first", at_strain(history, &TissueSample::failed_depth,
-                                                     strain_reaching(history, &TissueSample::failed_cells, 0.25 * failed)), "");
-      context.result("failed_depth", history.back().failed_depth, "");
+                                                     strain_reaching(history, &TissueSample::failed_cells, 0.25 * failed)), "1");
+      context.result("failed_depth", history.back().failed_depth, "1");
       context.result("broken_bonds", broken_bonds, "");
-      context.result("broken_bonds_at_junctions", broken_bonds > 0. ? broken_at_junction / broken_bonds : 0., "");
+      context.result("broken_bonds_at_junctions", broken_bonds > 0. ? broken_at_junction / broken_bonds : 0., "1");
     }
   if (tissue->ties)
     context.result("largest_tie_stress_inflated", tie_stress, "Pa");
@@ -229,8 +229,8 @@ void TissueLoading::Run::report_failure()
         return to > from ? sum / double(to - from) * tissue->spacing : 0.;
       };
       context.result("broken_ties", double(n), "");
-      context.result("broken_tie_share", double(n) / double(tissue->ties->all().size()), "");
-      context.result("strain_first_tie", strain_reaching(history, &TissueSample::broken_ties, 1.), "");
+      context.result("broken_tie_share", double(n) / double(tissue->ties->all().size()), "1");
+      context.result("strain_at_first_tie", strain_reaching(history, &TissueSample::broken_ties, 1.), "1");
       // peeling: the first fifth breaks near the ends of shared walls, where cells meet; the last fifth farther along the walls
       context.result("first_ties_from_wall_end", mean(0, std::min(n, part)), "m");
       context.result("last_ties_from_wall_end", mean(n - std::min(n, part), n), "m");

@@ -23,19 +23,19 @@ std::string TwoCells::description() const
 void TwoCells::declare_parameters(InputEntries &prm)
 {
   using namespace Patterns;
-  prm.add_parameter("Law", law, "hertz (Eq. 2.5), extended_hertz (2.7) or jkr (2.8, 2.9). Units: none.",
+  prm.add_parameter("Law", law, "Contact law of the cells: hertz without adhesion (Eq. 2.5), extended_hertz (2.7) or jkr (2.8, 2.9) with it. Units: none.",
                     Selection("hertz|extended_hertz|jkr"));
-  prm.add_parameter("Radius", radius, "Of both cells. Units: m.", Double(1e-9, 1.));
-  prm.add_parameter("Modulus", modulus, "Young's modulus of both cells. Units: Pa.", Double(1e-3, 1e12));
-  prm.add_parameter("Poisson ratio", poisson, "Of both cells. Units: none.", Double(0., 0.5));
-  prm.add_parameter("Adhesion", adhesion, "Energy of adhesion W. Units: J/m^2.", Double(0., 1e3));
+  prm.add_parameter("Radius", radius, "Radius of each of the two cells. Units: m.", Double(1e-9, 1.));
+  prm.add_parameter("Modulus", modulus, "Young's modulus of each of the two cells. Units: Pa.", Double(1e-3, 1e12));
+  prm.add_parameter("Poisson ratio", poisson, "Poisson ratio of each of the two cells. Units: none.", Double(0., 0.5));
+  prm.add_parameter("Adhesion", adhesion, "Energy of adhesion W per area of contact; without effect with Law = hertz. Units: J/m^2.", Double(0., 1e3));
   prm.add_parameter("Medium friction", gamma, "Force over velocity of one cell in the medium. Units: N s/m.",
                     Double(1e-12, 1e12));
-  prm.add_parameter("Cell friction", friction, "Between the cells, along and across their line. Units: N s/m^3.",
+  prm.add_parameter("Cell friction", friction, "Friction between the cells along and across their line: force over velocity and area of contact; changes no result but time. Units: N s/m^3.",
                     Double(0., 1e20));
-  prm.add_parameter("Deepest overlap", deepest, "Of the approach, over the radius. Units: none.", Double(1e-6, 1.));
-  prm.add_parameter("Samples", samples, "Rows of approach.csv each way. Units: none.", Integer(10, 1000000));
-  prm.add_parameter("Accuracy", accuracy, "Of the pull-off force, relative. Units: none.", Double(1e-12, 0.1));
+  prm.add_parameter("Deepest overlap", deepest, "Overlap at which the approach turns: sum of the radii minus the distance of the centres, over Radius. Units: none.", Double(1e-6, 1.));
+  prm.add_parameter("Samples", samples, "Rows of approach.csv on the way in, and as many on the way out. Units: none.", Integer(10, 1000000));
+  prm.add_parameter("Accuracy", accuracy, "Relative accuracy to which the pull-off force is searched by bisection. Units: none.", Double(1e-12, 0.1));
 }
 
 void TwoCells::check() const

@@ -62,14 +62,14 @@ std::string WallUniaxial::description() const { return "A cell wall pulled and l
 void WallUniaxial::declare_parameters(InputEntries &prm)
 {
   using namespace Patterns;
-  prm.add_parameter("Wall stiffness", wall_stiffness, "G t0, shear modulus times wall thickness. Units: N/m.", Double(1e-6, 1e9));
-  prm.add_parameter("Depth", depth, "Depth z0 of the slab. Units: m.", Double(1e-8, 1e-1));
+  prm.add_parameter("Wall stiffness", wall_stiffness, "G t0, shear modulus times thickness of the wall; of an incompressible wall with Young's modulus E it is E t0/3. Units: N/m.", Double(1e-6, 1e9));
+  prm.add_parameter("Depth", depth, "Depth z0 of the wall out of the plane, for which tensions are given. Units: m.", Double(1e-8, 1e-1));
   prm.add_parameter("Wall beta", beta, "Axial over hoop stress of the wall (thesis Eq. 3.5). Units: none.", Double(0., 1.));
-  prm.add_parameter("Yield sharpness", sharpness, "Values of A of Eq. 3.8. Units: none.", List(Double(1e-3, 1e4), 1, 20));
-  prm.add_parameter("Yield drop", drop, "Values of B of Eq. 3.8; every A goes with every B. Units: none.", List(Double(0., 1.), 1, 20));
-  prm.add_parameter("Largest stretch", largest_stretch, "Where the wall is let go again. Units: none.", Double(1.001, 10.));
-  prm.add_parameter("Points", points, "Stretches on the way out, and on the way back. Units: none.", Integer(2, 100000));
-  prm.add_parameter("Way back", way, "reversible: along the same curve; plastic: elastic, from the stretch that stays. Units: none.",
+  prm.add_parameter("Yield sharpness", sharpness, "Values of A of Eq. 3.8: half of what a wall loses is lost at a stretch of 1 + 1/A. Units: none.", List(Double(1e-3, 1e4), 1, 20));
+  prm.add_parameter("Yield drop", drop, "Values of B of Eq. 3.8, the share of the stiffness that is lost at large stretch; every A goes with every B. Units: none.", List(Double(0., 1.), 1, 20));
+  prm.add_parameter("Largest stretch", largest_stretch, "Length over length at rest at which the wall is let go again. Units: none.", Double(1.001, 10.));
+  prm.add_parameter("Points", points, "Equal parts of the way out, and of the way back, between rows of wall.csv. Units: none.", Integer(2, 100000));
+  prm.add_parameter("Way back", way, "How the wall comes back: reversible along the same curve, or plastic, elastic from the stretch that stays. Units: none.",
                     Selection("reversible|plastic"));
 }
 
@@ -81,7 +81,7 @@ void WallUniaxial::check() const
 
 void WallUniaxial::run(RunContext &context)
 {
-  const auto table = context.series("wall", {{"A", ""}, {"B", ""}, {"stretch", ""}, {"tension", "N"}, {"law", "N"}, {"back", ""}});
+  const auto table = context.series("wall", {{"A", "1"}, {"B", "1"}, {"stretch", "1"}, {"tension", "N"}, {"law", "N"}, {"back", ""}});
   context.active({"neo_hookean_wall"}, {});
   double error = 0., stays = 0.;
   for (const double A : sharpness)
@@ -110,8 +110,8 @@ void WallUniaxial::run(RunContext &context)
                 last = T;
             }
       }
-  context.result("largest_error", error, "");
-  context.result("largest_stretch_that_stays", stays, "");
+  context.result("largest_error", error, "1");
+  context.result("largest_stretch_that_stays", stays, "1");
 }
 
 std::unique_ptr<Scenario> make_wall_uniaxial() { return std::make_unique<WallUniaxial>(); }

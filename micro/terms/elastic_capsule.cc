@@ -238,7 +238,7 @@ void ElasticCapsule::add_virial(const Particles<3> &, std::vector<Tensor2<3>> &v
 
 std::vector<Surroundings::Value> ElasticCapsule::values(const CellPopulation &) const
 {
-  return {{"capsule_radius", "m", R}, {"capsule_pressure", "Pa", of_cells}, {"cells_on_capsule", "1", double(touches.size())}};
+  return {{"capsule_radius", "m", R}, {"capsule_pressure", "Pa", of_cells}, {"cells_on_capsule", "", double(touches.size())}};
 }
 
 void ElasticCapsule::save(std::ostream &out) const { write_binary(out, R); }

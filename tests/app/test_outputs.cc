@@ -1,13 +1,17 @@
 // Definitions of results and columns: nothing undefined is written, and every definition of every scene is a sentence.
 #include "app/input.h"
 #include "app/outputs_text.h"
+#include "micro/io/input_entries.h"
 #include "micro/io/output_list.h"
 #include "micro/io/run_directory.h"
 #include "tests/app/temporary_directory.h"
 
 #include <boost/test/unit_test.hpp>
 
-#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
 #include <sstream>
 
 using namespace turgor;
@@ -23,6 +27,15 @@ Outputs of_a_scene()
   all.results({{"radius", "m", "Distance from the centre at rest."}, {"force_at_*", "N", "Force at a deformation in percent.", "with two plates"}})
     .table("force", "One row a sample.", {{"time", "s", "Time since the start of the run."}});
   return all;
+}
+
+/// Energies are J of what has a depth and J/m, per depth, of what has none, and forces likewise; the density of a tissue is that of mass, of a
+/// spheroid that of cells; a particle's cell has failed or not, of an RVE's cells a share; a shell that rings and a spheroid that grows are not
+/// of one speed.
+bool has_several_units(const std::string &name)
+{
+  static const std::set<std::string> names = {"kinetic", "work", "heat", "dissipated", "energy", "force", "density", "failed", "radial_speed"};
+  return names.count(name) > 0;
 }
 
 std::size_t words(const std::string &text)
@@ -80,19 +93,57 @@ BOOST_AUTO_TEST_CASE(lists_are_joined_and_nothing_is_defined_twice)
 BOOST_AUTO_TEST_CASE(every_definition_is_a_sentence)
 {
   const ScenarioRegistry registry = product_registry();
+  std::map<std::string, std::pair<std::string, std::string>> units; // of a name, and where
   for (const std::string &scene : registry.names)
-    for (const OutputPlace &place : registry.make(scene)->outputs().places())
-      BOOST_TEST_CONTEXT(scene << ", " << place.file)
-      {
-        BOOST_TEST((place.file == Outputs::results_file || (place.text.ends_with('.') && words(place.text) >= 3)));
-        for (const OutputDefinition &definition : place.all)
-          BOOST_TEST_CONTEXT(definition.name)
-          {
-            BOOST_TEST(definition.text.ends_with('.'));
-            BOOST_TEST(words(definition.text) >= 5u);
-            BOOST_TEST(!definition.only.ends_with('.'));
-          }
-      }
+    {
+      const Outputs outputs = registry.make(scene)->outputs();
+      BOOST_TEST(!outputs.empty());
+      for (const OutputPlace &place : outputs.places())
+        BOOST_TEST_CONTEXT(scene << ", " << place.file)
+        {
+          BOOST_TEST((place.file == Outputs::results_file || (place.text.ends_with('.') && words(place.text) >= 4)));
+          for (const OutputDefinition &definition : place.all)
+            BOOST_TEST_CONTEXT(definition.name << ": " << definition.text << " Only " << definition.only)
+            {
+              BOOST_TEST(definition.text.ends_with('.'));
+              BOOST_TEST(words(definition.text) >= 5u);
+              BOOST_TEST(definition.text != definition.name);
+              BOOST_TEST(!definition.only.ends_with('.'));
+              // a count or an answer has no unit, a ratio has 1
+              const bool counts = definition.text.starts_with("Number of") || definition.text.starts_with("Whether ") || definition.text.starts_with("How often ");
+              BOOST_TEST(!(counts && definition.unit == "1"));
+              const auto &[unit, where] = units.emplace(definition.name, std::pair(definition.unit, scene + ", " + place.file)).first->second;
+              BOOST_TEST(std::string(has_several_units(definition.name) ? definition.unit : unit) == definition.unit, "another unit than in " << where);
+            }
+        }
+    }
+}
+
+// What stands before every entry of `turgor parameters`.
+BOOST_AUTO_TEST_CASE(every_entry_is_defined)
+{
+  const ScenarioRegistry registry = product_registry();
+  for (const std::string &scene : registry.names)
+    {
+      const std::unique_ptr<Scenario> made = registry.make(scene);
+      InputEntries entries;
+      made->declare_parameters(entries);
+      for (const InputEntry &entry : entries.entries())
+        BOOST_TEST_CONTEXT(scene << ": " << entry.path() << ": " << entry.documentation)
+        {
+          const std::size_t units = entry.documentation.find("Units: ");
+          BOOST_TEST((units != std::string::npos && words(entry.documentation.substr(0, units)) >= 5));
+          for (const char *fragment : {"Of ", "In which ", "With ", "By ", "Where "})
+            BOOST_TEST(!entry.documentation.starts_with(fragment));
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_document_is_that_of_the_code)
+{
+  std::ifstream file(std::filesystem::path(TURGOR_SOURCE_DIR) / "doc/outputs.md");
+  const std::string there((std::istreambuf_iterator<char>(file)), {});
+  BOOST_TEST((there == outputs_document(product_registry())), "write it anew: ./turgor parameters --outputs > doc/outputs.md");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -143,7 +143,7 @@ BY_SCENE = {
                      ("Cell/Fluid", "pressure", ["does not have one pressure"])],
     "tissue_bruise": CELL[:1] + [
         ("Wall/Critical stretch", "1.01", ["turgor alone stretches the walls to 1.03", "0 for walls that do not break"]),
-        ("Wall/Yield drop B", "0", ["more than 0 with 'Yielding = plastic'"]),
+        ("Wall/Yield drop", "0", ["more than 0 with 'Yielding = plastic'"]),
         ("Wall/Yielding", "plastick", ["Did you mean 'plastic'?"]),
         ("Wall/Residue", "1", ["a finite number from 0 to 0.99"]),
         ("RVE/Fluid", "sph", ["need 'RVE/Fluid = hydrostatic'"]),

@@ -9,12 +9,15 @@ by 1e-15 (the program turgor_disturbed, tests/disturbance.cc), with every instru
 difference of a column, at least 1e-8 of its largest value (Newton's method and the like end within a tolerance). What then would be
 allowed to differ by more than a thousandth of itself is noise, chaos or a clock: it is left out, and the writer says so. Of a long table
 a dozen rows are kept.
+
+Beside the numbers: a run writes everything that its scene defines (`turgor parameters`), but for what is said to be written at times only.
 """
 import argparse
 import csv
 import json
 import math
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -22,6 +25,7 @@ import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.dirname(HERE))
+from defined_outputs import defined_outputs, stands_for  # noqa: E402
 from run_all import instruction_sets  # noqa: E402
 
 BUILD = os.path.abspath(os.environ["TURGOR_BUILD"])
@@ -31,7 +35,7 @@ ROWS, SEEDS, FACTOR, FLOOR, LARGEST = 12, 5, 10., 1e-8, 1e-3
 
 
 def measured(name, program=PROGRAM, **environment):
-    """What today's program makes of a scene: its terms and fields, and columns of numbers by (file, name)."""
+    """What today's program makes of a scene: its terms and fields, columns of numbers by (file, name), and all that it wrote, as (file, "name [unit]")."""
     with tempfile.TemporaryDirectory() as directory:
         done = subprocess.run([program, "run", os.path.join(HERE, name + ".prm"), "-o", directory, "--quiet", "--threads", "1"],
                               capture_output=True, text=True, timeout=600, stdin=subprocess.DEVNULL, env={**os.environ, **environment})
@@ -40,6 +44,11 @@ def measured(name, program=PROGRAM, **environment):
         with open(os.path.join(directory, "summary.json"), encoding="utf-8") as file:
             summary = json.load(file)
         columns = {("results", key): [float(entry["value"])] for key, entry in summary["results"].items()}
+        written = {("summary.json", f"{key} [{entry['unit']}]" if entry["unit"] else key) for key, entry in summary["results"].items()}
+        for fields in os.listdir(directory):
+            if fields.endswith(".xdmf"):
+                with open(os.path.join(directory, fields), encoding="utf-8") as file:
+                    written |= {(fields, name) for name in re.findall('Attribute Name="([^"]*)"', file.read())}
         for table in sorted(os.listdir(directory)):
             if table.endswith(".csv"):
                 with open(os.path.join(directory, table), newline="", encoding="utf-8") as file:
@@ -47,12 +56,13 @@ def measured(name, program=PROGRAM, **environment):
                 count = min(ROWS, len(rows))
                 kept = [rows[k * (len(rows) - 1) // max(count - 1, 1)] for k in range(count)]
                 columns[table, "rows"] = [float(len(rows))]
+                written |= {(table, column) for column in header}
                 for k, column in enumerate(header):
                     try:
                         columns[table, column] = [float(row[k]) for row in kept]
                     except ValueError:
                         pass  # words
-    return {"active_terms": summary["active_terms"], "fields": summary["fields"]}, columns
+    return {"active_terms": summary["active_terms"], "fields": summary["fields"]}, columns, written
 
 
 def golden_file(name):
@@ -65,7 +75,7 @@ class Golden(unittest.TestCase):
     def compare(self, name, **environment):
         with open(golden_file(name), encoding="utf-8") as file:
             golden = json.load(file)
-        made_of, found = measured(name, **environment)
+        made_of, found, written = measured(name, **environment)
         self.assertEqual(made_of, {key: golden[key] for key in made_of})
         wrong = []
         for source, columns in golden["columns"].items():
@@ -77,6 +87,9 @@ class Golden(unittest.TestCase):
                 wrong += [f"{source}, {column}, row {row}: {is_now!r}, golden {was!r} +- {stored['tolerance']!r}"
                           for row, (is_now, was) in enumerate(zip(now, stored["values"]), 1)
                           if not abs(is_now - was) <= stored["tolerance"]][:1]
+        never = [(file, defined) for file, defined, always in defined_outputs(PROGRAM, name)
+                 if always and not any(place == file and stands_for(defined, one) for place, one in written)]
+        self.assertEqual(never, [], f"{name} defines these and does not write them")
         self.assertEqual(wrong, [], f"{name}; if that is meant: " + __doc__.splitlines()[3].strip())
 
     def test_every_scene_has_one(self):
@@ -91,11 +104,11 @@ for one in ("full_micro", "laplace"):  # sweeps without intrinsics, in 2D and 3D
 
 
 def write(name):
-    made_of, columns = measured(name)
+    made_of, columns, _ = measured(name)
     spread = {key: 0. for key in columns}
     for simd in instruction_sets():
         for seed in range(SEEDS + 1):
-            _, other = measured(name, DISTURBED, TURGOR_SIMD=simd, TURGOR_DISTURB=str(seed))
+            _, other, _ = measured(name, DISTURBED, TURGOR_SIMD=simd, TURGOR_DISTURB=str(seed))
             for key, values in columns.items():
                 again = other.get(key, [])
                 apart = max((abs(a - b) for a, b in zip(values, again)), default=0.) if len(again) == len(values) else math.inf

@@ -180,7 +180,7 @@ BOOST_AUTO_TEST_CASE(limits_say_what_is_allowed)
   };
   WallLimits l;
   l.plastic = true;
-  fails(l, {}, "Yield drop B");
+  fails(l, {}, "Yield drop");
   l = {};
   l.critical_stretch = 0.8;
   fails(l, {}, "Critical stretch");

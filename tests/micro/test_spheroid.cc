@@ -7,6 +7,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
+
 using namespace turgor;
 
 namespace
@@ -172,8 +174,8 @@ subsection Cell
 )";
   const auto of = [&](const char *T_rel) { return run<SpheroidRelaxation>(text + "set Relaxation time = " + T_rel + "\nend\n").results; };
   const auto slow = of("18000"), fast = of("0");
-  BOOST_TEST(slow.at("radius_compressed") < 0.95 * slow.at("radius_at_rest"));
-  BOOST_TEST(slow.at("radius_at_rest") == fast.at("radius_at_rest"), boost::test_tools::tolerance(0.02));
+  BOOST_TEST(slow.at("gyration_radius_compressed") < 0.95 * slow.at("gyration_radius_at_rest"));
+  BOOST_TEST(slow.at("gyration_radius_at_rest") == fast.at("gyration_radius_at_rest"), boost::test_tools::tolerance(0.02));
   BOOST_TEST(slow.at("relaxation_time") > fast.at("relaxation_time"));
 }
 
@@ -211,7 +213,7 @@ set Settling time = 7200
 set Frames = 0
 set Compressed size = 0.999
 )");
-  BOOST_TEST(out.results.at("radius_at_rest") <= out.results.at("radius_compressed"));
+  BOOST_TEST(out.results.at("gyration_radius_at_rest") <= out.results.at("gyration_radius_compressed"));
   BOOST_TEST(out.results.count("relaxation_time") == 0u);
 }
 
@@ -230,6 +232,27 @@ BOOST_AUTO_TEST_CASE(wrong_entries_are_named)
   SpheroidRelaxation one;
   BOOST_CHECK_EXCEPTION(read(one, "set First cells = 1\n"), InputError,
                         [](const InputError &e) { return std::string(e.what()).find("at least 2") != std::string::npos; });
+}
+
+BOOST_AUTO_TEST_CASE(progress_goes_by_what_ends_the_run)
+{
+  struct Watched : test::MemoryContext
+  {
+    using MemoryContext::MemoryContext;
+    std::vector<double> fractions;
+    void progress(const double fraction, const std::string &) override { fractions.push_back(fraction); }
+  };
+  SpheroidFree scene;
+  read(scene, "set First cells = 4\nset Most cells = 32\nset Duration = 1e9\nset Samples = 1000000\nset Frames = 0\nset Checkpoints = 0\n"
+              "subsection Motion\n set Tolerance = 1e-2\n set Growth tolerance = 1e-2\nend\n");
+  test::Disk disk;
+  Watched context(disk, false);
+  scene.run(context);
+  BOOST_TEST(context.results.at("time") < 1e-3 * 1e9); // of Duration it would be next to nothing
+  BOOST_REQUIRE(!context.fractions.empty());
+  BOOST_TEST(context.fractions.back() == 1.);
+  BOOST_TEST(std::is_sorted(context.fractions.begin(), context.fractions.end()));
+  BOOST_TEST(context.fractions[context.fractions.size() / 2] > 0.2); // growth is even in the logarithm
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,210 @@
+#include "coupling/tissue_outputs.h"
+
+#include "coupling/tissue_bruise.h"
+#include "coupling/tissue_gravity.h"
+#include "coupling/tissue_statics.h"
+#include "micro/scenarios/shared_outputs.h"
+
+namespace turgor
+{
+namespace
+{
+const char *const heat = "of RVEs that tell what they turn to heat", *const torn = "with walls that yield or break", *const ranks = "on several ranks";
+
+std::vector<OutputDefinition> energy_results()
+{
+  return {{"dissipated", "J/m", "Work less kinetic, stored and contact energy at the end, per metre of depth: what is missing in all."},
+          {"energy_taken_share", "1", "What the RVEs have taken (dissipated and lent energy) over the largest work so far; negative: they gave energy from nothing."},
+          {"heat", "J/m", "Energy the RVEs have turned to heat by viscosity, yielding and breaking, per metre of depth.", heat},
+          {"energy_unexplained_share", "1", "What the RVEs have taken less that heat, over the largest work so far.", heat}};
+}
+
+Outputs energy_table()
+{
+  Outputs all;
+  all.table("energies", "One row for each step of the tissue, all per metre of depth.",
+            {{"time", "s", "Time since the start of the run."},
+             {"kinetic", "J/m", "Kinetic energy of the tissue by its nodes' velocities."},
+             {"stored", "J/m", "Elastic energy of all RVEs since the undeformed state."},
+             {"contact", "J/m", "Energy in the penalty of tool and support."},
+             {"work", "J/m", "Work of body force, tractions and tools since the start."},
+             {"dissipated", "J/m", "Work less kinetic, stored and contact energy."},
+             {"lent", "J/m", "Energy that the steps' own error has lent the tissue."},
+             {"heat", "J/m", "Energy the RVEs have turned to heat by viscosity, yielding and breaking.", heat}});
+  return all;
+}
+
+Outputs cost_outputs()
+{
+  Outputs all;
+  all
+    .results({{"steps", "", "Number of accepted steps of the tissue."},
+              {"steps_rejected", "", "Number of steps that were taken back and repeated with a shorter length."},
+              {"rve_points", "", "Number of quadrature points, each with an RVE of its own."},
+              {"rve_calls", "", "Number of evaluations of an RVE."},
+              {"rve_calls_failed", "", "Number of evaluations of an RVE that gave no stress; their steps were repeated."},
+              {"rve_iterations_mean", "1", "Mean number of Newton iterations (bursts: micro steps) of an evaluation."},
+              {"rve_iterations_max", "", "Largest number of Newton iterations (bursts: micro steps) of an evaluation."},
+              {"rve_residual_max", "1", "Largest force left unbalanced on a node of an RVE, over turgor times node spacing times depth."},
+              {"rve_calls_dragged", "", "Number of evaluations whose torn walls found no equilibrium near by and were held by drag.", torn},
+              {"rve_residual_max_dragged", "1", "Largest unbalanced force, drag included, of those evaluations, over turgor times node spacing times depth.", torn},
+              {"burst_over_macro_step", "1", "Time the cells live in an evaluation over the mean step of the tissue; below 1 their dynamics is slowed by that factor.",
+               "with RVE/Burst length > 0"},
+              {"micro_steps_over_full_run", "1", "Particle steps of all RVEs over those of a full particle run of this piece with the same micro step.", "with RVEs of particles"},
+              {"rve_stress_spread_max", "Pa", "Largest root mean square of an RVE's stress about its mean over the window of averaging.", "with RVEs of particles"},
+              {"rve_cpu_time", "s", "CPU time inside RVEs, all threads and ranks together."},
+              {"rve_cpu_time_per_call", "s", "CPU time inside RVEs over the number of evaluations."},
+              {"rve_calls_per_wall_second", "1/s", "Number of evaluations over the wall time of the run."},
+              {"macro_cpu_time", "s", "CPU time outside RVEs: finite elements, output, waiting threads."},
+              {"rve_share_of_cpu_time", "1", "CPU time inside RVEs over that of the whole run."},
+              {"rank_imbalance", "1", "Cost of the RVEs of the busiest rank over the mean of the ranks, smoothed.", ranks},
+              {"rank_rebalances", "", "How often RVEs were shared anew among the ranks.", ranks}})
+    .table("cost", "One row for each step of the tissue.",
+           {{"time", "s", "Time since the start of the run, at the end of the step."},
+            {"time_step", "s", "Length of the last step of the tissue."},
+            {"rve_calls", "", "Number of evaluations of an RVE since the row before."},
+            {"rve_iterations_mean", "1", "Mean number of iterations of these evaluations."},
+            {"rve_iterations_max", "", "Largest number of iterations of an evaluation since the start of the run."},
+            {"rve_calls_failed", "", "Number of these evaluations that gave no stress."},
+            {"rve_cpu_time", "s", "CPU time inside RVEs since the row before, all threads and ranks together."},
+            {"rank_imbalance", "1", "Cost of the RVEs of the busiest rank over the mean of the ranks, smoothed; 1 on one rank."}});
+  return all;
+}
+
+Outputs outline_table()
+{
+  Outputs all;
+  all.table("rve_outlines", "The corners of the cells' walls in some RVEs, for pictures.",
+            {{"time", "s", "Time since the start of the run."},
+             {"rve", "", "Number of the quadrature point that the RVE belongs to."},
+             {"ring", "", "Number of the cell in the RVE."},
+             {"point_x", "m", "Present place of the quadrature point along x."},
+             {"point_y", "m", "Present place of the quadrature point along y."},
+             {"F_*", "1", "That component (row, column) of the deformation gradient at the point."},
+             {"period_*", "m", "Length of the RVE along that direction in the undeformed state."},
+             {"pressure", "Pa", "Mean pressure of the fluid in the RVE."},
+             {"stress_xy", "Pa", "Shear component of the Cauchy stress of the RVE."},
+             {"x", "m", "Place of the wall's corner inside the RVE along x."},
+             {"y", "m", "Place of the wall's corner inside the RVE along y."}});
+  return all;
+}
+
+std::vector<OutputDefinition> bruise_results()
+{
+  const char *failed = "where a cell failed";
+  return {{"bruised_share", "1", "Share of the block's area whose cells have failed at the end; a point counts with its share of failed cells."},
+          {"bruised_area", "m^2", "Bruised share times the undeformed area of the block."},
+          {"bruise_depth", "m", "Distance in the undeformed block from the side that is hit to the deepest quadrature point with a failed cell; 0: none."},
+          {"bruise_at_support", "", "Whether a cell has failed in the elements at the support, so that the block's size decides: 1 yes, 0 no."},
+          {"tool_penetration_max", "m", "Largest depth of a point of the surface inside the tool."},
+          {"support_penetration_max", "m", "Largest depth of a point of the surface inside the support's plate."},
+          {"penetration_share_max", "1", "The larger of the two over the smaller of an element's thickness and the tool's radius."},
+          {"peak_force", "N/m", "Largest force of the tissue on the tool, per metre of depth."},
+          {"time_of_peak_force", "s", "Time since the start of the run of that largest force."},
+          {"peak_transmitted_force", "N/m", "Largest force on the support, per metre of depth."},
+          {"impulse", "N s/m", "Integral of the force on the tool over the run, per metre of depth."},
+          {"time_of_first_failure", "s", "Time at which the first cell failed.", failed},
+          {"strain_at_first_failure", "1", "Way of the tool until the first cell failed, over the width of the block.", failed},
+          {"largest_permanent_stretch", "1", "Largest mean permanent stretch by yielding of the walls of an RVE, in any step."},
+          {"mean_permanent_stretch", "1", "Permanent stretch by yielding of the walls at the end, mean over the block's area."},
+          {"final_mean_F_xx", "1", "Stretch of the block along the blow at the end: F_xx, mean over its area."},
+          {"final_mean_F_yy", "1", "Stretch of the block across the blow at the end: F_yy, mean over its area."},
+          {"final_plates_stress_xx", "Pa", "Mean Cauchy stress between tool and support at the end as in an even block, P_xx/F_yy, negative in compression."},
+          {"tool_work", "J/m", "Work of the tool on the tissue, per metre of depth."},
+          {"dissipated_by_flow", "J/m", "Energy that yielding walls have dissipated, per metre of depth."},
+          {"dissipated_by_failure", "J/m", "Energy that breaking walls have set free, per metre of depth."}};
+}
+} // namespace
+
+Outputs tissue_run_outputs()
+{
+  Outputs all;
+  all.results(energy_results());
+  return all.join(energy_table()).join(cost_outputs()).join(outline_table(), "with Outlined RVEs > 0").join(tissue_field_outputs());
+}
+
+Outputs tip_swing_outputs()
+{
+  Outputs all = tip_outputs(true);
+  const char *most = "where the tip turned", *back = "where the tip came back";
+  all.results({{"tip_largest_deflection", "m", "Largest deflection of the tip downwards, by a parabola through the rows around it."},
+               {"time_of_largest_deflection", "s", "Time of that largest deflection, by the same parabola.", most},
+               {"period_from_maximum", "s", "Period of the swing as twice the time of the largest deflection.", most},
+               {"period_from_return", "s", "Period of the swing as the time at which the tip is back at its least deflection.", back},
+               {"tip_deflection_at_return", "m", "Deflection of the tip downwards at that return.", back}});
+  return all.join(cell_displacement_outputs());
+}
+
+Outputs bruise_outputs()
+{
+  Outputs all;
+  all.results(bruise_results())
+    .table("impact", "One row for each step of the tissue, forces and energies per metre of depth.",
+           {{"time", "s", "Time since the start of the run."},
+            {"travel", "m", "Way that the tool has gone since the start."},
+            {"force", "N/m", "Force of the tissue on the tool, positive against its motion."},
+            {"transmitted_force", "N/m", "Force of the tissue on the support, positive away from the tool."},
+            {"tool_work", "J/m", "Work of the tool on the tissue since the start."},
+            {"bruised_share", "1", "Share of the block's area whose cells have failed."},
+            {"mean_permanent_stretch", "1", "Permanent stretch by yielding of the walls, mean over the block's area."},
+            {"dissipated_by_flow", "J/m", "Energy that yielding walls have dissipated since the start."},
+            {"dissipated_by_failure", "J/m", "Energy that breaking walls have set free since the start."}})
+    .table("rve_points", "One row for each quadrature point and frame.",
+           {{"time", "s", "Time of the frame since the start of the run."},
+            {"x", "m", "Present place of the quadrature point along x."},
+            {"y", "m", "Present place of the quadrature point along y."},
+            {"failed", "1", "Share of the cells of the point's RVE that have failed."},
+            {"permanent_stretch", "1", "Mean permanent stretch of the walls of the point's RVE by yielding, over that of the undeformed state, minus one."},
+            {"pressure", "Pa", "Mean pressure of the fluid in the point's RVE."},
+            {"F_xx", "1", "Stretch component F_xx of the deformation gradient at the point."},
+            {"F_yy", "1", "Stretch component F_yy of the deformation gradient at the point."}});
+  return all;
+}
+
+Outputs tissue_field_outputs()
+{
+  Outputs all;
+  all.fields("tissue", "The mesh of the tissue as it is deformed.",
+             {{"displacement", "m", "Displacement of the node since the undeformed state."},
+              {"velocity", "m/s", "Velocity of the node of the mesh."},
+              {"stress", "Pa", "Cauchy stress of the element, mean over its quadrature points, positive in tension."},
+              {"pressure", "Pa", "Minus half the trace of that Cauchy stress, in the plane."},
+              {"fluid pressure", "Pa", "Pressure of the cells' fluid, mean over the element's RVEs."},
+              {"failed", "1", "Share of the cells that have failed, mean over the element's RVEs.", torn},
+              {"permanent stretch", "1", "Permanent stretch of the walls by yielding, mean over the element's RVEs.", torn}});
+  return all;
+}
+
+Outputs TissueGravity::outputs() const
+{
+  Outputs all = block_outputs();
+  return all.join(tip_swing_outputs()).join(tissue_run_outputs());
+}
+
+Outputs TissueBruise::outputs() const
+{
+  Outputs all;
+  all.results({{"density", "kg/m^3", "Mass of wall and fluid over the volume of a cell, in the unloaded state."},
+               {"tool_radius", "m", "Radius of the cylinder that hits the block.", "with Impact/Tool = cylinder"}});
+  return all.join(bruise_outputs()).join(tissue_run_outputs());
+}
+
+Outputs TissueStatics::outputs() const
+{
+  Outputs all = tip_outputs(false);
+  all
+    .results({{"tip_over_width", "1", "Deflection of the middle of the free side downwards, over the width."},
+              {"pressure_min", "Pa", "Lowest mean fluid pressure of an RVE under the load."},
+              {"pressure_max", "Pa", "Highest mean fluid pressure of an RVE under the load."},
+              {"newton_iterations", "", "Number of Newton iterations of the tissue, rejected increments included."},
+              {"load_increments", "", "Number of increments in which the load was put on."},
+              {"residual", "1", "Norm of the nodal forces left unbalanced at the end, over that of the load."},
+              {"residual_of_round_off", "1", "Norm of the unbalanced nodal forces that rounding alone leaves, over that of the load."},
+              {"rve_points", "", "Number of quadrature points, each with an RVE of its own."},
+              {"rve_calls", "", "Number of evaluations of an RVE."},
+              {"rve_cpu_time", "s", "CPU time inside RVEs, all threads and ranks together."},
+              {"solve_time", "s", "Wall time of the whole run, setting up included."}})
+    .join(block_outputs());
+  return all.join(cell_displacement_outputs()).join(tissue_field_outputs());
+}
+} // namespace turgor

@@ -1,0 +1,41 @@
+#include "rve/rve_response.h"
+
+namespace turgor
+{
+Outputs RveResponse::outputs() const
+{
+  const char *closed = "where the closed form of flat walls applies to a point";
+  const char *stretched = "where the closed form gives two different values";
+  Outputs all;
+  all
+    .results({{"final_sigma_*", "Pa", "That component of the RVE's mean Cauchy stress at the last point, positive in tension."},
+              {"final_pressure", "Pa", "Mean pressure of the fluid at the last point."},
+              {"evaluations", "", "Number of points at which the stress was asked for."},
+              {"iterations", "", "Number of Newton iterations (dynamic rules: micro steps) of all evaluations."},
+              {"cpu_time_per_evaluation", "s", "CPU time inside the RVE over the number of evaluations."},
+              {"points_with_closed_form", "", "Number of points to which the closed form of flat walls applies."},
+              {"max_deviatoric_deviation", "Pa", "Largest component of the difference of deviatoric stresses, less viscous ones, from the closed form at any point.", closed},
+              {"max_deviation_over_allowed", "1", "Largest such difference over what is allowed: 1 % of the stress, 0.5 % of turgor at least.", closed},
+              {"max_pressure_deviation", "Pa", "Largest difference of the fluid's pressure from the closed form.", closed},
+              {"max_pressure_deviation_over_turgor", "1", "Largest difference of the fluid's pressure from the closed form, over Cell/Turgor.", closed},
+              {"deviator_error_*", "1", "Factor of that component of the deviatoric stress on the closed form's, minus one, by least squares over the points.", stretched},
+              {"deviator_offset_over_turgor_*", "1", "That component of the deviatoric stress at no load by the same fit, over Cell/Turgor.", stretched}})
+    .table("stress", "One row for each point of the path.",
+           {{"time", "s", "Time on the path of deformation."},
+            {"F_*", "1", "That component (row, column) of the deformation gradient."},
+            {"F_dot_*", "1/s", "That component of the deformation gradient's rate."},
+            {"sigma_*", "Pa", "That component of the RVE's mean Cauchy stress, positive in tension."},
+            {"P_*", "Pa", "That component of the first Piola-Kirchhoff stress, force over undeformed area."},
+            {"pressure", "Pa", "Mean pressure of the fluid in the RVE."},
+            {"energy", "J/m^3", "Elastic energy over undeformed volume, 0 in the undeformed state."},
+            {"closed_form_applies", "", "Whether the closed form of flat walls holds at this F: 1 yes, 0 no."},
+            {"closed_sigma_*", "Pa", "That component of the closed form's Cauchy stress; 0 where it does not apply."},
+            {"closed_pressure", "Pa", "Pressure of the fluid by the closed form; 0 where it does not apply."},
+            {"deviatoric_deviation", "Pa", "Largest component of the deviatoric stress, less the viscous one, minus that of the closed form."},
+            {"stress_spread", "Pa", "Root mean square of the stress about its mean over the window of averaging; 0 without a window."},
+            {"iterations", "", "Number of Newton iterations (dynamic rules: micro steps) of this evaluation."},
+            {"residual", "1", "Largest force left unbalanced on a node, over turgor times node spacing times depth."},
+            {"cpu_time", "s", "CPU time of this evaluation inside the RVE."}});
+  return all;
+}
+} // namespace turgor
