@@ -53,7 +53,7 @@ class Study(unittest.TestCase):
             rows = list(csv.DictReader(file))
         self.assertEqual([row["Yield drop"] for row in rows], ["0", "0.5"])
         for row in rows:
-            self.assertEqual(row["m"], row["error_m"])
+            self.assertEqual(row["m [1]"], row["error_m"])
             self.assertGreater(float(row["cpu_time_s"]), 0)
 
 
