@@ -107,7 +107,7 @@ class Product(unittest.TestCase):
                 results.append(json.load(file)["results"])
         self.assertEqual(*results)
 
-    def stop(self, *arguments, after="input.prm"):
+    def stop(self, *arguments, after=".turgor.lock"):
         """Ctrl-C while the scene works, once it has written the file `after`: what it said, if it ended as it should."""
         shutil.rmtree(os.path.join(self.directory, "out"), ignore_errors=True)
         child = subprocess.Popen(self.command("run", *arguments, "-o", "out", "--quiet"), cwd=self.directory,
