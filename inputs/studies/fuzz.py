@@ -116,7 +116,8 @@ def draw(rng, scene, entries, sizes_only=False):
     for name, default, allowed in entries:
         size = small.get(name)
         if size is not None:
-            chosen[name] = rng.randint(*size) if isinstance(size, tuple) else rng.choice(size) if isinstance(size, list) else size
+            one = (lambda values: values[0]) if sizes_only else rng.choice  # the first of a list is always allowed
+            chosen[name] = rng.randint(*size) if isinstance(size, tuple) else one(size) if isinstance(size, list) else size
             continue
         if sizes_only or (name not in wild and rng.random() > 0.33):
             continue

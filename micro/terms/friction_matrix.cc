@@ -78,7 +78,7 @@ DoubleRow FrictionMatrix::rows_of(const std::size_t g, const SphereContacts &con
       if (i >= gamma.size()) // nobody: no residual
         continue;
       Links *to = links.data() + first[g];
-      FloatRow *line = work.lines.data() + lane;
+      [[maybe_unused]] FloatRow *line = with_lines ? work.lines.data() + lane : nullptr;
       ExactRow row(particles, gamma, v, i);
       double all = gamma[i];
       for (std::uint32_t k = of[i]; k < of[i + 1]; ++k)
@@ -98,7 +98,8 @@ DoubleRow FrictionMatrix::rows_of(const std::size_t g, const SphereContacts &con
             }
           const bool touches = c.area > 0.; // the next one takes the place of one that does not touch
           to += touches;
-          line += touches * width;
+          if constexpr (with_lines)
+            line += touches * width;
         }
       count[lane] = std::uint32_t(to - links.data()) - first[g];
       most = std::max(most, count[lane]);

@@ -100,6 +100,8 @@ private:
   };
 
   void build(const Group &group, std::size_t number); ///< from built_at
+  std::array<std::vector<double>, dim> impulse(Particles<dim> &particles, std::size_t group, const std::array<std::vector<double>, dim> &start,
+                                               double time, int degree) const;
 
   SphFluidParameters parameters;
   EquationOfState eos;

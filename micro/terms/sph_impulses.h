@@ -24,6 +24,7 @@ struct SphImpulses
   static constexpr double most_steps = 4.; ///< between impulses: of sound six spacings long a period has several
 
   double waited = 0.;   ///< s, since the last impulse
+  double excess = 1.;   ///< of the fastest rate over its bound: what damped without feeding energy
   double longest = 0.;  ///< s, time between impulses, as of the last
   bool fresh = true;    ///< no impulse yet: the next step has one
   bool within_step = false; ///< from drift to damp: forces asked for outside are of velocities that somebody may have changed
@@ -55,7 +56,7 @@ struct SphImpulses
 
   void save(std::ostream &out) const
   {
-    for (const double number : {waited, longest, fresh ? 1. : 0., virial_known ? 1. : 0.})
+    for (const double number : {waited, excess, longest, fresh ? 1. : 0., virial_known ? 1. : 0.})
       write_binary(out, number);
     for (int k = 0; k < dim * dim; ++k)
       write_binary(out, virial(k / dim, k % dim));
@@ -64,6 +65,7 @@ struct SphImpulses
   {
     double flags[2];
     read_binary(in, waited);
+    read_binary(in, excess);
     read_binary(in, longest);
     for (double &flag : flags)
       read_binary(in, flag);
