@@ -10,7 +10,7 @@ import math
 import os
 import sys
 
-from matplotlib.ticker import LogLocator, NullFormatter
+from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from drawing import INK, number_points, plt, read_table, style  # noqa: E402
@@ -173,6 +173,9 @@ def draw_panel(panel, lines, entry, columns, looks):
     elif min(positions) > 0 and max(positions) / min(positions) > 12:
         panel.set_xscale("log")
         readable_log_axis(panel.xaxis)
+    else:
+        panel.xaxis.set_major_locator(MaxNLocator(4))
+        panel.ticklabel_format(axis="x", style="sci", scilimits=(-3, 4), useMathText=True)
     if values and min(values) > 0 and max(values) / min(values) > (5 if columns[0].startswith("error_") else 50):
         panel.set_yscale("log")
         panel.yaxis.set_minor_formatter(NullFormatter())

@@ -111,7 +111,7 @@ def picture(directory):
     rves = read_rves(outlines, time) if os.path.exists(outlines) else []
     width = np.ptp(reference[:, 0]) * 1e3
 
-    norm = matplotlib.colors.Normalize(0, max(shear.max(), 1e-3))
+    norm = matplotlib.colors.Normalize(0, max([shear.max(), 1e-3] + [abs(rve["shear_stress"]) / 1e3 for rve in rves]))
     colours = matplotlib.colors.LinearSegmentedColormap.from_list(
         "leaf", ["#f4f8e6", "#cfe3a4", "#8dc085", "#3f8f7f", "#1d5470"]
     )
@@ -178,7 +178,7 @@ def picture(directory):
             figure.add_artist(
                 ConnectionPatch(edge, at, coordsA=inset.transAxes, coordsB=axis.transData, color=INK, linewidth=0.9, zorder=5)
             )
-    colour_bar(figure, [0.50, 0.325, 0.22, 0.014], norm, colours, "shear stress [kPa]")
+    colour_bar(figure, [0.50, 0.325, 0.22, 0.014], norm, colours, "size of the shear stress [kPa]")
 
     below = figure.add_axes([0.085, 0.075, 0.88, 0.165])
     plot_history(below, probe_table, time)
