@@ -109,7 +109,13 @@ void RunDirectory::require_replaceable()
     if (name != "input.prm" || !input_is_its_copy())
       require_claimable(directory, name);
   const nlohmann::json summary = earlier_summary(directory);
-  if (settings.overwrite || summary.value("status", "") != "finished")
+  const std::string status = summary.value("status", "");
+  if (settings.overwrite)
+    return;
+  if (!settings.resume && status == "stopped" && checkpoints.exists())
+    throw InputError(directory.string() + " holds a run that was stopped and can go on: add --resume. To begin anew, choose another directory with "
+                     "-o DIR, or replace it with --overwrite.");
+  if (status != "finished")
     return;
   if (!settings.resume && summary.value("input_hash", "") != settings.identity.input_hash())
     throw InputError(directory.string() + " holds a finished run of another input (" + (directory / "input.prm").string() +

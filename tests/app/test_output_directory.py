@@ -107,6 +107,15 @@ class OutputDirectory(Case):
         first.send_signal(signal.SIGTERM)
         self.assertEqual(first.wait(120), 130)
 
+    def test_a_stopped_run_is_not_replaced_by_one_that_forgot_to_resume(self):
+        first = self.started("run", *LONG, "-o", "out", "--quiet")
+        self.wait_for(lambda: os.path.exists(self.path("out", "endurance.csv")))
+        first.send_signal(signal.SIGTERM)
+        self.assertEqual(first.wait(120), 130)
+        self.refused("run", *LONG, "-o", "out", "--quiet", says="can go on: add --resume")
+        self.refused(*self.quick(), says="can go on: add --resume")
+        self.accepted(*self.quick(), "--overwrite")
+
     def test_the_input_is_not_replaced_by_its_copy(self):
         self.accepted(*self.quick())
         with open(QUICK, encoding="utf-8") as file:
