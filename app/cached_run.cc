@@ -7,11 +7,16 @@
 
 namespace turgor
 {
-CachedRun cached_run(const std::string &stem, const RunIdentity &identity, const unsigned int threads, const bool fresh)
+std::filesystem::path cache_of(const std::filesystem::path &chosen)
+{
+  return (chosen.empty() ? std::filesystem::path("runs") : chosen) / "cache";
+}
+
+CachedRun cached_run(const std::filesystem::path &cache, const std::string &stem, const RunIdentity &identity, const unsigned int threads, const bool fresh)
 {
   CachedRun run;
   const std::string key = identity.hash() + " " + number_text(threads);
-  run.directory = std::filesystem::path("runs") / "cache" / (stem + "_" + hexadecimal(fnv1a(key)));
+  run.directory = cache / (stem + "_" + hexadecimal(fnv1a(key)));
   if (read_summary(run) && !fresh)
     run.status = "finished";
   else if (run.status != "finished" && std::filesystem::exists(run.directory / "checkpoint.0"))

@@ -29,9 +29,12 @@ struct CachedRun
   ResourceUse use; ///< a resumed run's cost is that of all its parts
 };
 
-/// Where the run of this identity is kept: runs/cache/<stem>_<hash>; status from what is already there (fresh: nothing is).
+/// Where a study or a validation keeps its runs: in DIR/cache, if the person chose DIR; else in runs/cache, which all of them share.
+std::filesystem::path cache_of(const std::filesystem::path &chosen);
+
+/// The run of this identity, in <cache>/<stem>_<hash>; status from what is already there (fresh: nothing is).
 /// The program is part of it: nobody is shown what another program computed. So is the number of threads, for the cost.
-CachedRun cached_run(const std::string &stem, const RunIdentity &identity, unsigned int threads, bool fresh);
+CachedRun cached_run(const std::filesystem::path &cache, const std::string &stem, const RunIdentity &identity, unsigned int threads, bool fresh);
 
 /// Status, message and cost from the run's own summary; true when it has finished.
 bool read_summary(CachedRun &run);

@@ -9,6 +9,7 @@
 #include "app/run_ending.h"
 #include "app/study_input.h"
 #include "app/study_runner.h"
+#include "app/typed_command.h"
 #include "app/validate_command.h"
 #include "micro/io/number_text.h"
 #include "micro/io/stop_flag.h"
@@ -126,7 +127,7 @@ int dispatch(int argc, char **argv)
   CLI::App *study_app = app.add_subcommand("study", "Run many variants of any scene: results over swept entries, error against run time");
   study_app->footer("`turgor parameters study` prints all entries of a study file; inputs/studies holds ready-made ones.");
   study_app->add_option("FILE", study.file, "Study file (.prm)")->required();
-  study_app->add_option("-o,--output", study.directory, "Output directory (default runs/<name of the file>)");
+  study_app->add_option("-o,--output", study.directory, "Directory of tables, pictures and, in its cache/, the runs (default runs/<name of the file>, runs in runs/cache)");
   study_app->add_flag("--list", study.list_only, "Only print the runs and what is cached");
   study_app->add_flag("--fresh", study.fresh, "Compute every run again");
   study_app->add_option("--jobs", study.jobs, "Runs beside each other (default 1; run times are the most honest alone)")->check(CLI::Range(1u, 1024u));
@@ -135,7 +136,7 @@ int dispatch(int argc, char **argv)
   ValidateOptions validate;
   CLI::App *validate_app = app.add_subcommand("validate", "Run the validation scenes; exit code 1 when a row misses its target");
   validate_app->add_option("NAME", validate.names, "Names of inputs/validation/NAME.json (default: all)");
-  validate_app->add_option("-o,--output", validate.directory, "Directory of the table (default runs/validation)");
+  validate_app->add_option("-o,--output", validate.directory, "Directory of the table and, in its cache/, the runs (default runs/validation, runs in runs/cache)");
   validate_app->add_flag("--update-doc", validate.update_doc, "Also rewrite doc/validation.md and doc/results/validation.csv of the source");
   validate_app->add_option("--root", validate.root, "Directory that holds inputs/validation and doc (default: this program's source)");
   validate_app->add_flag("--list", validate.list_only, "Only print the runs and what is cached");
@@ -196,6 +197,7 @@ int dispatch(int argc, char **argv)
 int main(int argc, char **argv)
 {
   open_standard_streams();
+  remember_command(argc, argv);
   install_stop_handler(); // before all else: a wish to stop must not find its default action, death
   try
     {

@@ -4,6 +4,7 @@
 #include "app/program_build.h"
 #include "app/ranks.h"
 #include "app/run_ending.h"
+#include "app/typed_command.h"
 #include "micro/io/field_output.h"
 #include "micro/io/number_text.h"
 #include "micro/io/resource_use.h"
@@ -133,11 +134,12 @@ void tell(const Ending &ending, RunDirectory &directory, const std::string &plac
         directory.say("The pictures could not be drawn; try: turgor plot " + place);
       return;
     }
+  const std::string again = command_again({"--overwrite"}, {"--resume"});
   std::string end = "The run has failed. ";
   if (ending.code == 130)
-    end = directory.has_checkpoint() ? "Stopped; continue with --resume. " : "Stopped before there was a checkpoint; run it again. ";
+    end = directory.has_checkpoint() ? "Stopped; continue with --resume:\n  " + again + "\n" : "Stopped before there was a checkpoint; run it again. ";
   else if (ending.output_failed && directory.has_checkpoint())
-    end += "Once it can be written, --resume continues from the last checkpoint. ";
+    end += "Once it can be written, --resume continues from the last checkpoint:\n  " + again + "\n";
   std::cerr << "turgor: " << ending.message << "\n" << end;
   std::error_code problem;
   if (std::filesystem::exists(place, problem))

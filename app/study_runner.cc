@@ -7,6 +7,7 @@
 #include "app/study_input.h"
 #include "app/study_measure.h"
 #include "app/study_tables.h"
+#include "app/typed_command.h"
 #include "micro/io/directory_lock.h"
 #include "micro/io/number_text.h"
 #include "micro/io/progress_bar.h"
@@ -38,7 +39,7 @@ std::vector<StudyRow> planned(const StudyInput &study, const StudyOptions &optio
       try
         {
           const Input input = load_input(run.input, run.overrides, registry);
-          static_cast<CachedRun &>(row) = cached_run(run.input.stem().string(), input.identity, run.threads, options.fresh);
+          static_cast<CachedRun &>(row) = cached_run(cache_of(options.directory), run.input.stem().string(), input.identity, run.threads, options.fresh);
           for (const auto &point : run.swept)
             row.units[point.first] = unit_of_entry(input.scenario_name, point.first, registry);
         }
@@ -215,7 +216,7 @@ int study_command(const StudyOptions &options, const ScenarioRegistry &registry)
   print_study(study, rows);
   if (stop_was_requested())
     {
-      std::cerr << "turgor: stopped; the same command continues the study." << std::endl;
+      std::cerr << "turgor: stopped; to go on:\n  " << command_again({"--fresh"}) << std::endl;
       return 130;
     }
   const bool compared = !study.of_errors() || std::any_of(rows.begin(), rows.end(), [&](const StudyRow &row) {

@@ -53,13 +53,19 @@ void add_cost(CsvFields &fields, const StudyRow &row)
   fields.emplace_back("peak_memory_bytes", known ? number_text(row.use.peak_memory) : "");
 }
 
-CsvFields results_row(const StudyRow &row)
+/// From the table's own directory, wherever both are moved or looked at from.
+std::string seen_from(const std::filesystem::path &directory, const std::filesystem::path &path)
+{
+  return path.empty() ? "" : std::filesystem::proximate(path, directory).string();
+}
+
+CsvFields results_row(const StudyRow &row, const std::filesystem::path &directory)
 {
   CsvFields fields = question(row);
   fields.emplace_back("status", row.status);
   add_cost(fields, row);
   fields.emplace_back("threads", number_text(row.run.threads));
-  fields.emplace_back("directory", row.directory.string());
+  fields.emplace_back("directory", seen_from(directory, row.directory));
   fields.emplace_back("message", row.message);
   if (row.status == "finished")
     for (const auto &[name, result] : results_of(row.directory))
@@ -81,7 +87,7 @@ CsvFields errors_row(const StudyInput &study, const StudyRow &row)
   return fields;
 }
 
-nlohmann::json description(const StudyInput &study, const std::vector<StudyRow> &rows)
+nlohmann::json description(const StudyInput &study, const std::vector<StudyRow> &rows, const std::filesystem::path &directory)
 {
   nlohmann::json json = {{"measures", nlohmann::json::array()}, {"entries", nlohmann::json::array()}};
   for (const StudyMeasure &measure : study.measures)
@@ -92,7 +98,7 @@ nlohmann::json description(const StudyInput &study, const std::vector<StudyRow> 
       json["measures"].push_back({{"name", measure.name}, {"table", measure.table}, {"against", measure.against}, {"columns", measure.columns},
                                   {"curve", measure.match.empty() && !measure.table.empty()}, {"relative", measure.size == 0.},
                                   {"reference", reference.text},
-                                  {"reference_table", reference.kind == Kind::file || reference.kind == Kind::directory ? table.string() : ""}});
+                                  {"reference_table", reference.kind == Kind::file || reference.kind == Kind::directory ? seen_from(directory, table) : ""}});
     }
   for (const StudyRow &row : rows)
     for (const auto &[entry, value] : row.run.swept)
@@ -109,13 +115,13 @@ nlohmann::json description(const StudyInput &study, const std::vector<StudyRow> 
 
 void write_study_tables(const StudyInput &study, const std::vector<StudyRow> &rows, const std::filesystem::path &directory)
 {
+  std::filesystem::create_directories(directory); // first: what is seen from it resolves its links
   std::vector<CsvFields> results, errors;
   for (const StudyRow &row : rows)
     {
-      results.push_back(results_row(row));
+      results.push_back(results_row(row, directory));
       errors.push_back(errors_row(study, row));
     }
-  std::filesystem::create_directories(directory);
   const auto write = [&](const std::string &name, const std::string &text) {
     claim(directory, name); // never a file the user put there
     write_atomically(directory / name, text);
@@ -123,7 +129,7 @@ void write_study_tables(const StudyInput &study, const std::vector<StudyRow> &ro
   write("results.csv", csv_of(results));
   if (!study.measures.empty())
     write("error_vs_time.csv", csv_of(errors));
-  write("study.json", description(study, rows).dump(1) + "\n");
+  write("study.json", description(study, rows, directory).dump(1) + "\n");
 }
 
 void print_study(const StudyInput &study, const std::vector<StudyRow> &rows)

@@ -3,6 +3,7 @@
 #include "app/child_process.h"
 #include "app/nearest_name.h"
 #include "app/run_command.h"
+#include "app/typed_command.h"
 #include "app/validation_table.h"
 #include "micro/io/atomic_file.h"
 #include "micro/io/checksum.h"
@@ -23,13 +24,13 @@ namespace turgor
 namespace
 {
 /// The runs of one validation, by label; the inputs are checked here.
-std::map<std::string, CachedRun> planned(const Validation &validation, const bool fresh, const ScenarioRegistry &registry)
+std::map<std::string, CachedRun> planned(const Validation &validation, const std::filesystem::path &cache, const bool fresh, const ScenarioRegistry &registry)
 {
   std::map<std::string, CachedRun> runs;
   for (const auto &[label, request] : validation.runs)
     {
       const Input input = load_input(request.input, request.overrides, registry);
-      runs[label] = cached_run(request.input.stem().string(), input.identity, request.threads, fresh);
+      runs[label] = cached_run(cache, request.input.stem().string(), input.identity, request.threads, fresh);
     }
   return runs;
 }
@@ -222,7 +223,7 @@ int validate_command(const ValidateOptions &options, const ScenarioRegistry &reg
   std::vector<std::pair<const Validation *, std::map<std::string, CachedRun>>> wanted;
   for (const Validation &validation : validations)
     if (options.names.empty() || std::find(options.names.begin(), options.names.end(), validation.name) != options.names.end())
-      wanted.emplace_back(&validation, planned(validation, options.fresh, registry));
+      wanted.emplace_back(&validation, planned(validation, cache_of(options.directory), options.fresh, registry));
   if (options.list_only)
     {
       for (const auto &[validation, runs] : wanted)
@@ -265,7 +266,7 @@ int validate_command(const ValidateOptions &options, const ScenarioRegistry &reg
     }
   if (stop_was_requested())
     {
-      std::cerr << "turgor: stopped; the same command continues the validation." << std::endl;
+      std::cerr << "turgor: stopped; to go on:\n  " << command_again({"--fresh"}) << std::endl;
       return 130;
     }
   std::cout << "The table is in " << (directory / "validation.md").string() << (options.update_doc ? " and in doc/validation.md" : "") << "."

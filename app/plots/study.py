@@ -245,7 +245,7 @@ def plot_curves(results, info, directory):
     colours, handles = plt.get_cmap("tab20").colors, {}
     for panel, (table, against, column, reference_table, reference) in zip(panels[:, 0], wanted):
         for k, row in enumerate(runs):
-            found = curve(os.path.join(row["directory"], table + ".csv"), against, column)
+            found = curve(os.path.join(directory, row["directory"], table + ".csv"), against, column)
             if found:
                 look = dict(color="k", lw=2.5, alpha=0.6, zorder=0) if row["run"] == reference else \
                     dict(color=colours[k % 20], lw=1.2, ls=("-", "--", "-.", ":")[k // 20 % 4])
@@ -253,7 +253,7 @@ def plot_curves(results, info, directory):
                 handles[label], = panel.plot(found[1], found[3], label=label, **look)
                 panel.set_xlabel(found[0], color=INK)
                 panel.set_ylabel(found[2], color=INK)
-        found = curve(reference_table, against, column) if reference_table else None
+        found = curve(os.path.join(directory, reference_table), against, column) if reference_table else None
         if found:
             handles["reference"], = panel.plot(found[1], found[3], color="k", lw=2.5, alpha=0.6, zorder=0, label="reference")
         panel.grid(alpha=0.2)

@@ -25,19 +25,19 @@ def study(name, runs):
     """
     folder = os.path.join(ROOT, "runs", name)
     os.makedirs(folder, exist_ok=True)
-    file = os.path.join(folder, "study.prm")
+    file = os.path.join(folder, os.path.basename(name) + ".prm")
     with open(file, "w", encoding="utf-8") as out:
         out.write("set Draw = none\n")
         for label, scene, entries in runs:
             overrides = "; ".join(f"{entry}={escaped(value)}" for entry, value in entries.items())
             out.write(f"subsection Run {label}\n  set Input = {ROOT}/inputs/{scene}.prm\n  set Overrides = {overrides}\nend\n")
-    code = subprocess.run([PROGRAM, "study", file, "-o", folder, "--jobs", JOBS], cwd=ROOT, stdin=subprocess.DEVNULL).returncode
+    code = subprocess.run([PROGRAM, "study", file, "--jobs", JOBS], cwd=ROOT, stdin=subprocess.DEVNULL).returncode
     if code not in (0, 1):  # 1: some run failed, which its row tells
         raise SystemExit(code)
     with open(os.path.join(folder, "results.csv"), newline="", encoding="utf-8") as table:
         rows = {row["run"]: row for row in csv.DictReader(table)}
     for row in rows.values():
-        row["directory"] = os.path.join(ROOT, row["directory"])
+        row["directory"] = os.path.normpath(os.path.join(folder, row["directory"]))
     return rows
 
 

@@ -29,7 +29,7 @@ def runs(study):
     with open(path, newline="", encoding="utf-8") as file:
         rows = [row for row in csv.DictReader(file) if row["status"] == "finished"]
     entries = [name for name in list(rows[0])[:list(rows[0]).index("status")] if name not in ("run", "method", "settings")]
-    return {tuple(float(row[entry]) for entry in entries): os.path.join(ROOT, row["directory"]) for row in rows}
+    return {tuple(float(row[entry]) for entry in entries): os.path.join(os.path.dirname(path), row["directory"]) for row in rows}
 
 
 def table(directory, name):

@@ -87,7 +87,7 @@ def main():
     for place in options.directory:
         if place.endswith(".csv"):  # the runs of a study
             with open(place, newline="", encoding="utf-8") as file:
-                places += [(row["run"], row["directory"]) for row in csv.DictReader(file) if row["status"] == "finished"]
+                places += [(row["run"], os.path.join(os.path.dirname(place), row["directory"])) for row in csv.DictReader(file) if row["status"] == "finished"]
         else:
             places.append((os.path.basename(os.path.normpath(place)), place))
     rows = [{"run": label, **{k: f"{v:.4g}" for k, v in row.items()}} for label, place in places for row in rows_of(place, options.hours)]

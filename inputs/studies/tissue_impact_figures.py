@@ -196,8 +196,9 @@ def compression(directory):
 
 def cells(directory, part, chosen, moments):
     """Runs (label, title) below each other, at the given frames beside each other."""
-    with open(os.path.join(ROOT, "runs", "tissue_impact_" + part, "results.csv"), newline="", encoding="utf-8") as file:
-        places = {row["run"]: os.path.join(ROOT, row["directory"]) for row in csv.DictReader(file) if row["status"] == "finished"}
+    study = os.path.join(ROOT, "runs", "tissue_impact_" + part)
+    with open(os.path.join(study, "results.csv"), newline="", encoding="utf-8") as file:
+        places = {row["run"]: os.path.join(study, row["directory"]) for row in csv.DictReader(file) if row["status"] == "finished"}
     chosen = [(places[label], title) for label, title in chosen if label in places]
     if not chosen:
         return

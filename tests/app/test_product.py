@@ -193,7 +193,7 @@ class Product(unittest.TestCase):
             self.assertTrue(content(self.directory, "runs", "s", name).startswith(b"\x89PNG"))
         self.assertNotIn("Running", self.run_program("study", "s.prm"))  # all cached
         with open(os.path.join(self.directory, "runs", "s", "results.csv"), newline="", encoding="utf-8") as file:
-            place = list(csv.DictReader(file))[0]["directory"]
+            place = os.path.join("runs", "s", list(csv.DictReader(file))[0]["directory"])
         self.run_program("plot", place)
         self.assertTrue(content(self.directory, place, "probe.png").startswith(b"\x89PNG"))
         self.assertIn(b"probe.png", content(self.directory, place, "made_by_turgor.txt"))  # the next run removes it

@@ -15,10 +15,10 @@ class Study(unittest.TestCase):
         self.addCleanup(temporary.cleanup)
         self.directory = temporary.name
 
-    def study(self, code, text):
+    def study(self, code, text, *arguments):
         with open(os.path.join(self.directory, "s.prm"), "w", encoding="utf-8") as file:
             file.write(text)
-        done = subprocess.run([PROGRAM, "study", "s.prm"], cwd=self.directory, capture_output=True, text=True, timeout=120)
+        done = subprocess.run([PROGRAM, "study", "s.prm", *arguments], cwd=self.directory, capture_output=True, text=True, timeout=120)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         return done.stdout + done.stderr
 
@@ -55,6 +55,17 @@ class Study(unittest.TestCase):
         for row in rows:
             self.assertEqual(row["m [1]"], row["error_m"])
             self.assertGreater(float(row["cpu_time_s"]), 0)
+
+    def test_everything_is_below_the_chosen_directory_and_told_from_the_table(self):
+        text = f"set Input = {INPUTS}/wall_uniaxial.prm\nsubsection Run a\nend\n"
+        for arguments, place in ((["-o", "chosen"], "chosen"), (["-o", os.path.join(self.directory, "deep", "chosen")], "deep/chosen"), ([], "runs/s")):
+            self.study(0, text, *arguments)
+            with open(os.path.join(self.directory, place, "results.csv"), newline="", encoding="utf-8") as file:
+                told = next(csv.DictReader(file))["directory"]
+            self.assertFalse(os.path.isabs(told))
+            self.assertTrue(os.path.exists(os.path.join(self.directory, place, told, "summary.json")), told)
+            self.assertEqual(told.startswith("cache" + os.sep), bool(arguments), told)
+            self.assertEqual(os.path.exists(os.path.join(self.directory, "runs")), not arguments)
 
 
 if __name__ == "__main__":

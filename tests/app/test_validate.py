@@ -46,7 +46,7 @@ class Validate(unittest.TestCase):
         self.assertEqual(self.text("doc", "validation.md"), document)
         self.assertFalse(os.path.exists(os.path.join(self.directory, "doc", "results")))
         self.assertIn("error of a wall", self.text("here", "validation.md"))
-        self.assertFalse(os.path.exists(os.path.join(self.directory, "runs", "validation")))
+        self.assertFalse(os.path.exists(os.path.join(self.directory, "runs")))  # the runs are in here/cache
         self.validate(0, "-o", "here", "--update-doc")
         self.assertIn("| met |", self.text("doc", "validation.md"))
         self.assertTrue(self.text("doc", "validation.md").endswith("\n\nText.\n"))
