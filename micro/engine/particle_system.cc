@@ -95,6 +95,15 @@ double ParticleSystem<dim>::potential_energy() const
 }
 
 template <int dim>
+double ParticleSystem<dim>::heat() const
+{
+  double total = 0.;
+  for (const auto &term : terms)
+    total += term->heat();
+  return total;
+}
+
+template <int dim>
 double ParticleSystem<dim>::kinetic_energy() const
 {
   double total = 0.;

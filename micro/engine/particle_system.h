@@ -62,6 +62,7 @@ public:
   /// J, after compute_forces at the same positions.
   double potential_energy() const;
   double kinetic_energy() const;
+  double heat() const; ///< J, what the terms' impulses have taken from the motion so far
   Vector<dim> momentum() const; ///< kg m/s, of the particles that are not clamped
 
   /// N m: stress times volume, sum over pairs (half sum f_ij (x) x_ij, thesis Eq. 3.17). Because every

@@ -65,6 +65,9 @@ public:
   /// forces are then in no f; a mode that it damps loses energy whatever its phase, where a drag in f sees half a step before.
   virtual void damp(Particles<dim> &, const Box<dim> &, std::size_t /*group*/, double /*dt*/) {}
 
+  /// J; what damp() has taken from the motion so far, of all groups.
+  virtual double heat() const { return 0.; }
+
   /// N m; -sum f_k (x) x_k of what damp() does, for the virial.
   virtual Tensor2<dim> damping_virial(const Particles<dim> &, std::size_t /*group*/) const { return Tensor2<dim>::Zero(); }
 

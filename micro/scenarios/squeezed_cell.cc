@@ -28,7 +28,7 @@ struct Progress
   double dt = 0., height = 0., radius = 0., start_energy = 0., start_pressure = 0., residual = 0.;
   double first_angle = -1., first_tilt = 0., first_deformation = -1., angle_sum = 0., tilt_sum = 0.; ///< degrees; 1
   double impulse_upper = 0., impulse_lower = 0., summed_steps = 0.;                             ///< of the row to come: N, summed over steps
-  double heat = 0., viscous_power = 0., given_off = 0.;                                         ///< J, W at the last row, J
+  double damped = 0., heat_before = 0., given_off = 0.;                                         ///< J, by Damping; by impulses until the plates move
 };
 
 /// Share of the full angle under which a closed wall, broken faces included, is seen: 1 inside, 0 outside.
@@ -75,7 +75,7 @@ void SqueezedCell::declare_parameters(InputEntries &prm)
   prm.add_parameter("Critical stretch", critical_stretch,
                     "lambda_c at which a bond of the wall breaks, above 1; 0: walls do not fail. Units: none.",
                     Double(0., 100.));
-  prm.add_parameter("Samples", samples, "Number of equal parts of the run after each of which force.csv gets a row; heat is summed over them. Units: none.", Integer(2, 1000000));
+  prm.add_parameter("Samples", samples, "Number of equal parts of the run after each of which force.csv gets a row. Units: none.", Integer(2, 1000000));
   prm.add_parameter("Frames", frames, free_to_change("Number of equal parts of the run after each of which wall and fluid are written for ParaView and pictures; 0: never. Units: none."), Integer(0, 100000));
   declare_step_fraction(prm, step_fraction);
   declare_checkpoints(prm, checkpoints);
@@ -178,6 +178,7 @@ void SqueezedCell::run_in(RunContext &context)
       integrator.begin_here();
       at_step.dt = integrator.safe_step();
       at_step.start_energy = system.potential_energy();
+      at_step.heat_before = system.heat();
     }
   radius = at_step.radius;
   rest_radius = round.rest_radius;
@@ -221,6 +222,7 @@ void SqueezedCell::run_in(RunContext &context)
                      + "): a checkpoint, where there is one, holds the last good state; use a smaller Step fraction (now "
                      + number_text(step_fraction) + ")" + (speed > 20. ? " or Speed." : "."));
   };
+  const auto heat = [&] { return at_step.damped + system.heat() - at_step.heat_before; };
   const auto measure = [&] {
     if (!round.finite())
       throw diverged("the cell diverged");
@@ -231,10 +233,10 @@ void SqueezedCell::run_in(RunContext &context)
     row.time = double(at_step.step) * at_step.dt;
     row.energy = row.kinetic + system.potential_energy() - at_step.start_energy;
     row.work = plates.work();
-    row.heat = at_step.heat;
+    row.heat = heat();
     row.given_off = at_step.given_off;
     // Nobody but the plates does work; what they have done is known to the step's own error, which for a node
-    // that a plate strikes is (omega dt)^2/4 of its penalty energy, 1/4 at the longest step. Heat of viscosity is sampled.
+    // that a plate strikes is (omega dt)^2/4 of its penalty energy, 1/4 at the longest step.
     const double struck = 0.25 * plates.energy(particles, system.box, 0);
     if (conservative && row.energy + row.given_off > row.work + 0.02 * std::abs(row.work) + struck + 1e-3 * std::abs(at_step.start_energy))
       throw diverged("energy appeared from nothing");
@@ -248,11 +250,6 @@ void SqueezedCell::run_in(RunContext &context)
     row.mean_force_upper = at_step.summed_steps > 0. ? at_step.impulse_upper / at_step.summed_steps : row.force_upper;
     row.mean_force_lower = at_step.summed_steps > 0. ? at_step.impulse_lower / at_step.summed_steps : row.force_lower;
     at_step.impulse_upper = at_step.impulse_lower = at_step.summed_steps = 0.;
-    const double power = heat_of_viscosity(system, round.sph);
-    if (!rows.empty())
-      at_step.heat += 0.5 * (power + at_step.viscous_power) * (row.time - rows.back().time);
-    at_step.viscous_power = power;
-    row.heat = at_step.heat;
     rows.push_back(row);
     table->add_row({row.time, row.deformation, row.force_upper, row.force_lower, row.mean_force_upper, row.mean_force_lower,
                     row.pressure, row.volume, row.contact_upper, row.contact_lower, row.largest_upper, row.largest_lower,
@@ -290,7 +287,7 @@ void SqueezedCell::run_in(RunContext &context)
     {
       integrator.step(at_step.dt, damping);
       ++at_step.step;
-      at_step.heat += heat_of_damping(system, damping, at_step.dt);
+      at_step.damped += heat_of_damping(system, damping, at_step.dt);
       at_step.impulse_lower += plates.force(0);
       at_step.impulse_upper += plates.force(1);
       at_step.summed_steps += 1.;
@@ -356,7 +353,7 @@ void SqueezedCell::run_in(RunContext &context)
       context.result("plate_energy_returned", end / start, "1");
       context.result("plate_energy_balance", (start + pressed - end - rows.back().work) / (start + pressed), "1");
     }
-  context.result("heat", at_step.heat, "J");
+  context.result("heat", heat(), "J");
   if (round.damage)
     context.result("energy_given_off_by_breaking", at_step.given_off, "J");
   if (!(rows.back().broken > 0.)) // a broken bond takes its energy along

@@ -252,7 +252,7 @@ void report_worth(RunContext &context, const Rows &rows, const double radius, co
   if (conservative)
     judged(context, "energy_balance_error", error, {0.02, 0.1},
            number_text(100. * std::abs(error)) + " % of the plates' work "
-             + (error > 0. ? "is not found again" : "came from nothing") + " (a smaller Step fraction or Speed, or more Samples of the heat)");
+             + (error > 0. ? "is not found again" : "came from nothing") + " (a smaller Step fraction or Speed mends it)");
 }
 
 double energy_dissipated(const Rows &rows)

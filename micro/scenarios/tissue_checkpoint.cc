@@ -16,7 +16,7 @@ auto TissueLoading::Run::kept(Self &r)
   return std::tie(r.step, r.load_steps, r.inflation_steps, r.dt, r.angle_before, r.angle_inflated, r.stretch_inflated, r.void_fraction,
                   r.pressure_inflated, r.residual, r.tie_stress, r.start_energy, r.start.low,
                   r.start.high, r.start.width, r.start.cell_height, r.start.depth, r.history, r.broken_bonds, r.broken_at_junction,
-                  r.broken_ties, r.deepest, r.most_crossed, r.deepest_behind, r.most_outside, r.released, r.created, r.flowed, r.heat, r.heating_before, r.heated_until);
+                  r.broken_ties, r.deepest, r.most_crossed, r.deepest_behind, r.most_outside, r.released, r.created, r.flowed, r.damped, r.heat_before);
 }
 
 void TissueLoading::Run::save(std::ostream &out) const

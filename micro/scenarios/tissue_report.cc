@@ -34,7 +34,6 @@ void TissueLoading::Run::record()
   s.strain = strain();
   s.bottom = plates->force(0);
   s.top = plates->force(1);
-  take_heat();
   const double overlap = tissue->contact->deepest(), crossed = double(tissue->contact->crossed_bonds()),
                outside = double(tissue->fluid->crossed()), behind = plates->deepest();
   deepest = std::max(deepest, overlap);
@@ -45,22 +44,11 @@ void TissueLoading::Run::record()
   loading->add_row({s.time, s.strain, s.top, s.bottom, s.top / area, s.bottom / area, (*plates)[1].position, mean_pressure(),
                     system.potential_energy(), system.kinetic_energy(), plates->work(), s.centre, s.flattest, s.stretch_near,
                     s.stretch, s.largest_stretch, s.failed_cells, s.broken_bonds, s.broken_ties, s.failed_depth,
-                    outside, released + flowed, heat, overlap, crossed, behind});
+                    outside, released + flowed, heat(), overlap, crossed, behind});
   std::vector<double> row{s.time, s.strain};
   for (const double f : flattening_of_rows(*tissue, start, scene.brick.rows))
     row.push_back(f);
   by_row->add_row(row);
-}
-
-void TissueLoading::Run::take_heat()
-{
-  const double time = double(step) * dt;
-  if (step > 0 && time == heated_until)
-    return;
-  const double now = heat_of_viscosity(system, dynamic_cast<SphFluid<2> *>(tissue->fluid));
-  heat += 0.5 * (now + heating_before) * (time - heated_until);
-  heating_before = now;
-  heated_until = time;
 }
 
 FieldFrame TissueLoading::Run::frame() const
@@ -138,12 +126,12 @@ void TissueLoading::Run::report()
   context.result("flattest_cell_ever", flat, "1");
   // a mean over 1/80 of the run: what is faster is ringing of single walls
   context.result("stress_lower_oscillation", oscillation(history, std::max<std::size_t>(1, history.size() / 80)), "1");
-  const double unaccounted = missing_energy() + heat;
+  const double unaccounted = missing_energy() + heat();
   context.result("work", plates->work(), "J");
   context.result("energy_unaccounted", unaccounted, "J"); // what heat should be
   context.result("energy_given_off_by_breaking", released, "J");
   context.result("energy_created_by_breaking", created, "J");
-  context.result("heat", heat, "J");
+  context.result("heat", heat(), "J");
   if (tissue->flow)
     context.result("energy_taken_by_flow", flowed, "J");
   if (tissue->flow)
@@ -152,9 +140,14 @@ void TissueLoading::Run::report()
   report_worth();
 }
 
+double TissueLoading::Run::heat() const
+{
+  return damped + system.heat() - heat_before;
+}
+
 double TissueLoading::Run::missing_energy() const
 {
-  return start_energy + plates->work() - system.potential_energy() - system.kinetic_energy() - released - flowed - heat;
+  return start_energy + plates->work() - system.potential_energy() - system.kinetic_energy() - released - flowed - heat();
 }
 
 std::string TissueLoading::Run::or_slower() const

@@ -124,6 +124,7 @@ void TissueLoading::Run::begin_squeezing()
   step = 0;
   system.compute_forces();
   start_energy = system.potential_energy();
+  heat_before = system.heat();
 }
 
 bool TissueLoading::Run::processes()
@@ -184,7 +185,7 @@ void TissueLoading::Run::step_once()
     split->step(dt, scene.damping);
   else
     integrator->step(dt, scene.damping);
-  heat += heat_of_damping(system, scene.damping, dt);
+  damped += heat_of_damping(system, scene.damping, dt);
   ++step;
   if (processes() && split)
     split->compute_forces();
@@ -196,8 +197,7 @@ void TissueLoading::Run::squeeze(const bool resumed)
   std::unique_ptr<FieldOutput> fields;
   if (scene.frames > 0)
     fields = std::make_unique<FieldOutput>(context, "cells", resumed, [this] { return frame(); });
-  const std::uint64_t sample_every = steps_between(load_steps, scene.samples), frame_every = steps_between(load_steps, scene.frames),
-                      heat_every = steps_between(load_steps, std::max(scene.samples, 400u));
+  const std::uint64_t sample_every = steps_between(load_steps, scene.samples), frame_every = steps_between(load_steps, scene.frames);
   const auto where = [this] { return "at a strain of " + number_text(strain()); };
   const auto sample = [&] {
     require_finite(where());
@@ -218,8 +218,6 @@ void TissueLoading::Run::squeeze(const bool resumed)
   while (step < load_steps)
     {
       step_once();
-      if (step % heat_every == 0)
-        take_heat();
       if (step % sample_every == 0)
         sample();
       if (fields && step % frame_every == 0)

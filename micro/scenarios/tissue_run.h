@@ -47,13 +47,13 @@ private:
   // tissue_report.cc
   void open_series();
   void record(); ///< one row of the history
-  void take_heat(); ///< of viscosity, since it was last measured
   FieldFrame frame() const;
   double mean_pressure() const; ///< Pa
   void report();
   void report_failure();
   void report_worth();           ///< what the results mean: balance, penetrations
   std::string or_slower() const; ///< advice, where the plate is so fast that it helps: from a tenth of the speed of sound on
+  double heat() const;           ///< J, since the plate moves
   double missing_energy() const; ///< J, put in and not found again; negative: from nothing
 
   const TissueLoading &scene;
@@ -80,7 +80,7 @@ private:
   double deepest = 0., most_crossed = 0., deepest_behind = 0., most_outside = 0.; ///< m, bonds, m, fluid particles
   double released = 0., created = 0.;         ///< J, given off by what broke; of it negative
   double flowed = 0.;                         ///< J, taken by walls that yielded
-  double heat = 0., heating_before = 0., heated_until = 0.; ///< J; W of viscosity, when it was last measured (s)
+  double damped = 0., heat_before = 0.;       ///< J, by Damping; by impulses until the plate moved
   std::vector<double> broken_ties; ///< bonds to the end of its wall, in the order in which they broke
 };
 } // namespace turgor

@@ -70,6 +70,18 @@ double kinetic_energy(const Particles<dim> &particles, const Group &g)
   return 0.5 * twice;
 }
 
+/// J: what forces f (N) acting for a time (s) take from the motion, v from `start` to what the particles have now; -time sum f . v at their mean.
+/// Of a particle with mass that is its own loss to the last digit; one that is moved from outside has f . v done on it.
+template <int dim>
+double taken_from_the_motion(const Particles<dim> &particles, const Group &g, const VelocitiesOf<dim> &start, const VelocitiesOf<dim> &f, const double time)
+{
+  double sum = 0.;
+  for (int d = 0; d < dim; ++d)
+    for (std::uint32_t i = g.begin; i < g.end; ++i)
+      sum += f[d][i - g.begin] * (start[d][i - g.begin] + particles.v[d][i]);
+  return -0.5 * time * sum;
+}
+
 /// N m: - sum f (x) x.
 template <int dim>
 Tensor2<dim> virial_of(const Particles<dim> &particles, const Group &g, const std::array<std::vector<double>, dim> &f)
@@ -117,6 +129,7 @@ void SphFluid<dim>::damp(Particles<dim> &particles, const Box<dim> &, const std:
       if (!(kinetic_energy(particles, g) > before * (1. + round_off)) || degree >= SphImpulses<dim>::most_degree)
         {
           impulses.virial = virial_of<dim>(particles, g, mean);
+          cells[group].heat += taken_from_the_motion<dim>(particles, g, start, mean, impulses.waited);
           break;
         }
       impulses.excess *= 2.;

@@ -255,6 +255,15 @@ std::size_t SphFluid<dim>::crossed() const
 }
 
 template <int dim>
+double SphFluid<dim>::heat() const
+{
+  double sum = 0.;
+  for (const Cell &cell : cells)
+    sum += cell.heat;
+  return sum;
+}
+
+template <int dim>
 std::size_t SphFluid<dim>::list_builds() const
 {
   std::size_t total = 0;
@@ -300,6 +309,7 @@ void SphFluid<dim>::save(std::ostream &out, const Particles<dim> &) const
       if (damage)
         write_binary(out, cell.scale);
       cell.impulses.save(out);
+      write_binary(out, cell.heat);
     }
 }
 
@@ -314,6 +324,7 @@ void SphFluid<dim>::load(std::istream &in, Particles<dim> &particles)
       if (damage)
         read_binary(in, cell.scale);
       cell.impulses.load(in);
+      read_binary(in, cell.heat);
       set_particle_mass(particles, group, mass[group]);
       cell.built = false; // built from there at the next forces, when the damage is known as well
     }

@@ -56,6 +56,7 @@ public:
   void add_forces(Particles<dim> &particles, const Box<dim> &box, std::size_t group) override;
   void drift(Particles<dim> &particles, std::size_t group, double dt) override;
   void damp(Particles<dim> &particles, const Box<dim> &box, std::size_t group, double dt) override;
+  double heat() const override; ///< exact, impulse by impulse
   Tensor2<dim> damping_virial(const Particles<dim> &particles, std::size_t group) const override;
   double energy(const Particles<dim> &particles, const Box<dim> &box, std::size_t group) const override;
   Rates rates(const Particles<dim> &particles) const override;
@@ -96,6 +97,7 @@ private:
     double scale = 1.;
     std::uint32_t crossed = 0;
     SphImpulses<dim> impulses;
+    double heat = 0.; ///< J, what the impulses have taken from the motion so far
     std::size_t builds = 0;
   };
 

@@ -241,6 +241,7 @@ BOOST_AUTO_TEST_CASE(impulses_keep_both_momenta_and_take_energy_at_any_viscosity
       BOOST_TEST_MESSAGE(mu << " Pa s: loses " << lost / energy << " of the energy");
       BOOST_TEST(lost > 0.);
       BOOST_TEST(lost < energy);
+      BOOST_TEST(std::abs(cell.system.heat() - lost) < 1e-12 * energy); // and that is what it tells
       if (mu == 1e-3)
         BOOST_TEST(lost == -power * dt, boost::test_tools::tolerance(1e-2));
       // its virial is that of the mean force
