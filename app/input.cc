@@ -2,6 +2,7 @@
 
 #include "app/declared_entries.h"
 #include "app/input_identity.h"
+#include "app/input_mistakes.h"
 #include "app/nearest_name.h"
 #include "app/outputs_text.h"
 #include "app/scenario_list.h"
@@ -11,55 +12,11 @@
 #include "micro/io/run_context.h"
 
 #include <algorithm>
-#include <map>
 
 namespace turgor
 {
 namespace
 {
-std::string quoted_section(const std::vector<std::string> &section)
-{
-  return section.empty() ? "the top level" : "subsection '" + join_path({section.begin(), section.end() - 1}, section.back()) + "'";
-}
-
-[[noreturn]] void refuse_unknown(const PrmSetting &setting, const std::vector<InputEntry> &known)
-{
-  std::vector<std::string> here;
-  std::string elsewhere;
-  for (const InputEntry &entry : known)
-    if (entry.section == setting.section)
-      here.push_back(entry.name);
-    else if (entry.name == setting.name)
-      elsewhere = join_path(entry.section, entry.name);
-  throw InputError(setting.where + ": there is no entry '" + setting.name + "' in " + quoted_section(setting.section) + "." +
-                   (elsewhere.empty() ? suggestion(setting.name, here) : " Did you mean '" + elsewhere + "'?"));
-}
-
-void check_section(const PrmSection &section, const std::vector<InputEntry> &known)
-{
-  for (std::size_t depth = 1; depth <= section.path.size(); ++depth)
-    {
-      std::vector<std::string> siblings;
-      for (const InputEntry &entry : known)
-        if (entry.section.size() >= depth && std::equal(section.path.begin(), section.path.begin() + static_cast<long>(depth) - 1,
-                                                        entry.section.begin()) &&
-            std::find(siblings.begin(), siblings.end(), entry.section[depth - 1]) == siblings.end())
-          siblings.push_back(entry.section[depth - 1]);
-      if (std::find(siblings.begin(), siblings.end(), section.path[depth - 1]) == siblings.end())
-        throw InputError(section.where + ": there is no subsection '" + section.path[depth - 1] + "' in " +
-                         quoted_section({section.path.begin(), section.path.begin() + static_cast<long>(depth) - 1}) + "." +
-                         suggestion(section.path[depth - 1], siblings));
-    }
-}
-
-std::string refusal(const PrmSetting &setting, const InputEntry &entry)
-{
-  const std::string near = nearest_name(setting.value, entry.pattern.choices);
-  return setting.where + ": '" + setting.path() + "' = '" + shortened(setting.value) + "' is not allowed; allowed: " +
-         entry.pattern.in_words() + "." + (near.empty() ? "" : " Did you mean '" + near + "'?") +
-         (entry.documentation.empty() ? "" : " (" + entry.documentation + ")");
-}
-
 void declare_all(InputEntries &prm, Scenario &scenario, const std::string &name, const ScenarioRegistry &registry)
 {
   std::string list;
@@ -88,17 +45,6 @@ PrmSetting scenario_setting(const PrmText &text, const std::string &file, const 
   return *found;
 }
 
-void refuse_repeated(const PrmText &text)
-{
-  std::map<std::string, std::string> first;
-  for (const PrmSetting &setting : text.settings)
-    if (const auto [there, is_new] = first.emplace(setting.path(), setting.where); !is_new)
-      throw InputError(setting.where + ": '" + setting.path() + "' is set a second time (first: " + there->second + ").");
-}
-} // namespace
-
-namespace
-{
 /// Settings by former names as if they had been written by those of today, with a remark each.
 void take_former_names(PrmText &text, const InputEntries &prm, std::vector<std::string> &remarks)
 {
@@ -129,22 +75,12 @@ ScenarioRegistry product_registry()
   return {scenario_names(), make_scenario};
 }
 
-void apply(const PrmText &text, InputEntries &prm)
+namespace
 {
-  const std::vector<InputEntry> known = prm.entries(); // a copy: values change below
-  for (const PrmSection &section : text.sections)
-    check_section(section, known);
-  for (const PrmSetting &setting : text.settings)
+void set_right_ones(const PrmText &text, InputEntries &prm, Mistakes &mistakes)
+{
+  for (const PrmSetting &setting : right_settings(text, prm.entries(), mistakes))
     {
-      if (!setting.section.empty())
-        check_section({setting.section, setting.where}, known);
-      const auto entry = std::find_if(known.begin(), known.end(), [&](const InputEntry &candidate) {
-        return candidate.section == setting.section && candidate.name == setting.name;
-      });
-      if (entry == known.end())
-        refuse_unknown(setting, known);
-      if (!entry->pattern.matches(setting.value))
-        throw InputError(refusal(setting, *entry));
       for (const std::string &part : setting.section)
         prm.enter_subsection(part);
       prm.set(setting.name, setting.value);
@@ -152,14 +88,23 @@ void apply(const PrmText &text, InputEntries &prm)
         prm.leave_subsection();
     }
 }
+} // namespace
 
-Input load_input(const std::filesystem::path &file, const std::vector<std::string> &overrides, const ScenarioRegistry &registry)
+void apply(const PrmText &text, InputEntries &prm)
 {
-  PrmText text = read_prm(file);
-  refuse_repeated(text);
-  PrmText set_values;
+  Mistakes mistakes;
+  find_repeated(text, mistakes);
+  set_right_ones(text, prm, mistakes);
+  mistakes.refuse();
+}
+
+Input load_input(const std::filesystem::path &file, const std::vector<std::string> &overrides, const ScenarioRegistry &registry,
+                 const std::string &source)
+{
+  PrmText text = read_prm(file), set_values;
+  Mistakes mistakes;
   for (const std::string &override_text : overrides)
-    set_values.settings.push_back(parse_override(override_text));
+    mistakes.take([&] { set_values.settings.push_back(parse_override(override_text, source)); });
 
   Input input;
   const auto all_settings = [&] {
@@ -167,14 +112,17 @@ Input load_input(const std::filesystem::path &file, const std::vector<std::strin
     all.settings.insert(all.settings.end(), set_values.settings.begin(), set_values.settings.end());
     return all;
   };
-  input.scenario_name = scenario_setting(all_settings(), file.string(), registry).value;
+  mistakes.take([&] { input.scenario_name = scenario_setting(all_settings(), file.string(), registry).value; });
+  if (input.scenario_name.empty()) // nobody knows what the other entries are to be
+    mistakes.refuse();
   input.scenario = registry.make(input.scenario_name);
   InputEntries prm;
   declare_all(prm, *input.scenario, input.scenario_name, registry);
   take_former_names(text, prm, input.remarks);
-  refuse_repeated(text);
+  find_repeated(text, mistakes);
   take_former_names(set_values, prm, input.remarks);
-  apply(all_settings(), prm);
+  set_right_ones(all_settings(), prm, mistakes);
+  mistakes.refuse();
   std::vector<RunIdentity::NamedFile> files = find_files(prm, file);
   std::vector<InputEntry> written = prm.entries();
   for (InputEntry &entry : written)
@@ -183,17 +131,20 @@ Input load_input(const std::filesystem::path &file, const std::vector<std::strin
         entry.value = "input_files/" + named.name; // where the output directory has its copy
   input.text = prm_of(written, false, false);
   input.identity = identity_of(prm, std::move(files));
+  const auto refuse = [&](const std::string &why) {
+    throw InputError(with_place(why, file.string(), text.settings, set_values.settings, prm.entries()));
+  };
   try
     {
       input.scenario->check();
     }
   catch (const InputError &problem)
     {
-      throw InputError(file.string() + ": " + problem.what());
+      refuse(problem.what());
     }
   catch (const std::invalid_argument &problem)
     {
-      throw InputError(file.string() + ": " + problem.what());
+      refuse(problem.what());
     }
   return input;
 }
@@ -214,11 +165,8 @@ std::string unit_of_entry(const std::string &scenario_name, const std::string &p
   InputEntries prm;
   declare_all(prm, *scenario, scenario_name, registry);
   for (const InputEntry &entry : prm.entries())
-    if (const std::size_t units = entry.documentation.rfind("Units: "); units != std::string::npos && entry.path() == path)
-      {
-        const std::string unit = entry.documentation.substr(units + 7, entry.documentation.find_last_not_of(". \n") - units - 6);
-        return unit == "none" ? "" : unit;
-      }
+    if (entry.path() == path)
+      return entry.unit();
   return "";
 }
 } // namespace turgor

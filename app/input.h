@@ -1,5 +1,5 @@
-// From an input file (and --set values) to a scene ready to run. Every mistake is an
-// InputError: file and line, entry, value, what is allowed, the nearest known name.
+// From an input file (and --set values) to a scene ready to run. What is wrong is an InputError of all mistakes: file and line,
+// entry, value, what is allowed, the nearest known name.
 #pragma once
 
 #include "micro/io/run_identity.h"
@@ -36,8 +36,9 @@ struct ScenarioRegistry
 
 ScenarioRegistry product_registry();
 
-Input load_input(const std::filesystem::path &file, const std::vector<std::string> &overrides,
-                 const ScenarioRegistry &registry);
+/// source: what messages call an override.
+Input load_input(const std::filesystem::path &file, const std::vector<std::string> &overrides, const ScenarioRegistry &registry,
+                 const std::string &source = "--set");
 
 /// The commented .prm of all entries with defaults, and below what a run leaves; throws InputError for an unknown scene.
 std::string parameters_text(const std::string &scenario_name, const ScenarioRegistry &registry);

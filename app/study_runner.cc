@@ -38,7 +38,7 @@ std::vector<StudyRow> planned(const StudyInput &study, const StudyOptions &optio
       row.measured.resize(study.measures.size());
       try
         {
-          const Input input = load_input(run.input, run.overrides, registry);
+          const Input input = load_input(run.input, run.overrides, registry, "override");
           static_cast<CachedRun &>(row) = cached_run(cache_of(options.directory), run.input.stem().string(), input.identity, run.threads, options.fresh);
           for (const auto &point : run.swept)
             row.units[point.first] = unit_of_entry(input.scenario_name, point.first, registry);

@@ -29,7 +29,7 @@ std::map<std::string, CachedRun> planned(const Validation &validation, const std
   std::map<std::string, CachedRun> runs;
   for (const auto &[label, request] : validation.runs)
     {
-      const Input input = load_input(request.input, request.overrides, registry);
+      const Input input = load_input(request.input, request.overrides, registry, "override");
       runs[label] = cached_run(cache, request.input.stem().string(), input.identity, request.threads, fresh);
     }
   return runs;

@@ -12,6 +12,15 @@ std::string InputEntry::path() const
   return join_path(section, name);
 }
 
+std::string InputEntry::unit() const
+{
+  const std::size_t units = documentation.rfind("Units: ");
+  if (units == std::string::npos)
+    return "";
+  const std::string stated = documentation.substr(units + 7, documentation.find_last_not_of(". \n") - units - 6);
+  return stated == "none" ? "" : stated;
+}
+
 void InputEntries::add(const std::string &name, const std::string &value, const std::string &documentation, const EntryPattern &pattern,
                        std::function<void(const std::string &)> take)
 {

@@ -34,6 +34,7 @@ struct InputEntry
   std::function<void(const std::string &)> take; ///< hands the value to its variable
 
   std::string path() const; ///< "Section/Name"
+  std::string unit() const; ///< that the documentation states ("... Units: Pa."); empty for "none" and where it states none
 };
 
 class InputEntries

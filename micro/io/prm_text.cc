@@ -1,5 +1,6 @@
 #include "micro/io/prm_text.h"
 
+#include "micro/io/mistakes.h"
 #include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 
@@ -43,6 +44,8 @@ PrmText parse_prm(const std::string &text, const std::string &file_name)
   PrmText result;
   std::vector<std::string> section;
   std::vector<unsigned int> opened; // lines of the open subsections
+  Mistakes mistakes;
+  bool is_understood = true; // else a line may have been meant as a `subsection` or an `end`, and nothing is said of their balance
   std::istringstream in(text);
   unsigned int number = 0;
   for (std::string raw; std::getline(in, raw);)
@@ -58,41 +61,53 @@ PrmText parse_prm(const std::string &text, const std::string &file_name)
       if (line.empty())
         continue;
       const std::string where = file_name + ", line " + number_text(first_number);
+      const auto not_understood = [&](const std::string &instead) {
+        mistakes.add(where + ": '" + shortened(line) + "' is not understood; " + instead);
+      };
       std::string rest;
       if (starts_with_word(line, "set", rest))
         {
           const auto equals = rest.find('=');
           if (equals == std::string::npos || trimmed(rest.substr(0, equals)).empty())
-            throw InputError(where + ": '" + line + "' is not understood; write 'set NAME = VALUE'.");
-          result.settings.push_back({section, trimmed(rest.substr(0, equals)), trimmed(rest.substr(equals + 1)), where});
+            not_understood("write 'set NAME = VALUE'.");
+          else
+            result.settings.push_back({section, trimmed(rest.substr(0, equals)), trimmed(rest.substr(equals + 1)), where});
         }
       else if (starts_with_word(line, "subsection", rest))
         {
           if (rest.empty())
-            throw InputError(where + ": a subsection needs a name; write 'subsection NAME'.");
+            mistakes.add(where + ": a subsection needs a name; write 'subsection NAME'.");
           if (section.size() == deepest)
-            throw InputError(where + ": subsections are nested more than " + number_text(deepest) + " deep; no scene has that many. "
-                             "Is an 'end' missing?");
+            {
+              mistakes.add(where + ": subsections are nested more than " + number_text(deepest) + " deep; no scene has that many. "
+                           "Is an 'end' missing?");
+              mistakes.refuse();
+            }
           section.push_back(rest);
           opened.push_back(first_number);
           result.sections.push_back({section, where});
         }
-      else if (starts_with_word(line, "end", rest))
+      else if (starts_with_word(line, "end", rest) && rest.empty())
         {
-          if (!rest.empty())
-            throw InputError(where + ": '" + line + "' is not understood; 'end' stands alone.");
-          if (section.empty())
-            throw InputError(where + ": this 'end' closes no subsection.");
-          section.pop_back();
-          opened.pop_back();
+          if (!section.empty())
+            {
+              section.pop_back();
+              opened.pop_back();
+            }
+          else if (is_understood)
+            mistakes.add(where + ": this 'end' closes no subsection.");
         }
       else
-        throw InputError(where + ": '" + line + "' is not understood; allowed are 'set NAME = VALUE', 'subsection NAME', "
-                                                "'end' and comments after #.");
+        {
+          is_understood = false;
+          not_understood(starts_with_word(line, "end", rest) ? "'end' stands alone."
+                                                             : "allowed are 'set NAME = VALUE', 'subsection NAME', 'end' and comments after #.");
+        }
     }
-  if (!section.empty())
-    throw InputError(file_name + ", line " + number_text(opened.back()) + ": subsection '" + section.back() +
-                     "' is never closed; its 'end' is missing.");
+  if (!section.empty() && is_understood)
+    mistakes.add(file_name + ", line " + number_text(opened.back()) + ": subsection '" + section.back() +
+                 "' is never closed; its 'end' is missing.");
+  mistakes.refuse();
   return result;
 }
 
@@ -104,20 +119,20 @@ PrmText read_prm(const std::filesystem::path &file)
   return parse_prm(read_text(file, largest_input), file.string());
 }
 
-PrmSetting parse_override(const std::string &text)
+PrmSetting parse_override(const std::string &text, const std::string &source)
 {
   if (line_that_is_not_utf8(text) > 0)
-    throw InputError("--set: the name or the value is not text in UTF-8.");
+    throw InputError(source + ": the name or the value is not text in UTF-8.");
   const auto equals = text.find('=');
   if (equals == std::string::npos || trimmed(text.substr(0, equals)).empty())
-    throw InputError("--set '" + text + "' is not understood; write --set 'Section/Name=value'.");
+    throw InputError(source + " '" + text + "' is not understood; write " + source + " 'Section/Name=value'.");
   std::vector<std::string> path = split_trimmed(text.substr(0, equals), '/');
   PrmSetting setting;
   setting.name = path.back();
   path.pop_back();
   setting.section = path;
   setting.value = trimmed(text.substr(equals + 1));
-  setting.where = "--set '" + text + "'";
+  setting.where = source + " '" + text + "'";
   return setting;
 }
 } // namespace turgor

@@ -17,7 +17,7 @@ struct PrmSetting
 {
   std::vector<std::string> section; ///< outermost first
   std::string name, value;
-  std::string where; ///< "FILE, line 12" or "--set"
+  std::string where; ///< "FILE, line 12" or "--set 'Name=value'"
 
   std::string path() const; ///< "Section/Name"
 };
@@ -34,15 +34,15 @@ struct PrmText
   std::vector<PrmSection> sections; ///< every `subsection` line, also of empty ones
 };
 
-/// Throws InputError with file and line for a line that is none of the above, for unbalanced subsections and for those that are
+/// Throws InputError with file and line of every line that is none of the above, for unbalanced subsections and for those that are
 /// nested deeper than any scene's.
 PrmText parse_prm(const std::string &text, const std::string &file_name);
 
 /// Reads the file; throws InputError when it is missing, a directory or not text in UTF-8.
 PrmText read_prm(const std::filesystem::path &file);
 
-/// "Section/Name=value" of --set.
-PrmSetting parse_override(const std::string &text);
+/// "Section/Name=value" of --set, or of what else messages call `source`.
+PrmSetting parse_override(const std::string &text, const std::string &source = "--set");
 
 std::string join_path(const std::vector<std::string> &section, const std::string &name);
 } // namespace turgor

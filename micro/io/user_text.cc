@@ -1,5 +1,6 @@
 #include "micro/io/user_text.h"
 
+#include "micro/io/number_advice.h"
 #include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 
@@ -91,7 +92,7 @@ std::vector<double> read_numbers(const std::string &text, const std::size_t coun
     {
       const auto value = read_number(word);
       if (!value || !std::isfinite(*value))
-        throw InputError(entry + " holds '" + word + "' where a finite number is expected; it is written as: " + written);
+        throw InputError(entry + " holds '" + word + "' where a finite number is expected; it is written as: " + written + "." + number_advice(word, ""));
       numbers.push_back(*value);
     }
   if (numbers.size() != count)

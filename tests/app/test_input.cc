@@ -55,7 +55,7 @@ const std::vector<Mistake> mistakes = {
   {"set Steps = 3\n", "the entry 'Scenario' is missing"},
   {"set Scenari = tiny\n", "line 1: there is no entry 'Scenari' in the top level. Did you mean 'Scenario'?"},
   {"set Scenario = tyny\n", "line 1: there is no scenario 'tyny'. Did you mean 'tiny'?"},
-  {"set Scenario = tiny\nsubsection Law\nset Rate = 900\nend", "in.prm: 'Law/Rate' = 900"},
+  {"set Scenario = tiny\nsubsection Law\nset Rate = 900\nend", "in.prm, line 3: 'Law/Rate' = 900"},
 };
 } // namespace
 
@@ -111,6 +111,79 @@ BOOST_AUTO_TEST_CASE(overrides_win_and_are_checked)
   BOOST_CHECK_EXCEPTION(load(text, {"Law/Rat=9"}), InputError, Says{"Did you mean 'Rate'?"});
   BOOST_CHECK_EXCEPTION(load(text, {"Lew/Rate=9"}), InputError, Says{"Did you mean 'Law'?"});
   BOOST_CHECK_EXCEPTION(load(text, {"Rate"}), InputError, Says{"write --set 'Section/Name=value'"});
+}
+
+/// What load() says, without the name of the temporary directory.
+std::string refused(const std::string &text, const std::vector<std::string> &overrides = {})
+{
+  try
+    {
+      load(text, overrides);
+    }
+  catch (const InputError &problem)
+    {
+      std::string said = problem.what();
+      for (std::size_t end = said.find("in.prm"); end != std::string::npos; end = said.find("in.prm", end + 1))
+        {
+          const std::size_t blank = said.rfind(' ', end), begin = blank == std::string::npos ? 0 : blank + 1;
+          said.erase(begin, end - begin);
+          end = begin;
+        }
+      return said;
+    }
+  return "";
+}
+
+BOOST_AUTO_TEST_CASE(all_mistakes_are_told_at_once)
+{
+  const std::string text = "set Scenario = tiny\nset Stepz = 3\nset Mode = decai\nsubsection Law\n set Rate = -1\nend\n"
+                           "subsection Lav\n set Rate = 1\n subsection Deep\n  set Rate = 1\n end\nend\nset Mode = decay\n";
+  const std::string said = refused(text, {"Rate", "Steps=0"});
+  for (const char *one : {"--set 'Rate' is not understood", "in.prm, line 13: 'Mode' is set a second time", "in.prm, line 2: there is no entry 'Stepz'",
+                          "in.prm, line 3: 'Mode' = 'decai'", "in.prm, line 5: 'Law/Rate' = '-1'", "in.prm, line 7: there is no subsection 'Lav'",
+                          "--set 'Steps=0': 'Steps' = '0' is not allowed"})
+    BOOST_TEST(said.find(one) != std::string::npos, one << " is missing in\n" << said);
+  BOOST_TEST(std::count(said.begin(), said.end(), '\n') == 6); // an unknown subsection once, not for all that it holds
+  std::string many = "set Scenario = tiny\n";
+  for (int k = 0; k < 100; ++k)
+    many += "set X" + std::to_string(k) + " = 1\n";
+  BOOST_TEST(refused(many).ends_with("\n        and 80 more."));
+}
+
+BOOST_AUTO_TEST_CASE(all_lines_that_are_not_understood_are_told_at_once)
+{
+  const std::string said = refused("set Scenario = tiny\nset Steps 3\nsubsectoin Law\n set Rate = 1\nend\nend now\n");
+  BOOST_TEST(said.find("line 2: 'set Steps 3'") != std::string::npos);
+  BOOST_TEST(said.find("line 3: 'subsectoin Law'") != std::string::npos);
+  BOOST_TEST(said.find("line 6: 'end now' is not understood; 'end' stands alone.") != std::string::npos);
+  BOOST_TEST(said.find("closes no subsection") == std::string::npos); // it would have closed what is misspelt
+}
+
+BOOST_AUTO_TEST_CASE(values_that_do_not_go_together_are_told_where_they_were_set)
+{
+  const std::string text = "set Scenario = tiny\nsubsection Law\nset Rate = 900\nend\n", rate = "'Law/Rate' = 900";
+  BOOST_TEST(refused(text).starts_with("in.prm, line 3: " + rate));
+  BOOST_TEST(refused("set Scenario = tiny\n", {"Law/Rate=900"}).starts_with("--set 'Law/Rate=900': " + rate));
+  BOOST_TEST(refused(text, {"Steps=3"}).starts_with("in.prm, line 3: " + rate));
+  BOOST_TEST(refused(text, {"Law/Rate=1", "Law/Rate=900.0"}).starts_with("--set 'Law/Rate=900.0': " + rate));
+}
+
+BOOST_AUTO_TEST_CASE(numbers_in_another_notation_are_told_how_to_write_them)
+{
+  for (const auto &[value, advice] : std::vector<std::pair<std::string, std::string>>{
+         {"3 per h", "Write the number alone, in 1/s."}, {"3,5 per h", "Write the number alone, in 1/s and with a decimal point."},
+         {"20 %", "Write the number alone, in 1/s."}, {"3kHz", "Write the number alone, in 1/s."},
+         {"0,2e2", "Write it with a decimal point: 0.2e2."}, {"1 000", "Write it without separators: 1000."},
+         {"1,000", "Write it with a decimal point: 1.000, or without a separator: 1000."}, {"1,000,000", "Write it without separators: 1000000."}})
+    {
+      const std::string said = refused("set Scenario = tiny\nsubsection Law\nset Rate = " + value + "\nend\n");
+      BOOST_TEST(said.find(advice) != std::string::npos, value << ": " << said);
+    }
+  for (const std::string value : {"-1", "nan", "three", "1 2", "0x10", "1;2", "", "."})
+    BOOST_TEST(refused("set Scenario = tiny\nsubsection Law\nset Rate = " + value + "\nend\n").find("Write") == std::string::npos, value);
+  BOOST_TEST(refused("set Scenario = tiny\nset Steps = 1e3\n").find("Write it with all its digits: 1000.") != std::string::npos);
+  BOOST_TEST(refused("set Scenario = tiny\nset Steps = 3 steps\n").find("Write the number alone.") != std::string::npos);
+  BOOST_TEST(refused("set Scenario = tiny\nsubsection Law\nset Weights = 0.5, 0.2 kg\nend\n").find("Write the number alone.") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(hash_names_the_values_not_the_spelling)
