@@ -40,6 +40,11 @@ std::vector<StudyRow> planned(const StudyInput &study, const StudyOptions &optio
         {
           const Input input = load_input(run.input, run.overrides, registry, "override");
           static_cast<CachedRun &>(row) = cached_run(cache_of(options.directory), run.input.stem().string(), input.identity, run.threads, options.fresh);
+          const Outputs outputs = input.scenario->outputs();
+          for (const OutputPlace &place : outputs.places())
+            for (const OutputDefinition &one : place.all)
+              if (place.file == Outputs::results_file)
+                row.defined.push_back(one.name);
           for (const auto &point : run.swept)
             row.units[point.first] = unit_of_entry(input.scenario_name, point.first, registry);
         }

@@ -89,7 +89,7 @@ CsvFields errors_row(const StudyInput &study, const StudyRow &row)
 
 nlohmann::json description(const StudyInput &study, const std::vector<StudyRow> &rows, const std::filesystem::path &directory)
 {
-  nlohmann::json json = {{"measures", nlohmann::json::array()}, {"entries", nlohmann::json::array()}};
+  nlohmann::json json = {{"measures", nlohmann::json::array()}, {"entries", nlohmann::json::array()}, {"results", nlohmann::json::array()}};
   for (const StudyMeasure &measure : study.measures)
     {
       using Kind = StudyReference::Kind;
@@ -100,11 +100,17 @@ nlohmann::json description(const StudyInput &study, const std::vector<StudyRow> 
                                   {"reference", reference.text},
                                   {"reference_table", reference.kind == Kind::file || reference.kind == Kind::directory ? seen_from(directory, table) : ""}});
     }
+  const auto add_once = [&](const char *list, const std::string &name) {
+    if (std::find(json[list].begin(), json[list].end(), name) == json[list].end())
+      json[list].push_back(name);
+  };
   for (const StudyRow &row : rows)
-    for (const auto &[entry, value] : row.run.swept)
-      if (const std::string name = with_unit(entry, unit_of(row, entry));
-          std::find(json["entries"].begin(), json["entries"].end(), name) == json["entries"].end())
-        json["entries"].push_back(name);
+    {
+      for (const auto &[entry, value] : row.run.swept)
+        add_once("entries", with_unit(entry, unit_of(row, entry)));
+      for (const std::string &name : row.defined)
+        add_once("results", name);
+    }
   if (study.draw_all)
     json["draw"] = "all";
   else

@@ -1,7 +1,7 @@
 // The files of a study:
 //   results.csv         every run: what it was asked for, its state, cost and directory, all its results
 //   error_vs_time.csv   (with measures) every run: value and error of each measure, cost
-//   study.json          what pictures need to know beside: measures, swept entries, panels
+//   study.json          what pictures need to know beside: measures, swept entries, results in their order, panels
 // The value of a swept entry stands in a column of its name and unit, "Cell/Wall stiffness [N/m]".
 #pragma once
 
@@ -22,6 +22,7 @@ struct StudyRow : CachedRun
 {
   StudyRun run;
   std::map<std::string, std::string> units;           ///< of the swept entries
+  std::vector<std::string> defined;                   ///< results of the scene in the order of its definition (Scenario::outputs)
   std::vector<std::optional<MeasuredRun>> measured;   ///< one place a measure
 };
 

@@ -13,9 +13,9 @@ const char *const heat = "of RVEs that tell what they turn to heat", *const torn
 
 std::vector<OutputDefinition> energy_results()
 {
-  return {{"dissipated", "J/m", "Work less kinetic, stored and contact energy at the end, per metre of depth: what is missing in all."},
-          {"energy_taken_share", "1", "What the RVEs have taken (dissipated and lent energy) over the largest work so far; negative: they gave energy from nothing."},
-          {"heat", "J/m", "Energy the RVEs have turned to heat by viscosity, yielding and breaking, per metre of depth.", heat},
+  return {{"dissipated", "J/m", "Work less kinetic, stored and contact energy at the end, per metre of depth: what is missing in all. Above the work where turgor's energy was set free (see stored)."},
+          {"energy_taken_share", "1", "What the RVEs have taken (dissipated and lent energy) over the largest work so far. Above 1: walls that yielded or broke have set free what turgor had stored in them before; negative: energy came from nothing."},
+          {"heat", "J/m", "Energy the RVEs have turned to heat by viscosity, yielding and breaking, per metre of depth; of turgor's energy too, so that it can be above the work.", heat},
           {"energy_unexplained_share", "1", "What the RVEs have taken less that heat, over the largest work so far.", heat}};
 }
 
@@ -25,12 +25,12 @@ Outputs energy_table()
   all.table("energies", "One row for each step of the tissue, all per metre of depth.",
             {{"time", "s", "Time since the start of the run."},
              {"kinetic", "J/m", "Kinetic energy of the tissue by its nodes' velocities."},
-             {"stored", "J/m", "Elastic energy of all RVEs since the undeformed state."},
+             {"stored", "J/m", "Elastic energy of all RVEs less that of the undeformed, turgid state. Negative where walls that yielded or broke have set free what turgor had stored in them: then dissipated and heat are above the work."},
              {"contact", "J/m", "Energy in the penalty of tool and support."},
              {"work", "J/m", "Work of body force, tractions and tools since the start."},
-             {"dissipated", "J/m", "Work less kinetic, stored and contact energy."},
+             {"dissipated", "J/m", "Work less kinetic, stored and contact energy; above the work where turgor's energy was set free."},
              {"lent", "J/m", "Energy that the steps' own error has lent the tissue."},
-             {"heat", "J/m", "Energy the RVEs have turned to heat by viscosity, yielding and breaking.", heat}});
+             {"heat", "J/m", "Energy the RVEs have turned to heat by viscosity, yielding and breaking; of turgor's energy too.", heat}});
   return all;
 }
 

@@ -8,6 +8,7 @@
 #include "micro/io/field_output.h"
 #include "micro/io/number_text.h"
 #include "micro/io/stop_flag.h"
+#include "micro/scenarios/stored_turgor.h"
 
 #include <algorithm>
 #include <chrono>
@@ -171,6 +172,9 @@ void Run::results()
     context.result("heat", e.heat, "J/m");
     context.result("energy_unexplained_share", memory.energy.unexplained_share(), "1");
   }
+
+  if (rve.has_history())
+    tell_of_stored_turgor(context, e.dissipated(), e.work, "J/m");
 
   const RveLawStatistics &s = law.statistics();
   const double cpu = memory.cpu_seconds + law.shares().sum(process_cpu_seconds() - cpu_at_start);

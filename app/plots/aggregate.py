@@ -75,7 +75,7 @@ def picture(directory, name):
     for k, frame in enumerate(chosen):
         axis = figure.add_axes([0.02 + 0.97 * k / len(chosen), 3.5 / total, 0.94 / len(chosen), tall / total])
         draw(axis, frame, table, start, norm, colours)
-    colour_bar(figure, [0.35, 3.35 / total, 0.3, 0.1 / total], norm, colours, "mean fluid pressure of a cell [kPa]" + (", failed cells hatched" if failing else ""))
+    colour_bar(figure, [0.35, 3.35 / total, 0.3, 0.1 / total], norm, colours, "mean fluid pressure of a cell [kPa]" + (", failed cells hatched" if failing else ""), values)
 
     strain = 100 * table["strain [1]"]
     left = figure.add_axes([0.07, 0.6 / total, 0.40 if failing else 0.56, 1.9 / total])

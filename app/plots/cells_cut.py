@@ -10,7 +10,7 @@ from matplotlib.colors import ListedColormap, Normalize
 from matplotlib.patches import Circle
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from drawing import ACCENT, ALONG, INK, draw_data, input_entries, plt, read_table, style  # noqa: E402
+from drawing import ACCENT, ALONG, INK, beyond, draw_data, input_entries, plt, read_table, style  # noqa: E402
 from fields import frames  # noqa: E402
 
 STATES = ["proliferating", "quiescent", "necrotic", "lysed"]
@@ -56,7 +56,7 @@ def draw_cut(directory, flat=False, time=None):
             (panels[0], pressure, "pressure [Pa]", "RdBu_r" if low < -0.2 * high else "viridis",
              Normalize(-most, most) if low < -0.2 * high else Normalize(low, high)),
             (panels[1], volume, "volume [µm³]", "cividis", Normalize(*np.percentile(volume[place[3]], [2, 98])))):
-        figure.colorbar(draw_cells(axis, place, values, colours, norm), ax=axis, label=label, shrink=0.85)
+        figure.colorbar(draw_cells(axis, place, values, colours, norm), ax=axis, label=label, shrink=0.85, extend=beyond(norm, values[place[3]]))
         axis.set_xlabel("x [µm]", color=INK)
     bar = figure.colorbar(draw_cells(panels[2], place, state, ListedColormap(STATE_COLOURS), Normalize(-0.5, 3.5)), ax=panels[2],
                           ticks=range(4), shrink=0.85)

@@ -149,9 +149,15 @@ def style(axis):
     axis.tick_params(colors=INK, labelsize=8)
 
 
-def colour_bar(figure, place, norm, colours, label):
+def beyond(norm, values):
+    """At which ends of a colour scale values lie outside it: "neither", "min", "max" or "both"; there its bar is pointed."""
+    return (("neither", "max"), ("min", "both"))[int(np.min(values) < norm.vmin)][int(np.max(values) > norm.vmax)]
+
+
+def colour_bar(figure, place, norm, colours, label, values=None):
+    """values: all that are drawn, where the scale does not hold them all."""
     bar = figure.colorbar(plt.cm.ScalarMappable(norm=norm, cmap=colours), cax=figure.add_axes(place),
-                          orientation="horizontal")
+                          orientation="horizontal", extend="neither" if values is None else beyond(norm, values))
     bar.formatter.set_useOffset(False)  # "1e-5+1.005" would stand on the label
     bar.locator = matplotlib.ticker.MaxNLocator(5)
     bar.update_ticks()

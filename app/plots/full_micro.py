@@ -65,7 +65,7 @@ def picture(directory):
     zoom.set_xticks([])
     zoom.set_yticks([])
     axis.indicate_inset_zoom(zoom, edgecolor=INK)
-    colour_bar(figure, [0.66, 0.315, 0.28, 0.014], norm, colours, "fluid pressure [kPa]")
+    colour_bar(figure, [0.66, 0.315, 0.28, 0.014], norm, colours, "fluid pressure [kPa]", pressure[~wall])
 
     below = figure.add_axes([0.085, 0.075, 0.88, 0.155])
     plot_history(below, table, frame.time)

@@ -29,7 +29,7 @@ def main(directory):
     axis = figure.add_axes([0.02, 0.14, 0.36, 0.80])
     draw_cell(axis, wall, fluid, norm, np.abs(wall.points[:, 0]).max() * 1e6, colours=colours)
     colour_bar(figure, [0.07, 0.105, 0.26, 0.02], norm, plt.get_cmap(colours),
-               "fluid pressure [kPa]" if flat else "stretch of the wall")
+               "fluid pressure [kPa]" if flat else "stretch of the wall", values)
     axis = figure.add_axes([0.47, 0.13, 0.50, 0.80])
     t = table["time [s]"] * 1e6
     for column, colour, dash, label in (("pressure_eos [Pa]", ALONG, "-", "fluid: mean EOS pressure"),

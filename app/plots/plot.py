@@ -23,6 +23,20 @@ def words_of(column):
     return column.split(" [")[0].replace("_", " ")
 
 
+GAPS = ((0, (4, 4)), (0, (1.5, 4)), (0, (4, 3, 1, 3)))
+
+
+def covering(columns):
+    """{name: how many of those before it have its course}: lines that lie within a hundredth of the panel on another that was drawn before."""
+    low, high = min(np.min(values) for values in columns.values()), max(np.max(values) for values in columns.values())
+    covers = {}
+    for k, name in enumerate(columns):
+        same = [other for other in list(columns)[:k] if np.max(np.abs(columns[other] - columns[name])) < 0.01 * (high - low)]
+        if same:
+            covers[name] = len(same) - 1
+    return covers
+
+
 def plot_series(path):
     """One panel per unit and order of size below each other; the picture beside the table. Its path, or None where there is nothing to follow from row to row."""
     table = read_table(path)
@@ -43,9 +57,11 @@ def plot_series(path):
     along, unit_along = in_prefix(unit_of(names[0]), [table[names[0]]])
     for panel, (unit, columns) in zip(panels[:, 0], panels_of):
         factor, prefixed = in_prefix(unit, [table[name] for name in columns])
+        covers = covering({name: table[name] for name in columns})
         for k, (name, (colour, dash)) in enumerate(zip(columns, line_styles(len(columns)))):
-            # Each line is thinner than those it is drawn over, so that equal ones are seen as such.
-            panel.plot(along * table[names[0]], factor * table[name], label=words_of(name), color=colour, linestyle=dash,
+            # Each line is thinner than those it is drawn over, and one of the same course has gaps, so that both are seen.
+            panel.plot(along * table[names[0]], factor * table[name], label=words_of(name), color=colour,
+                       linestyle=GAPS[covers[name] % len(GAPS)] if name in covers and dash == "-" else dash,
                        lw=1.2 + 1.6 * (len(columns) - 1 - k) / max(len(columns), 4))
             draw_data(panel, names[0], name, along, factor)
         panel.set_ylabel("no unit" if prefixed in ("", "1") else prefixed)

@@ -46,7 +46,7 @@ def picture(directory, name, title):
         axis.set_title(f"{100 * reached:.0f} %", fontsize=10, color=INK)
     figure.suptitle(title, fontsize=12, color=INK, y=0.975)
     colour_bar(figure, [0.36, 0.525, 0.28, 0.014], norm, plt.get_cmap(colours),
-               "fluid pressure [kPa]" if flat else "stretch of the wall")
+               "fluid pressure [kPa]" if flat else "stretch of the wall", values)
 
     left = figure.add_axes([0.075, 0.085, 0.52, 0.345])
     unit = 1e3

@@ -9,6 +9,8 @@ import json
 import math
 import os
 import sys
+import textwrap
+from fnmatch import fnmatchcase
 
 from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter
 
@@ -16,6 +18,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from drawing import INK, number_points, plt, read_table, style  # noqa: E402
 
 MARKERS = "osD^vP*X<>hp"
+MOST = 12  # panels of what a study did not choose: more are not legible
 COLOURS = plt.get_cmap("tab10").colors
 
 
@@ -129,15 +132,29 @@ def plot_errors(rows, info, directory):
     return True
 
 
+def varies(rows, column):
+    """By more than the last of the six digits of the tables."""
+    values = [value for value in (number(row.get(column)) for row in rows) if value is not None]
+    return len(values) > 1 and max(values) - min(values) > 1e-5 * max(map(abs, values))
+
+
+def in_order(columns, defined):
+    """Cost and measures, then results as the scenes define them; * in a name stands for any word."""
+    return sorted(columns, key=lambda column: next((k for k, name in enumerate(defined) if fnmatchcase(bare(column), name)), -1))
+
+
 def panels_of(info, columns, rows):
-    """Lists of columns, one a panel: what the study chose, or every one that varies."""
+    """Lists of columns, one a panel: what the study chose, or those that vary, at most MOST, in the order of their definition; and what is left out."""
     if info["draw"] == "all":
-        return [[column] for column in columns if len({row[column] for row in rows if row.get(column)}) > 1]
+        found = in_order([column for column in columns if varies(rows, column)], info["results"])
+        shown = [column for column in found if column != "cpu_time_s"]
+        kept = shown[:MOST - 1] + ["cpu_time_s"] * ("cpu_time_s" in found)
+        return [[column] for column in kept], [bare(column) for column in found if column not in kept]
     known = {bare(column): column for column in columns}
     for name in (name for panel in info["draw"] for name in panel):
         if name not in known:
             sys.exit(f"'Draw' names '{name}', which is no result of the runs. Known: {', '.join(known)}.")
-    return [[known[name] for name in panel] for panel in info["draw"]]
+    return [[known[name] for name in panel] for panel in info["draw"]], []
 
 
 def lines_of(rows, entry, entries):
@@ -196,7 +213,7 @@ def plot_sweeps(results, errors, info, directory):
     known = ["run", "method", "settings", "status", "threads", "directory", "message", "wall_time_s", "peak_memory_bytes", *entries]
     columns = [column for column in dict.fromkeys(name for row in rows for name in row) if column not in known]
     columns = [column for column in columns if any(number(row.get(column)) is not None for row in rows)]
-    panels = panels_of(info, columns, [row for row in rows if any(row.get(entry) for entry in entries)]) if entries else []
+    panels, left_out = panels_of(info, columns, [row for row in rows if any(row.get(entry) for entry in entries)]) if entries else ([], [])
     groups = [(entry, lines) for entry in entries if (lines := lines_of(rows, entry, entries))]
     if not panels or not groups:
         return
@@ -220,7 +237,10 @@ def plot_sweeps(results, errors, info, directory):
         if handles:
             list_beside(figure, handles)
         stem = "sweep" if name is None else "sweep_" + "".join(c if c.isalnum() else "_" for c in bare(name))
-        figure.savefig(os.path.join(directory, stem + ".png"), dpi=130)
+        if left_out:
+            words = f"{len(left_out)} more results vary ('Draw' of the study chooses; results.csv has all): " + ", ".join(left_out)
+            figure.text(0.01, -0.01, "\n".join(textwrap.wrap(words, 55 * across)), fontsize=7, color=INK, va="top")
+        figure.savefig(os.path.join(directory, stem + ".png"), dpi=130, bbox_inches="tight")
         plt.close(figure)
 
 

@@ -73,6 +73,13 @@ def cell_lines(reference, points, period):
     return curves
 
 
+def turn_and_shear(F):
+    """Degrees: of the rotation in F (positive against the clock), and by how much the right angle between its axes has become less."""
+    turned = np.arctan2(F[1, 0] - F[0, 1], F[0, 0] + F[1, 1])  # of R in F = R U
+    angle = np.arctan2(F[1, 1], F[0, 1]) - np.arctan2(F[1, 0], F[0, 0])
+    return np.degrees(turned), 90.0 - np.degrees(angle) % 360.0
+
+
 def draw_rve(axis, rve, colour, reach):
     """The RVE in the middle of its own periodic images; x, y in um about its centre."""
     centre = np.concatenate(rve["rings"]).mean(axis=0)
@@ -170,8 +177,8 @@ def picture(directory):
             inset = figure.add_axes([left, bottom_edge, height * high_figure / wide_figure, height])
             reach = 0.8e6 * np.max(np.abs(rve["periods"]))
             draw_rve(inset, rve, colours(norm(abs(rve["shear_stress"]) / 1e3)), reach)
-            tilt = np.degrees(np.arctan2(rve["F"][1, 0], rve["F"][0, 0]))
-            inset.set_title(f"tilt {tilt:+.1f}°   p = {rve['pressure'] / 1e3:.0f} kPa", fontsize=8.5, color=INK, pad=3)
+            turned, sheared = turn_and_shear(rve["F"])
+            inset.set_title(f"turned {turned:+.1f}°, sheared {sheared:+.1f}°\np = {rve['pressure'] / 1e3:.0f} kPa", fontsize=8, color=INK, pad=3)
             at = rve["at"] * 1e3
             axis.plot(*at, "s", markersize=6, markerfacecolor="white", markeredgecolor=INK, markeredgewidth=1.3, zorder=6)
             edge = (1.0, 0.5) if left < 0.5 else (0.0, 0.5)

@@ -9,6 +9,7 @@
 #include "micro/io/run_context.h"
 #include "micro/processes/failure.h"
 #include "micro/scenarios/heating.h"
+#include "micro/scenarios/stored_turgor.h"
 #include "micro/scenarios/round_cell_fields.h"
 #include "micro/scenarios/shared_entries.h"
 #include "micro/scenarios/stepping.h"
@@ -358,6 +359,8 @@ void SqueezedCell::run_in(RunContext &context)
     context.result("energy_given_off_by_breaking", at_step.given_off, "J");
   if (!(rows.back().broken > 0.)) // a broken bond takes its energy along
     context.result("dissipated_share", squeezed::energy_dissipated(rows), "1");
+  else
+    tell_of_stored_turgor(context, heat() + at_step.given_off, rows.back().work, "J");
   first_deformation = at_step.first_deformation;
   report(context, rows);
   squeezed::report_worth(context, rows, radius, round.group().fluid_count(), conservative, 1e-3 * std::abs(at_step.start_energy));

@@ -39,7 +39,7 @@ Outputs tables()
             {"failed_depth", "1", "Mean depth at the start of the failed cells below the upper plate, over the height of the tissue; 0: none."},
             {"crossed", "", "Number of fluid particles that are outside a wall that is whole."},
             {"given_off", "J", "Energy that broken bonds and ties have taken along and walls that yielded have taken."},
-            {"heat", "J", "Energy that viscosity and Damping have turned to heat."},
+            {"heat", "J", "Energy that viscosity and Damping have turned to heat; of turgor's energy too, where walls yielded or broke, so that it can be above the work."},
             {"overlap", "m", "How much closer two walls of different cells are than the range of their contact, at most."},
             {"crossed_bonds", "", "Number of bonds of walls that have passed through another cell's wall."},
             {"behind_plate", "m", "How far the particle that is farthest behind a plate stands behind it."}})
@@ -112,7 +112,7 @@ Outputs TissueLoading::outputs() const
               {"energy_unaccounted", "J", "Start energy and work less the tissue's energy, what breaking gave off and flow took: what heat should be."},
               {"energy_given_off_by_breaking", "J", "Energy that broken bonds and ties have taken along; what created it is taken off."},
               {"energy_created_by_breaking", "J", "Energy that breaking has added to the tissue, which is no physics and should be small."},
-              {"heat", "J", "Energy that viscosity and Damping have turned to heat."},
+              {"heat", "J", "Energy that viscosity and Damping have turned to heat; of turgor's energy too, where walls yielded or broke, so that it can be above the work."},
               {"energy_taken_by_flow", "J", "Energy that walls took up by yielding.", "with walls that yield plastically"},
               {"largest_permanent_stretch", "1", "Largest permanent stretch of a bond by yielding.", "with walls that yield plastically"}})
     .results(of_failure())

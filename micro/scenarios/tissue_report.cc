@@ -1,5 +1,6 @@
 #include "micro/io/number_text.h"
 #include "micro/scenarios/heating.h"
+#include "micro/scenarios/stored_turgor.h"
 #include "micro/scenarios/judged.h"
 #include "micro/scenarios/tissue_run.h"
 
@@ -136,6 +137,8 @@ void TissueLoading::Run::report()
     context.result("energy_taken_by_flow", flowed, "J");
   if (tissue->flow)
     context.result("largest_permanent_stretch", tissue->flow->largest(), "1");
+  if (released + flowed > 0.)
+    tell_of_stored_turgor(context, heat() + released + flowed, plates->work(), "J");
   report_failure();
   report_worth();
 }

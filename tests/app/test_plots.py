@@ -10,6 +10,8 @@ PLOTS = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abs
 sys.path.insert(0, PLOTS)
 import drawing  # noqa: E402
 import plot  # noqa: E402
+import study  # noqa: E402
+import tissue_gravity  # noqa: E402
 
 
 class Pictures(unittest.TestCase):
@@ -34,6 +36,33 @@ class Pictures(unittest.TestCase):
     def test_no_line_looks_like_another(self):
         styles = drawing.line_styles(40)
         self.assertEqual(len(set(styles)), 40)
+
+    def test_a_line_over_another_of_the_same_course_has_gaps(self):
+        t = drawing.np.linspace(0., 1., 20)
+        columns = {"work": 10 * t, "dissipated": 3 * t, "heat": 3 * t + 0.01, "kinetic": 4 * t, "again": 3 * t}
+        self.assertEqual(plot.covering(columns), {"heat": 0, "again": 1})
+
+    def test_a_scale_that_does_not_hold_all_values_is_pointed_there(self):
+        norm = drawing.matplotlib.colors.Normalize(1., 2.)
+        self.assertEqual([drawing.beyond(norm, values) for values in ([1., 2.], [1., 3.], [0., 2.], [0., 3.])], ["neither", "max", "min", "both"])
+
+    def test_rotation_and_shear_of_a_piece_are_told_apart(self):
+        np, a = drawing.np, drawing.np.radians(10.)
+        turn = np.array([[np.cos(a), -np.sin(a)], [np.sin(a), np.cos(a)]])
+        for F, turned, sheared in ((turn @ np.diag([1.2, 0.9]), 10., 0.), (np.array([[1., np.tan(a)], [np.tan(a), 1.]]), 0., 20.),
+                                   (np.array([[1., 0.], [np.tan(a), 1.]]), np.degrees(np.arctan(np.tan(a) / 2)), 10.), (turn.T, -10., 0.)):
+            found = tissue_gravity.turn_and_shear(F)
+            self.assertAlmostEqual(found[0], turned, places=9)
+            self.assertAlmostEqual(found[1], sheared, places=9)
+
+    def test_a_study_draws_what_varies_in_the_order_of_the_outputs(self):
+        columns = ["cpu_time_s", "m [N]", "a [m]", "force_at_10 [N]", "same [1]", "z [s]"] + [f"n{k}" for k in range(20)]
+        rows = [{name: str(1 + 0.1 * k) for name in columns} | {"same [1]": str(2. + 1e-6 * k)} for k in range(3)]
+        info = {"draw": "all", "results": ["z", "force_at_*", "same"] + [f"n{k}" for k in range(20)] + ["a"]}
+        panels, left_out = study.panels_of(info, columns, rows)
+        self.assertEqual(panels[:3] + panels[-2:], [["m [N]"], ["z [s]"], ["force_at_10 [N]"], ["n7"], ["cpu_time_s"]])
+        self.assertEqual(len(panels), study.MOST)
+        self.assertEqual(left_out, [f"n{k}" for k in range(8, 20)] + ["a"])
 
     def test_published_numbers_need_the_published_input(self):
         self.write("input.prm", "subsection Cell\n  set Cycle time = 61200 # s\nend\n")
