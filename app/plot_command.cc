@@ -38,6 +38,21 @@ bool draw_run(const std::filesystem::path &directory, const std::filesystem::pat
   return draw(directory, "plot.py", data.empty() ? std::vector<std::string>() : std::vector<std::string>{"--data", data.string()});
 }
 
+bool has_pictures(const std::filesystem::path &directory)
+{
+  std::error_code problem;
+  const auto finished = std::filesystem::last_write_time(directory / "summary.json", problem);
+  std::size_t drawn = 0;
+  for (const auto &[name, time] : pictures(directory))
+    if (is_made(directory, name)) // entered once all are drawn
+      {
+        if (time < finished)
+          return false;
+        ++drawn;
+      }
+  return drawn > 0;
+}
+
 int plot_command(const std::filesystem::path &directory, const std::filesystem::path &data)
 {
   std::error_code problem;

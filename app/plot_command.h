@@ -14,6 +14,9 @@ int plot_command(const std::filesystem::path &directory, const std::filesystem::
 /// Draws the pictures of the run in DIR and enters them among the files this program made; false when that failed.
 bool draw_run(const std::filesystem::path &directory, const std::filesystem::path &data = {});
 
+/// Whether the pictures of the finished run in DIR have all been drawn since it finished. One that was killed while it drew has none.
+bool has_pictures(const std::filesystem::path &directory);
+
 /// Runs a script of app/plots with the Python found at configuration on DIR and the arguments; enters the pictures as above.
 bool draw(const std::filesystem::path &directory, const std::string &script, const std::vector<std::string> &arguments);
 } // namespace turgor

@@ -123,15 +123,21 @@ void write_ending(Ending &ending, RunDirectory &directory, std::filesystem::path
   ending = {1, "failed", why, true};
 }
 
+/// Pictures are a service: the run has its results whether or not they can be drawn.
+void draw_pictures(RunDirectory &directory, const std::string &place)
+{
+  if (!draw_run(place))
+    directory.say("The pictures could not be drawn; try: turgor plot " + place);
+}
+
 /// To whoever started the run, after everything is on disk.
 void tell(const Ending &ending, RunDirectory &directory, const std::string &place, const bool quiet)
 {
   if (ending.code == 0)
     {
       directory.say("Finished; results are in " + place + ".");
-      // Pictures are a service: the run has its results whether or not they can be drawn.
-      if (!quiet && !draw_run(place))
-        directory.say("The pictures could not be drawn; try: turgor plot " + place);
+      if (!quiet)
+        draw_pictures(directory, place);
       return;
     }
   const std::string again = command_again({"--overwrite"}, {"--resume"});
@@ -168,7 +174,11 @@ int run_command(const RunOptions &options, const ScenarioRegistry &registry, Mpi
       start->directory->say(remark);
   if (is_begun && start->directory->has_finished())
     {
-      start->directory->say("The run in " + start->settings.directory.string() + " has finished already: nothing is left to do.");
+      const std::string place = start->settings.directory.string();
+      const bool drawn = !is_writer || options.quiet || has_pictures(place);
+      start->directory->say("The run in " + place + " has finished already: " + (drawn ? "nothing is left to do." : "its pictures are drawn."));
+      if (!drawn)
+        draw_pictures(*start->directory, place);
       return 0;
     }
   if (is_begun)

@@ -1,5 +1,6 @@
 """What the pictures share: tables, colours, axes, the probe's history, numbers beside points that do not cover each other.
 """
+import atexit
 import csv
 import os
 import sys
@@ -11,22 +12,52 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
+def _record(path):
+    """The list of what turgor made in the directory of this file, if that is one of a run."""
+    return os.path.join(os.path.dirname(path), "made_by_turgor.txt")
+
+
+def _is_made(path):
+    with open(_record(path), encoding="utf-8") as file:
+        return os.path.basename(path) in file.read().splitlines()
+
+
 def _is_somebodys(path):
-    """Whether a picture stands there, in the directory of a run, that turgor did not draw (or a link to elsewhere)."""
-    made = os.path.join(os.path.dirname(path), "made_by_turgor.txt")
-    if not os.path.lexists(path) or not os.path.exists(made):
-        return False
-    with open(made, encoding="utf-8") as file:
-        return os.path.islink(path) or os.path.basename(path) not in file.read().splitlines()
+    """Whether something stands there, in the directory of a run, that turgor did not make (or a link to elsewhere)."""
+    return os.path.lexists(path) and (os.path.islink(path) or not _is_made(path))
+
+
+def _claim(path):
+    if not _is_made(path):
+        with open(_record(path), "a", encoding="utf-8") as file:
+            file.write(os.path.basename(path) + "\n")
 
 
 def _save(figure, path, *arguments, **options):
-    if isinstance(path, (str, os.PathLike)) and _is_somebodys(os.fspath(path)):
-        print(f"{path} was not drawn by turgor; it is not replaced.", file=sys.stderr)
-    else:
+    """In the directory of a run the pictures get their names once all are drawn: one that is killed before leaves none, and may draw again."""
+    if not isinstance(path, (str, os.PathLike)) or not os.path.exists(_record(os.fspath(path))):
         _savefig(figure, path, *arguments, **options)
+        return
+    path = os.fspath(path)
+    part = path + ".part"
+    if _is_somebodys(path) or _is_somebodys(part):
+        print(f"{path} was not drawn by turgor; it is not replaced.", file=sys.stderr)
+        return
+    _claim(part)
+    _savefig(figure, part, *arguments, **{"format": os.path.splitext(path)[1][1:], **options})
+    if part not in _drawn:
+        _drawn.append(part)
 
 
+def _name_all():
+    for part in _drawn:
+        path = part.removesuffix(".part")
+        _claim(path)
+        os.replace(part, path)
+
+
+_drawn = []
+atexit.register(_name_all)
 _savefig = plt.Figure.savefig
 plt.Figure.savefig = _save
 

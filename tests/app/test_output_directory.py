@@ -165,8 +165,26 @@ class OutputDirectory(Case):
     def test_resume_of_a_finished_run_leaves_it(self):
         self.accepted(*self.quick())
         before = tree(self.directory)
+        self.accepted(*self.quick("--resume"))
+        self.assertEqual(tree(self.directory), before)
+
+    def test_resume_of_a_run_that_was_killed_while_it_drew_draws(self):
+        run = subprocess.Popen([PROGRAM, "run", QUICK, "-o", "out"], cwd=self.directory, stdout=subprocess.DEVNULL, stdin=subprocess.DEVNULL)
+        while not os.path.exists(self.path("out", "summary.json")):
+            self.assertIsNone(run.poll())
+        run.kill()
+        run.wait()
+        with open(self.path("out", "made_by_turgor.txt"), "a", encoding="utf-8") as file:
+            file.write("wall_uniaxial.png.part\n")
+        self.write("half a picture", "out", "wall_uniaxial.png.part")
+        self.assertFalse(os.path.exists(self.path("out", "wall_uniaxial.png")))
         done = self.accepted("run", QUICK, "-o", "out", "--resume")
-        self.assertIn("has finished already", done.stdout)
+        self.assertIn("has finished already: its pictures are drawn.", done.stdout)
+        with open(self.path("out", "wall_uniaxial.png"), "rb") as file:
+            self.assertEqual(file.read(4), b"\x89PNG")
+        before = tree(self.directory)
+        done = self.accepted("run", QUICK, "-o", "out", "--resume")
+        self.assertIn("has finished already: nothing is left to do.", done.stdout)
         self.assertEqual(tree(self.directory), before)
 
 
