@@ -13,14 +13,25 @@ namespace turgor
 namespace
 {
 volatile std::sig_atomic_t requested = 0;
+timespec first_asked = {};
 timer_t timer;
 pid_t owner = 0; // of the timer: a child of fork() does not inherit it
 int seconds = 0; // 0: no timer
 
+/// Whether a second wish is one of its own. A key that bounces or a launcher that passes a signal on gives two at once.
+bool is_again()
+{
+  timespec now = {};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return double(now.tv_sec - first_asked.tv_sec) + 1e-9 * double(now.tv_nsec - first_asked.tv_nsec) >= second_wish_after;
+}
+
 extern "C" void turgor_stop_handler(const int signal_number)
 {
-  if (requested != 0 && signal_number == SIGINT)
+  if (requested != 0 && signal_number == SIGINT && is_again())
     ::_exit(130);
+  if (requested == 0)
+    clock_gettime(CLOCK_MONOTONIC, &first_asked);
   if (requested == 0 && seconds > 0)
     {
       itimerspec once = {};
