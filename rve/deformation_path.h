@@ -19,6 +19,7 @@ public:
   DeformationPath(const std::string &text, const std::string &entry);
 
   double start() const { return times.front(); } ///< s
+  const std::vector<double> &keyframe_times() const { return times; } ///< s
   double end() const { return times.back(); }    ///< s
   Tensor2<2> F(double time) const;
   Tensor2<2> F_dot(double time) const;

@@ -57,7 +57,9 @@ bool EntryPattern::numeric() const
 std::string EntryPattern::in_words() const
 {
   const auto range = [this] {
-    const bool from = std::isfinite(low) && low > -1e18, to = std::isfinite(high) && high < 1e18;
+    // A bound that the kind of number has by itself is none: those of long, as a double.
+    const double own = kind == Kind::whole ? 9.2e18 : std::numeric_limits<double>::infinity();
+    const bool from = low > -own, to = high < own;
     return from && to ? " from " + number_text(low) + " to " + number_text(high)
            : from     ? " not below " + number_text(low)
            : to       ? " not above " + number_text(high)

@@ -1,11 +1,15 @@
 #include "micro/scenarios/tissue_loading.h"
 
 #include "micro/cells/sph_cell_entries.h"
+#include "micro/engine/step_control.h"
 #include "micro/io/entry_marks.h"
 #include "micro/io/input_entries.h"
+#include "micro/io/number_text.h"
 #include "micro/scenarios/shared_entries.h"
 #include "micro/scenarios/stepping.h"
 #include "micro/scenarios/tissue_run.h"
+
+#include <algorithm>
 
 namespace turgor
 {
@@ -45,6 +49,19 @@ void TissueLoading::check() const
   check_sph_cell(cell, sph);
   check_substeps(substeps, sph);
   brick.check(cell, sph);
+  BrickParameters few = brick; // the step is that of a cell
+  few.columns = std::min(brick.columns, 2u);
+  few.rows = std::min(brick.rows, 2u);
+  const auto tissue = make_brick_tissue(cell, sph, few);
+  require_few_steps(StepControl<2>(tissue->system, step_fraction, spacings_a_step).dt());
+}
+
+void TissueLoading::require_few_steps(const double dt) const
+{
+  constexpr double most = 2e9;
+  if (const double steps = end_strain * brick.rows * cell.period / speed / dt; steps > most)
+    throw InputError("Speed is " + number_text(speed) + " m/s: the run would take " + number_text(steps) + " steps, allowed are "
+                     + number_text(most) + ". Choose a larger Speed or a smaller End strain.");
 }
 
 void TissueLoading::run(RunContext &context) { Run(*this, context).go(); }

@@ -40,6 +40,10 @@ public:
 private:
   class Run; ///< one run: the tissue, its plates, its history
 
+  static constexpr double spacings_a_step = 0.02; ///< of StepControl
+  /// dt: s; throws InputError.
+  void require_few_steps(double dt) const;
+
   std::string text;
   ParenchymaParameters cell;
   SphParameters sph;

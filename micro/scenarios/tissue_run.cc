@@ -28,7 +28,7 @@ TissueLoading::Run::Run(const TissueLoading &scene_, RunContext &context_)
   if (tissue->flow)
     yielding.emplace(*tissue->wall, tissue->flow);
   inflation.emplace(*tissue, scene.cell, scene.sph, scene.brick);
-  integrator.emplace(system, scene.step_fraction, 0.02);
+  integrator.emplace(system, scene.step_fraction, TissueLoading::spacings_a_step);
   dt = integrator->safe_step(); // of the fluid as it is laid; anew when the tissue is inflated
   if (scene.substeps > 1)
     split.emplace(system, scene.substeps);
@@ -39,8 +39,7 @@ TissueLoading::Run::Run(const TissueLoading &scene_, RunContext &context_)
 void TissueLoading::Run::go()
 {
   context.active(system.term_names(), system.particles.field_names());
-  if (double(scene.end_strain) * scene.brick.rows * scene.cell.period / scene.speed / dt > 2e9)
-    throw InputError("Speed is so small that the run would take more than 2e9 steps; choose a larger Speed or a smaller End strain.");
+  scene.require_few_steps(dt);
   const bool resumed = context.load_checkpoint([this](std::istream &in) { load(in); });
   if (load_steps == 0)
     {

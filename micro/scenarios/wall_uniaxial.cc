@@ -2,6 +2,7 @@
 
 #include "micro/io/input_entries.h"
 #include "micro/io/run_context.h"
+#include "micro/io/stop_flag.h"
 #include "micro/processes/wall_yielding.h"
 #include "micro/terms/ring_wall.h"
 
@@ -100,6 +101,7 @@ void WallUniaxial::run(RunContext &context)
         for (const bool back : {false, true})
           for (unsigned int k = 0; k <= points; ++k)
             {
+              stop_here("while the walls were pulled; a run of this scene starts again");
               const double l = 1. + (largest_stretch - 1.) * (back ? points - k : k) / points, T = ring.tension_at(l);
               table->add_row({A, B, l, T, law(l), double(back)});
               if (!back || way == "reversible")

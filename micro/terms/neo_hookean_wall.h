@@ -170,9 +170,10 @@ private:
         below = above;
         above += std::max(step, 0.05 * (above - 1.));
         if (above > 100.)
-          throw std::invalid_argument("a wall that yields with A = " + number_text(yield.sharpness) + ", B = "
-                                      + number_text(yield.drop) + " carries at most " + number_text(farthest * 1e3)
-                                      + " mN, less than the " + number_text(tension * 1e3) + " mN asked of it");
+          throw std::invalid_argument("Yield sharpness = " + number_text(yield.sharpness) + " and Yield drop = "
+                                      + number_text(yield.drop) + " give a wall that carries at most " + number_text(farthest * 1e3)
+                                      + " mN, less than the " + number_text(tension * 1e3)
+                                      + " mN that Turgor asks of it: take a smaller Yield drop, less Turgor or a larger Wall stiffness.");
       }
     for (int i = 0; i < 200 && above > std::nextafter(below, above); ++i)
       {

@@ -40,6 +40,9 @@ BOOST_AUTO_TEST_CASE(patterns_say_what_they_take)
 {
   BOOST_TEST(Patterns::Double(0., 1e5).in_words() == "a finite number from 0 to 100000");
   BOOST_TEST(Patterns::Double(1e-12).in_words() == "a finite number not below 1e-12");
+  BOOST_TEST(Patterns::Double(0., 1e20).in_words() == "a finite number from 0 to 1e+20");
+  BOOST_TEST(Patterns::Double(-1e30).in_words() == "a finite number not below -1e+30");
+  BOOST_TEST(Patterns::Integer(1).in_words() == "a whole number not below 1");
   BOOST_TEST(Patterns::Integer(1, 4).in_words() == "a whole number from 1 to 4");
   BOOST_TEST(Patterns::Integer().in_words() == "a whole number");
   BOOST_TEST(Patterns::Selection("a|b").in_words() == "one of a, b");

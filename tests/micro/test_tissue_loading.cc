@@ -1,6 +1,7 @@
 // Aggregates of cells: geometry by hand, the honeycomb, the scenes between plates, stop and resume, failure, bad input.
 #include "micro/cells/brick_tissue.h"
 #include "micro/io/input_entries.h"
+#include "micro/io/stop_flag.h"
 #include "micro/scenarios/tissue_loading.h"
 #include "micro/scenarios/tissue_measures.h"
 #include "micro/scenarios/wall_uniaxial.h"
@@ -254,6 +255,20 @@ BOOST_AUTO_TEST_CASE(a_wall_pulled_follows_the_law)
       BOOST_TEST(context.results.at("largest_error") < 1e-11); // round-off, and the 1e-12 of the yield condition
       BOOST_TEST((context.results.at("largest_stretch_that_stays") > 0.) == (way == "plastic"));
     }
+}
+
+BOOST_AUTO_TEST_CASE(a_wall_with_many_points_stops_when_asked)
+{
+  Disk disk;
+  MemoryContext context(disk, false);
+  WallUniaxial scene;
+  InputEntries prm;
+  scene.declare_parameters(prm);
+  prm.set("Points", "100000");
+  request_stop();
+  BOOST_CHECK_THROW(scene.run(context), RunStopped);
+  request_stop(false);
+  BOOST_TEST(disk.series.at("wall").size() < 10u);
 }
 
 BOOST_AUTO_TEST_CASE(wrong_input_says_what_is_allowed)
