@@ -126,9 +126,8 @@ void SqueezedCell::run_in(RunContext &context)
   two[0].axis = two[1].axis = axis;
   two[0].side = 1;  // below the cell
   two[1].side = -1; // above
-  two[0].position = -1e3; // far away until the cell is turgid
+  two[0].position = -1e3; // far away until the cell is turgid, and without mass: a light plate would shorten the steps there
   two[1].position = 1e3;
-  two[1].mass = plate_mass;
   Plates<dim> &plates = system.add(std::make_unique<Plates<dim>>(two, plate_stiffness > 0. ? plate_stiffness : 10. * cell.wall_stiffness));
   context.active(system.term_names(), particles.field_names());
 
@@ -144,6 +143,7 @@ void SqueezedCell::run_in(RunContext &context)
     if (round.damage)
       round.damage->load(in);
     system.load(in);
+    plates.set_mass(1, plate_mass);
     integrator.load(in);
   });
   if (!resumed)
@@ -175,6 +175,7 @@ void SqueezedCell::run_in(RunContext &context)
       plates.set_velocity(0, both_move ? 0.5 * speed : 0.);
       plates.set_velocity(1, both_move ? -0.5 * speed : -speed);
       plates.set_load(1, -plate_force);
+      plates.set_mass(1, plate_mass);
       system.compute_forces();
       integrator.begin_here();
       at_step.dt = integrator.safe_step();

@@ -49,6 +49,7 @@ public:
   std::size_t size() const { return plates.size(); }
   const Plate &operator[](const std::size_t k) const { return plates[k]; }
   void set_velocity(const std::size_t k, const double velocity) { plates[k].velocity = velocity; } ///< m/s
+  void set_mass(const std::size_t k, const double mass) { plates[k].mass = mass; } ///< kg; 0: driven
   void set_load(const std::size_t k, const double load) { plates[k].load = load; } ///< N, of a plate with mass
   void set_position(const std::size_t k, const double position) { plates[k].position = position; } ///< m
 

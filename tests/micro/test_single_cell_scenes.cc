@@ -305,6 +305,21 @@ BOOST_AUTO_TEST_CASE(a_plate_with_mass_bounces_and_a_force_holds)
   BOOST_TEST(pressed_disk.series.at("force").back()[1] == at, boost::test_tools::tolerance(0.02));
 }
 
+// While the cell comes to rest the plate is nowhere near: its mass must not decide how long that takes.
+BOOST_AUTO_TEST_CASE(a_light_plate_leaves_the_cells_rest_alone)
+{
+  const auto residual = [](const std::string &mass, const std::string &end) {
+    Disk disk;
+    MemoryContext context(disk, false);
+    run(*make_cell_impact(), context,
+        {{"Dimension", "2"}, {"Speed", "1"}, {"Plate mass", mass}, {"End time", end}, {"Samples", "2"}, {"Frames", "0"}, {"Checkpoints", "0"},
+         {"Cell/Fluid", "pressure"}, {"Cell/Radius", "50e-6"}, {"Cell/Wall thickness", "1e-6"}, {"Cell/Ring nodes", "60"},
+         {"Cell/Wall density", "32500"}, {"Cell/Anneal steps", "4000"}});
+    return context.results.at("rest_residual");
+  };
+  BOOST_TEST(residual("1e-15", "1e-9") == residual("2e-8", "1e-7"));
+}
+
 BOOST_AUTO_TEST_CASE(the_thesis_scheme_fills_a_round_cell)
 {
   RoundCellParameters p;
