@@ -2,6 +2,7 @@
 
 #include "macro/binary.h"
 #include "micro/io/number_text.h"
+#include "micro/scenarios/judged.h"
 
 #include <algorithm>
 
@@ -9,7 +10,7 @@ namespace turgor
 {
 namespace
 {
-constexpr double noted = 0.1, lost = 0.5; // penetration over RigidTools::own_size()
+constexpr Shares penetration{0.1, 0.5}; // over RigidTools::own_size()
 }
 
 Bruise::Bruise(const TissueParameters<2> &parameters)
@@ -93,9 +94,9 @@ void Bruise::row(const Tissue<2> &tissue, const RveLaw<2> &law)
 void Bruise::check_contact(const Tissue<2> &tissue) const
 {
   const double size = tissue.tools()->own_size();
-  const auto check = [&](const char *what, const double penetration) {
-    if (penetration > lost * size)
-      throw RunFailed("At t = " + number_text(tissue.time() * 1e3) + " ms " + what + " is " + number_text(penetration) +
+  const auto check = [&](const char *what, const double depth) {
+    if (depth > penetration.allowed * size)
+      throw RunFailed("At t = " + number_text(tissue.time() * 1e3) + " ms " + what + " is " + number_text(depth) +
                       " m inside the tissue, more than half of " + number_text(size) +
                       " m, the least of an element's thickness and the tool's radius: the contact no longer holds. Take a larger "
                       "Impact/Contact stiffness; a tool that is smaller than an element needs more Tissue/Elements.");
@@ -124,14 +125,14 @@ void Bruise::results(RunContext &context, const Tissue<2> &tissue, const RveLaw<
   context.result("bruise_depth", s.depth, "m");
   context.result("bruise_at_support", s.at_support ? 1. : 0., "");
   if (s.at_support)
-    context.say("The bruise has reached the support: how deep it is and how much is bruised is decided by the size of the block.");
+    remarked(context, "bruise_at_support", "The bruise has reached the support: how deep it is and how much is bruised is decided by the size of the block.");
   const double size = tissue.tools()->own_size(), deepest = std::max(memory.penetration, memory.support_penetration);
   context.result("tool_penetration_max", memory.penetration, "m");
   context.result("support_penetration_max", memory.support_penetration, "m");
   context.result("penetration_share_max", deepest / size, "1"); // of an element's thickness or the tool's radius
-  if (deepest > noted * size)
-    context.say("Tool and tissue overlap by up to " + number_text(deepest) + " m, " + number_text(100. * deepest / size) +
-                " % of an element's thickness or the tool's radius; a larger Impact/Contact stiffness or more Tissue/Elements make it less.");
+  judged(context, "penetration_share_max", deepest / size, penetration,
+         "tool and tissue overlap by up to " + number_text(deepest) + " m, " + number_text(100. * deepest / size) +
+           " % of an element's thickness or the tool's radius (a larger Impact/Contact stiffness makes it less)");
   context.result("peak_force", memory.peak_force, "N/m");
   context.result("time_of_peak_force", memory.peak_time, "s");
   context.result("peak_transmitted_force", memory.peak_support, "N/m");

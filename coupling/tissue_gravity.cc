@@ -3,6 +3,7 @@
 #include "coupling/tissue_size.h"
 #include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
+#include "micro/scenarios/judged.h"
 #include "rve/make_rve.h"
 
 #include <cmath>
@@ -75,8 +76,8 @@ void TissueGravity::run(RunContext &context)
                         number_text(rve_parameters.columns) + " x " + number_text(rve_parameters.rows) + " cells");
   if (const double left = rve_parameters.equilibrium_tolerance() * rve_parameters.cell.turgor;
       rve_parameters.rule == "elastic_equilibrium" && rve_parameters.fluid == "hydrostatic" && load > 0. && left > 1e-3 * load)
-    context.say("RVE/Tolerance leaves up to " + number_text(left) + " Pa out of balance inside the cells, more than a thousandth of the load of " +
-                number_text(load) + " Pa: they may not feel it. Take a smaller tolerance or a larger load.");
+    remarked(context, "tolerance", "RVE/Tolerance leaves up to " + number_text(left) + " Pa out of balance inside the cells, more than a thousandth of the load of " +
+             number_text(load) + " Pa: they may not feel it. Take a smaller tolerance or a larger load.");
   run_tissue(context, settings, rve);
 }
 

@@ -8,6 +8,7 @@
 #include "micro/io/field_output.h"
 #include "micro/io/number_text.h"
 #include "micro/io/stop_flag.h"
+#include "micro/scenarios/judged.h"
 #include "micro/scenarios/stored_turgor.h"
 
 #include <algorithm>
@@ -157,7 +158,7 @@ void Run::tell_of_bursts()
   const double step = tissue.time() / double(tissue.steps()), share = rve.burst() / step;
   context.result("burst_over_macro_step", share, "1");
   if (share < 0.5)
-    context.say("In a macro step of " + number_text(step) + " s the cells live " + number_text(rve.burst()) + " s: what relaxes or swings inside them is slowed by " +
+    remarked(context, "burst_over_macro_step", "In a macro step of " + number_text(step) + " s the cells live " + number_text(rve.burst()) + " s: what relaxes or swings inside them is slowed by " +
                 number_text(1. / share) + ". Stress follows their dynamics only with RVE/Burst length near the macro step.");
 }
 
@@ -199,7 +200,7 @@ void Run::results()
       std::snprintf(sentence, sizeof(sentence), "%llu of %llu RVE calls (%.2g %%) found no equilibrium of their torn walls and were held by drag; largest unbalanced "
                     "force %.2g of turgor x spacing x depth.", static_cast<unsigned long long>(s.dragged_calls), static_cast<unsigned long long>(s.calls),
                     100. * double(s.dragged_calls) / double(s.calls), s.max_dragged_residual);
-      context.say(sentence);
+      remarked(context, "rve_calls_dragged", sentence);
     }
   }
   tell_of_bursts();

@@ -7,6 +7,7 @@
 #include "micro/io/field_output.h"
 #include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
+#include "micro/scenarios/judged.h"
 #include "rve/make_rve.h"
 
 #include <algorithm>
@@ -102,7 +103,7 @@ void TissueStatics::run(RunContext &context)
     cells_inside.tolerance = std::clamp(std::abs(load) / std::max(rve_parameters.cell.turgor, 1e-300) * most_share_of_load,
                                         RveParameters::least_tolerance, rve_parameters.equilibrium_tolerance());
   if (cells_inside.equilibrium_tolerance() < rve_parameters.equilibrium_tolerance())
-    context.say("RVE/Tolerance is taken as " + number_text(cells_inside.tolerance) + ": at the load of " + number_text(load) +
+    remarked(context, "tolerance", "RVE/Tolerance is taken as " + number_text(cells_inside.tolerance) + ": at the load of " + number_text(load) +
                 " Pa the cells would not feel what " + number_text(rve_parameters.equilibrium_tolerance()) + " of turgor leaves out of balance.");
   const std::shared_ptr<const Rve<2>> rve = make_rve(cells_inside);
   const double period = rve_parameters.cell.period, width = cells * period;

@@ -4,6 +4,7 @@
 #include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
+#include "micro/scenarios/judged.h"
 #include "rve/deformation_path.h"
 #include "rve/flat_wall_closed_form.h"
 #include "rve/make_rve.h"
@@ -46,6 +47,14 @@ std::string printed(const Tensor2<2> &F)
   return out.str();
 }
 
+/// What no cell lives through: a wave crosses it ten thousand times slower.
+void require_rate(const Tensor2<2> &F_dot, const std::string &entry, const std::string &advice)
+{
+  constexpr double most = 1e9; // 1/s
+  if (const double rate = F_dot.cwiseAbs().maxCoeff(); !(rate <= most))
+    throw InputError(entry + " has a rate of " + number_text(rate) + " 1/s, allowed are " + number_text(most) + ": " + advice + ".");
+}
+
 Tensor2<2> deviator(const Tensor2<2> &s) { return s - 0.5 * s.trace() * Tensor2<2>::Identity(); }
 } // namespace
 
@@ -78,9 +87,13 @@ void RveResponse::declare_parameters(InputEntries &prm)
 void RveResponse::check() const
 {
   if (!F_dot_by_hand.empty())
-    parse_tensor(F_dot_by_hand, "Path/F_dot");
+    require_rate(parse_tensor(F_dot_by_hand, "Path/F_dot"), "Path/F_dot", "take a smaller one");
   if (F_by_hand.empty())
-    DeformationPath(path, "Path/Keyframes");
+    {
+      const DeformationPath way(path, "Path/Keyframes");
+      for (const double time : way.keyframe_times())
+        require_rate(way.F_dot(time), "Path/Keyframes", "give the path more time");
+    }
   else if (!(parse_tensor(F_by_hand, "Path/F").determinant() > 0.))
     throw InputError("Path/F is '" + F_by_hand + "', but its determinant has to be positive.");
   rve.check();
@@ -215,6 +228,9 @@ void RveResponse::run(RunContext &context)
             context.result(std::string("deviator_offset_over_turgor_") + component_names[c], of_deviator[c].offset() / rve.cell.turgor, "1");
           }
     }
+  if (worst > 1.)
+    remarked(context, "max_deviation_over_allowed", "the deviatoric stress is off that of flat walls by up to " + number_text(largest_deviation) + " Pa, "
+             + number_text(worst) + " times the allowed 1 % of it or 0.5 % of turgor, whichever is more (more Cell/Nodes per side makes it less).");
   char line[200];
   std::snprintf(line, sizeof line, "sigma = %.6g, %.6g; %.6g, %.6g kPa at the last point, pressure %.6g kPa",
                 1e-3 * answer.sigma(0, 0), 1e-3 * answer.sigma(0, 1), 1e-3 * answer.sigma(1, 0),

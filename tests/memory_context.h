@@ -36,6 +36,7 @@ public:
   std::string stop_while;           // as progress() names it; empty = never
   mutable unsigned long asked = 0;
   std::map<std::string, double> results;
+  std::map<std::string, std::string> notes;
 
   const std::filesystem::path &directory() const override { return path; }
   unsigned int threads() const override { return use_threads; }
@@ -46,7 +47,7 @@ public:
       throw RunFailed(name + " is not finite");
     results[name] = value;
   }
-  void note(const std::string &, const std::string &) override {}
+  void note(const std::string &name, const std::string &text) override { notes[name] = text; }
   void active(const std::vector<std::string> &, const std::vector<std::string> &) override {}
 
   std::unique_ptr<Series> series(const std::string &name, const std::vector<Column> &) override

@@ -39,7 +39,7 @@ SMALL = {"Cell/Nodes per side": (3, 10), "SPH/Particles per side": (6, 10), "SPH
 SMALL_TISSUE = {"Columns": (1, 3), "Rows": (1, 3), "End strain": 0.1, "Speed": (5, 20), "Cell/Nodes per side": [4, 6, 8, 10]}
 SMALL_ROUND = {"Cell/Frequency": (3, 6), "Cell/Fluid particles": (100, 600), "Cell/Anneal steps": (100, 2000), "Cell/Rest steps": (0, 3000),
                "Cell/Yield drop": [0, 0, 0, 0.5]}
-SMALL_SPHEROID = {"First cells": (1, 20), "Duration": (3600, 200000), "Most cells": (0, 100)}
+SMALL_SPHEROID = {"First cells": (1, 20), "End time": (3600, 200000), "Most cells": (21, 100)}
 SCENES = {
     "spheroid_free": SMALL_SPHEROID,
     "monolayer": SMALL_SPHEROID,
@@ -55,8 +55,8 @@ SCENES = {
     "tissue_impact": SMALL_TISSUE,
     "tissue_failure": SMALL_TISSUE,
     "wall_uniaxial": {},
-    "cell_steps": {"Cells": (2, 30), "Duration": (1, 100), "Halvings": (1, 4)},
-    "spheroid_capsule": {"First cells": (2, 30), "Duration": (1e3, 5e4), "Capsule/Radius": 50e-6},
+    "cell_steps": {"Cells": (2, 30), "End time": (1, 100), "Halvings": (1, 4)},
+    "spheroid_capsule": {"First cells": (2, 30), "End time": (1e3, 5e4), "Capsule/Radius": 50e-6},
     "laplace": SMALL_ROUND,
     "shell_oscillation": dict(SMALL_ROUND, Periods=4),
     "cell_compression": dict(SMALL_ROUND, Speed=(20, 50), Deformation=0.1),

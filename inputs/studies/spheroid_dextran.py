@@ -22,8 +22,8 @@ def runs(name):
     cells, first, second = {"small": (400, 3 * DAY, 2 * DAY), "full": (2000, 9 * DAY, 5 * DAY)}[name]
     for line, pressure in LINES.items():
         entries = {"First cells": cells, "Frames": 0, "Checkpoints": 0, "Samples": 150, "Dextran/Cell line": line,
-                   "Dextran/Regime change": first, "Duration": first + second * (line in TWO_REGIMES)}
-        short = {"Duration": 5 * DAY} if line == "AB6" and name == "full" else {}  # 30 000 cells by then, as free growth has no end
+                   "Dextran/Regime change": first, "End time": first + second * (line in TWO_REGIMES)}
+        short = {"End time": 5 * DAY} if line == "AB6" and name == "full" else {}  # 30 000 cells by then, as free growth has no end
         yield f"{line}_free", "spheroid_dextran", {**entries, **short, "Dextran/Pressure": 0}
         yield f"{line}_{pressure // 1000}kPa", "spheroid_dextran", {**entries, "Dextran/Pressure": pressure}
         if line == "FHI" and name == "small":

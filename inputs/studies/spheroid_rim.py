@@ -34,7 +34,7 @@ from fields import frames  # noqa: E402
 RIM = 30e-6
 RIMMED = {"Death/Rim": "quiescent", "Death/Rim thickness": str(RIM), "First phases": "spread"}
 TERMS = ["row", "one_radius", "share", "production", "fill", "line", "sum", "core_share", "rim_fill", "core_fill", "edge beyond full um"]
-BALL = {"First cells": "400", "Duration": "277200"}
+BALL = {"First cells": "400", "End time": "277200"}
 
 
 def runs():

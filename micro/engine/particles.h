@@ -57,6 +57,14 @@ public:
 
   std::size_t size() const { return inverse_mass.size(); }
 
+  std::size_t fluid_count() const ///< of all groups
+  {
+    std::size_t sum = 0;
+    for (const Group &g : groups)
+      sum += g.fluid_count();
+    return sum;
+  }
+
   Vector<dim> position(std::size_t i) const
   {
     Vector<dim> p;

@@ -43,7 +43,7 @@ Outputs CellSteps::outputs() const
     .table("steps", "One row for each run of a method with a step or a tolerance.",
            {{"method", "", "Which method it is: 0 euler, 1 heun, 2 implicit."},
             {"adaptive", "", "Whether the step is adaptive (1) or fixed (0)."},
-            {"time_step", "s", "The fixed step, or Duration over the number of steps."},
+            {"time_step", "s", "The fixed step, or End time over the number of steps."},
             {"tolerance", "1", "Error of a step that is allowed, over a radius; 0 with a fixed step."},
             {"error", "1", "Root mean square distance of the cells from the reference at the end, over a radius; 0 where the run did not end."},
             {"cpu_time", "s", "CPU time of this run alone."},
@@ -102,7 +102,8 @@ Outputs FullMicro::outputs() const
               {"pressure_virial_reference", "Pa", "Pressure of a cell's fluid from its virial in the endless unloaded tissue."},
               {"residual_shear_reference", "Pa", "Shear stress that the disorder of the particles leaves in the endless unloaded tissue."},
               {"mean_neighbours", "1", "Mean number of particles within reach of the kernel of a fluid particle."},
-              {"list_builds_per_cell", "1", "Rebuilds of the lists of neighbours over the number of cells."}})
+              {"list_builds_per_cell", "1", "Rebuilds of the lists of neighbours over the number of cells."},
+              {"most_crossed", "", "Largest number of fluid particles outside their cell's wall in any row."}})
     .table("probe", "The middle of the side opposite to the clamp over time.",
            {{"time", "s", "Time since the load was put on."},
             {"displacement_x", "m", "Displacement of that point since the unloaded state along x, away from the clamp."},

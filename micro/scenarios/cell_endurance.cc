@@ -7,6 +7,7 @@
 #include "micro/engine/watched_steps.h"
 #include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
+#include "micro/scenarios/judged.h"
 #include "micro/scenarios/shared_entries.h"
 #include "micro/scenarios/stepping.h"
 
@@ -19,6 +20,8 @@ namespace turgor
 {
 namespace
 {
+constexpr Shares shares_off{0.1, 10.}; // of the pressure from that of the area
+
 /// N m, what crosses the period: the virial without its part from inside the cell, -sum f (x) x.
 Tensor2<2> image_virial(const ParticleSystem<2> &system)
 {
@@ -188,11 +191,14 @@ void CellEndurance::run(RunContext &context)
   const auto table = context.series("endurance", columns);
 
   // Nothing that has blown up is written, neither to a table nor to a checkpoint.
-  const auto require_sound = [&](const Sample &now) {
-    if (!now.sigma.allFinite() || !std::isfinite(now.kinetic) || !std::isfinite(now.potential))
+  const auto require_finite = [&](const bool finite) {
+    if (!finite)
       throw RunFailed("the cell diverged before t = " + number_text(1e3 * at.time()) + " ms (step "
                       + number_text(at.step) + "): use a smaller Step fraction (now " + number_text(step_fraction)
-                      + ").");
+                      + "), F_dot or Start speed.");
+  };
+  const auto require_sound = [&](const Sample &now) {
+    require_finite(now.sigma.allFinite() && std::isfinite(now.kinetic) && std::isfinite(now.potential));
     // Drag only takes energy, and round-off and the integrator's own error are a thousand times smaller.
     const double gain = at.most_dissipated - (at.start_energy + at.work - now.potential - now.kinetic);
     if (at.step > 0 && gain > 1e-3 * (at.start_energy + std::abs(at.work)))
@@ -225,6 +231,8 @@ void CellEndurance::run(RunContext &context)
         at.late_off[k] += late ? off[k] : 0.;
       }
     at.late_count += late;
+    if (std::max(at.most_off[0], at.most_off[1]) > shares_off.allowed)
+      judge(context, *wet, at); // the rest of the run could not change that
     const Tensor2<2> F = system.box.H * patch.lattice.inverse();
     table->add_row({at.time(), F(0, 0), F(0, 1), F(1, 0), F(1, 1), now.sigma(0, 0), now.sigma(0, 1), now.sigma(1, 0),
                     now.sigma(1, 1), now.eos_pressure, now.eos_closed_form, now.virial_pressure, now.virial_closed_form,
@@ -261,6 +269,13 @@ void CellEndurance::run(RunContext &context)
       power_before = power_now;
       if (at.step % sample_every == 0)
         record();
+      if (at.step % 8 == 0) // what is lost takes ever more parts of a step
+        {
+          require_finite(std::isfinite(system.kinetic_energy()));
+          at.most_crossed = std::max(at.most_crossed, double(wet->fluid->crossed()));
+          if (at.most_crossed > shares_outside.allowed * double(particles.fluid_count()))
+            judge(context, *wet, at);
+        }
       if (at.step % 64 == 0)
         context.progress(double(at.step) / double(last), "micro steps");
       keep.after_step(at.step);
@@ -300,6 +315,17 @@ void CellEndurance::report(RunContext &context, const SphPatch &wet, const Progr
   context.result("largest_kinetic_energy", at.most_kinetic, "J");
   context.result("most_crossed", at.most_crossed, "");
   context.result("list_builds", at.list_builds + double(wet.fluid->list_builds()), "");
+  judge(context, wet, at);
+}
+
+void CellEndurance::judge(RunContext &context, const SphPatch &wet, const Progress &at) const
+{
+  judge_outside(context, at.most_crossed, double(wet.system.particles.fluid_count()),
+                "a smaller F_dot or Start speed or fewer Steps keeps them in, by t = " + number_text(1e3 * at.time()) + " ms");
+  for (const int k : {0, 1})
+    judged(context, k == 0 ? "pressure_eos_largest_deviation" : "pressure_virial_largest_deviation", at.most_off[k], shares_off,
+           std::string("the fluid's pressure ") + (k == 0 ? "by its equation of state" : "from the virial") + " is off that of its area by up to "
+             + number_text(100. * at.most_off[k]) + " % (waves and viscous stress; a smaller F_dot or Start speed makes them less)");
 }
 
 std::unique_ptr<Scenario> make_cell_endurance() { return std::make_unique<CellEndurance>(); }

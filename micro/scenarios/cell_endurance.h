@@ -32,6 +32,7 @@ private:
 
   Sample measure(const SphPatch &wet, SphPatch &walls, const Progress &at) const;
   void report(RunContext &context, const SphPatch &wet, const Progress &at) const;
+  void judge(RunContext &context, const SphPatch &wet, const Progress &at) const; ///< notes; throws RunFailed
   double pressure_of_area(double pressure_at_reference, double J) const;
 
   ParenchymaParameters cell;

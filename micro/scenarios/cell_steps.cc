@@ -27,7 +27,8 @@ void CellSteps::declare_parameters(InputEntries &prm)
 {
   using namespace Patterns;
   prm.add_parameter("Cells", count, "Number of cells in the ball at the start, before pairs replace some. Units: none.", Integer(2, 1000000));
-  prm.add_parameter("Duration", duration, "Simulated time over which the ball relaxes in every run. Units: s.", Double(1e-9, 1e12));
+  prm.add_parameter("End time", duration, "Simulated time over which the ball relaxes in every run. Units: s.", Double(1e-9, 1e12));
+  prm.rename("Duration", "End time");
   prm.add_parameter("Newborn share", newborn, "Share of the cells that are replaced by a pair of daughters a fifth of a radius apart. Units: none.",
                     Double(0., 1.));
   prm.add_parameter("Compression", compression, "Volume of the ball at rest over that at the start. Units: none.", Double(0.1, 1000.));
@@ -37,7 +38,7 @@ void CellSteps::declare_parameters(InputEntries &prm)
   prm.add_parameter("Modulus", modulus, "Plane modulus E/(1 - nu^2) of a cell where it touches others. Units: Pa.", Double(1e-3, 1e12));
   prm.add_parameter("Cell friction", pair_friction, "Friction between two cells in any direction: force over velocity and area of contact. Units: N s/m^3.", Double(0., 1e20));
   prm.add_parameter("Medium friction", medium_friction, "Friction of a cell with the medium: force over velocity and surface 4 pi R^2. Units: N s/m^3.", Double(1e-3, 1e20));
-  prm.add_parameter("Halvings", halvings, "How often the fixed step, at first Duration, is halved at most. Units: none.", Integer(1, 24));
+  prm.add_parameter("Halvings", halvings, "How often the fixed step, at first End time, is halved at most. Units: none.", Integer(1, 24));
   prm.add_parameter("Reference tolerance", tightest, "Allowed error of a step of the reference run (heun, adaptive), over Radius. Units: none.", Double(1e-9, 0.1));
 }
 

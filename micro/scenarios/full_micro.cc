@@ -9,6 +9,7 @@
 #include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
 #include "micro/processes/osmosis.h"
+#include "micro/scenarios/judged.h"
 #include "micro/scenarios/shared_entries.h"
 #include "micro/scenarios/stepping.h"
 
@@ -23,7 +24,7 @@ struct FullMicro::Progress
 {
   std::uint64_t step = 0, steps = 0;
   double dt = 0.;
-  double start_energy = 0.;
+  double start_energy = 0., most_crossed = 0.; ///< J; fluid particles in any row
   std::vector<double> x0[2]; ///< m, positions at t = 0
   double time() const { return double(step) * dt; }
 
@@ -31,6 +32,7 @@ struct FullMicro::Progress
   {
     write_binary(out, step);
     write_binary(out, start_energy);
+    write_binary(out, most_crossed);
     for (const auto &x : x0)
       write_binary(out, x);
   }
@@ -38,6 +40,7 @@ struct FullMicro::Progress
   {
     read_binary(in, step);
     read_binary(in, start_energy);
+    read_binary(in, most_crossed);
     for (auto &x : x0)
       read_binary(in, x);
   }
@@ -233,8 +236,10 @@ void FullMicro::run(RunContext &context)
     double pressure = 0.;
     for (std::size_t c = 0; c < particles.groups.size(); ++c)
       pressure += block.cells->fluid->mean_pressure(particles, c);
+    const double crossed = double(block.cells->fluid->crossed());
+    at.most_crossed = std::max(at.most_crossed, crossed);
     energy->add_row({at.time(), potential, kinetic, at.start_energy - potential - kinetic,
-                     pressure / double(particles.groups.size()), double(block.cells->fluid->crossed())});
+                     pressure / double(particles.groups.size()), crossed});
     if (fields)
       fields->accept();
   };
@@ -287,7 +292,9 @@ void FullMicro::run(RunContext &context)
   context.result("residual_shear_reference", reference.residual_stress[2], "Pa");
   context.result("mean_neighbours", block.cells->fluid->mean_neighbours(particles), "1");
   context.result("list_builds_per_cell", double(block.cells->fluid->list_builds()) / double(particles.groups.size()), "1");
+  context.result("most_crossed", at.most_crossed, "");
   write_tables(context, block, at);
+  judge_outside(context, at.most_crossed, double(particles.fluid_count()), "a smaller Load or more SPH/Particles per side makes them fewer");
 }
 
 std::unique_ptr<Scenario> make_full_micro() { return std::make_unique<FullMicro>(); }

@@ -17,6 +17,13 @@ struct Shares
   double noted, allowed; ///< above the first a note, above the second a failure; HUGE_VAL: never
 };
 
+/// To whoever reads summary.json and to whoever looks at the terminal.
+inline void remarked(RunContext &context, const std::string &name, const std::string &text)
+{
+  context.note(name, text);
+  context.say(text);
+}
+
 /// sentence: without a full stop. Throws RunFailed.
 inline void judged(RunContext &context, const std::string &name, const double value, const Shares &shares, const std::string &sentence)
 {
@@ -25,8 +32,18 @@ inline void judged(RunContext &context, const std::string &name, const double va
     throw RunFailed(sentence + ", more than the " + number_text(100. * shares.allowed) + " % beyond which the results mean nothing.");
   if (size <= shares.noted)
     return;
-  const std::string text = sentence + ", more than the " + number_text(100. * shares.noted) + " % beyond which a run says so.";
-  context.note(name, text);
-  context.say(text);
+  remarked(context, name, sentence + ", more than the " + number_text(100. * shares.noted) + " % beyond which a run says so.");
+}
+
+/// Of fluid particles outside a wall that is whole, over all of them.
+constexpr Shares shares_outside{0.01, 0.2};
+
+/// What every scene with fluid in closed walls says of most_crossed, the particles that it found outside; nothing without fluid.
+/// advice: what keeps them in.
+inline void judge_outside(RunContext &context, const double crossed, const double fluid_particles, const std::string &advice)
+{
+  if (fluid_particles > 0.)
+    judged(context, "most_crossed", crossed / fluid_particles, shares_outside,
+           number_text(100. * crossed / fluid_particles) + " % of the fluid particles are outside a wall that is whole (" + advice + ")");
 }
 } // namespace turgor

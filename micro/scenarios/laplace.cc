@@ -3,6 +3,7 @@
 #include "micro/cells/bring_to_turgor.h"
 #include "micro/io/input_entries.h"
 #include "micro/io/run_context.h"
+#include "micro/scenarios/judged.h"
 #include "micro/scenarios/round_cell_fields.h"
 #include "micro/scenarios/stepping.h"
 
@@ -104,6 +105,8 @@ void Laplace::run_in(RunContext &context) const
       context.result("crossed", double(round.fluid->crossed()), "");
     }
   RoundCellFields<dim>(context, false, round, [] { return 0.; }).write();
+  if (round.fluid)
+    judge_outside(context, double(round.fluid->crossed()), round.group().fluid_count(), "more Cell/Fluid particles or less Cell/Turgor makes them fewer");
 }
 
 std::unique_ptr<Scenario> make_laplace() { return std::make_unique<Laplace>(); }

@@ -6,6 +6,7 @@
 #include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 #include "micro/scenarios/harmonics.h"
+#include "micro/scenarios/judged.h"
 #include "micro/scenarios/shared_entries.h"
 
 #include <boost/math/tools/toms748_solve.hpp>
@@ -172,7 +173,7 @@ void ShellOscillation::run(RunContext &context)
   system.compute_forces();
   std::vector<double> time, radius, moving;
   const double energy_start = system.potential_energy() + system.kinetic_energy();
-  double energy = energy_start;
+  double energy = energy_start, crossed = 0.;
   for (std::size_t k = 0; k <= count; ++k)
     {
       if (k > 0)
@@ -186,6 +187,8 @@ void ShellOscillation::run(RunContext &context)
         throw RunFailed("the shell diverged before t = " + number_text(1e6 * time.back())
                         + " us: use a smaller Step fraction or Inward speed.");
       table->add_row({time.back(), radius.back(), moving.back(), round.pressure(), energy});
+      if (round.fluid)
+        crossed = std::max(crossed, double(round.fluid->crossed()));
       context.progress(0.3 + 0.7 * double(k) / double(count), "oscillations");
       if (context.stop_requested())
         throw RunStopped("stopped in the middle of the oscillation");
@@ -204,6 +207,8 @@ void ShellOscillation::run(RunContext &context)
   const auto lines = context.series("modes", {{"closed_form", "Hz"}, {"found", "Hz"}, {"deviation", "%"}});
   context.result("radius", R, "m");
   context.result("energy_drift", energy / energy_start - 1., "1");
+  if (round.fluid)
+    context.result("most_crossed", crossed, "");
   // The roots beyond the last one that is asked for, and the middle between two of them: what lies nearer to a root belongs to it.
   std::vector<double> next = theory;
   next.push_back(p.fluid == "none" ? 2. * theory.back() : closed_form(p, R, sound_speed, modes + 1).back());
@@ -222,6 +227,7 @@ void ShellOscillation::run(RunContext &context)
       context.result(name + "_amplitude", part.amplitude, "m/s");
       context.result(name + "_decay", 2. * pi * part.decay / part.omega, "1/period");
     }
+  judge_outside(context, crossed, round.group().fluid_count(), "more Cell/Fluid particles or a smaller Inward speed makes them fewer");
 }
 
 std::unique_ptr<Scenario> make_shell_oscillation() { return std::make_unique<ShellOscillation>(); }

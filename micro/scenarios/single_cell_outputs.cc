@@ -47,6 +47,7 @@ Outputs ShellOscillation::outputs() const
   all
     .results({{"radius", "m", "Mean distance of the shell's nodes from its centre before it is struck."},
               {"energy_drift", "1", "Kinetic and potential energy at the end over that at the start, minus one."},
+              {"most_crossed", "", "Largest number of fluid particles outside the shell in any row.", "with Filled = true"},
               {"mode_*_closed_form", "Hz", "Frequency of the breathing mode of that number by the closed form, from the lowest."},
               {"mode_*_found", "Hz", "Frequency of the largest fitted cosine that lies nearest to that mode.", found},
               {"mode_*_deviation", "%", "Frequency found over that of the closed form, minus one.", found},
@@ -76,7 +77,8 @@ Outputs Stability::outputs() const
 {
   Outputs all;
   all
-    .results({{"largest_stable_step", "s", "Longest fixed time step at which no energy appears from nothing over the trial, by bisection to half a per cent or Bisections."},
+    .results({{"crossed", "", "Number of fluid particles that are outside the wall at F, before the trials."},
+              {"largest_stable_step", "s", "Longest fixed time step at which no energy appears from nothing over the trial, by bisection to half a per cent or Bisections."},
               {"chosen_step", "s", "Time step the program takes by itself, at the end of its own trial."},
               {"chosen_step_at_start", "s", "Time step the program takes by itself, in the first step of its own trial."},
               {"stable_over_chosen", "1", "Largest stable step over the one the program chooses."},
@@ -138,7 +140,7 @@ Outputs CellEndurance::outputs() const
               {"energy_gained_from_nothing", "J", "Largest fall of the dissipated energy below a value it had before, in any row."},
               {"energy_gained_over_start_energy", "1", "Energy gained from nothing over the start energy."},
               {"largest_kinetic_energy", "J", "Largest kinetic energy in any row."},
-              {"most_crossed", "", "Largest number of fluid particles outside the wall in any row."},
+              {"most_crossed", "", "Largest number of fluid particles outside the wall, looked at every eighth step."},
               {"list_builds", "", "How often the lists of neighbours were made anew."}})
     .table("endurance", "One row for each of Samples equal parts of the run.",
            {{"time", "s", "Time since the start of the run."},

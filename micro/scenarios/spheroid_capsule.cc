@@ -56,7 +56,7 @@ void SpheroidCapsule::declare_more(InputEntries &prm)
   prm.add_parameter("Hardening", capsule.hardening, "Factor a by which the modulus rises with the hoop strain u/R, E = E_0 (1 + a u/R) (C.6); 0 for thick capsules. Units: none.", Double(0., 100.));
   prm.add_parameter("Damping", capsule.damping, "Viscosity gamma of the wall's dilatation (C.8); 0: it follows the cells at once. Units: Pa s.", Double(0., 1e12));
   prm.add_parameter("Friction", wall_friction, "Friction of cells with the capsule's wall: force over velocity and area of contact. Units: N s/m^3.", Double(0., 1e20));
-  prm.add_parameter("Time confined", confined, end_of_run("The run ends so long after confluence; 0: with Duration. Units: s."), Double(0., 1e12));
+  prm.add_parameter("Time confined", confined, end_of_run("The run ends so long after confluence; 0: with End time. Units: s."), Double(0., 1e12));
   prm.leave_subsection();
 }
 

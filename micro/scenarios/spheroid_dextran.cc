@@ -2,10 +2,13 @@
 
 #include "micro/cells/pressure_profile.h"
 #include "micro/io/input_entries.h"
+#include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
+#include "micro/scenarios/judged.h"
 #include "micro/terms/dextran_pressure.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace turgor
 {
@@ -116,6 +119,11 @@ void SpheroidDextran::report(RunContext &context, const GrowthTable &table, Cell
       context.result("mean_pressure", mean / count, "Pa");
     }
   report_profile(context, culture);
+  const double held = pressure * (rise > 0. ? std::min(1., end / rise) : 1.), found = p.back();
+  if (held > 0. && !fixed_force)
+    judged(context, "pressure", found / held - 1., {0.05, HUGE_VAL},
+           "the mean pressure of the cells at the end, " + number_text(found) + " Pa, is " + number_text(100. * std::abs(found / held - 1.)) + " % "
+             + (found > held ? "above" : "below") + " the " + number_text(held) + " Pa of Dextran/Pressure (a smaller Motion/Tolerance or Motion/Growth tolerance brings it nearer)");
   if (line().rim_factor < 1. && end > regime_change + day)
     {
       context.result("radial_speed_first", slope(std::min(day, 0.5 * regime_change), regime_change), "um/d");

@@ -33,7 +33,7 @@ Outputs of_growth()
               {"interval", "s", "Length of an interval between two looks at the cells' life: volumes, divisions, deaths."},
               {"steps", "", "Number of accepted steps of the cells' motion."},
               {"rejected_steps", "", "Number of steps that were repeated with a shorter length because their error was too large."}})
-    .table("growth", "One row for each of Samples equal parts of Duration and one at the end.", {{"time", "s", "Simulated time since the start of the run."}})
+    .table("growth", "One row for each of Samples equal parts of End time and one at the end.", {{"time", "s", "Simulated time since the start of the run."}})
     .table("growth", "", state_of_the_population)
     .table("growth", "",
            {{"grown_volume", "m^3", "Volume that all cells together have gained by growth since the start."},

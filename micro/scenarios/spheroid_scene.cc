@@ -57,10 +57,11 @@ void SpheroidScene::declare_parameters(InputEntries &prm)
   prm.add_parameter("First phases", phases,
                     "Phases of the first cells in their cycle: synchronous (all newborn) or spread (ages of exponential growth). Units: none.",
                     Selection("synchronous|spread"));
-  prm.add_parameter("Duration", duration, end_of_run("Simulated time after which the run ends, unless something else ends it before. Units: s."), Double(0., 1e12));
-  prm.add_parameter("Most cells", most_cells, "The run ends when there are so many cells, if that is before Duration; 0: no limit. Units: none.", Double(0., 1e9));
-  prm.add_parameter("Samples", samples, end_of_run("Number of equal parts of Duration after each of which growth.csv gets a row; a run that ends before it has fewer. Units: none."), Integer(10, 1000000));
-  prm.add_parameter("Frames", frames, free_to_change("Number of equal parts of Duration after each of which the cells are written for ParaView and pictures; 0: never. Units: none."),
+  prm.add_parameter("End time", duration, end_of_run("Simulated time after which the run ends, unless something else ends it before. Units: s."), Double(0., 1e12));
+  prm.rename("Duration", "End time");
+  prm.add_parameter("Most cells", most_cells, "The run ends when there are so many cells, if that is before End time; 0: no limit. Units: none.", Double(0., 1e9));
+  prm.add_parameter("Samples", samples, end_of_run("Number of equal parts of End time after each of which growth.csv gets a row; a run that ends before it has fewer. Units: none."), Integer(10, 1000000));
+  prm.add_parameter("Frames", frames, free_to_change("Number of equal parts of End time after each of which the cells are written for ParaView and pictures; 0: never. Units: none."),
                     Integer(0, 100000));
   declare_checkpoints(prm, checkpoints);
   entries.declare(prm);
@@ -70,6 +71,9 @@ void SpheroidScene::declare_parameters(InputEntries &prm)
 void SpheroidScene::check() const
 {
   entries.check();
+  if (most_cells > 0. && most_cells <= double(first_cells))
+    throw InputError("Most cells is " + number_text(most_cells) + ", but the run begins with First cells = " + number_text(first_cells)
+                     + ": it has to be larger, or 0 for no limit.");
   check_more();
   CellCulture(culture_parameters(), make_surroundings(), 1); // what the laws refuse a run would refuse only once it has begun
 }
@@ -165,15 +169,15 @@ FieldFrame SpheroidScene::frame_of(CellCulture &culture)
 
 namespace
 {
-/// Of a resumed run with another Duration: the rows of growth.csv, from which results are taken, have to go on as they began.
+/// Of a resumed run with another End time: the rows of growth.csv, from which results are taken, have to go on as they began.
 void require_same_rows(const double interval_before, const std::uint64_t before, const double interval, const std::uint64_t now)
 {
   if (interval == interval_before && before == now)
     return;
   const std::string held = interval == interval_before ? "" : " and intervals of " + number_text(interval_before) + " s";
-  throw InputError("Duration and Samples give a row of growth.csv every " + number_text(double(now) * interval) + " s, but the run so far has one every "
+  throw InputError("End time and Samples give a row of growth.csv every " + number_text(double(now) * interval) + " s, but the run so far has one every "
                    + number_text(double(before) * interval_before) + " s" + held
-                   + ". Take a Duration over Samples that gives the same, or run without --resume to start again.");
+                   + ". Take an End time over Samples that gives the same, or run without --resume to start again.");
 }
 } // namespace
 

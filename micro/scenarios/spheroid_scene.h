@@ -49,7 +49,7 @@ protected:
   virtual void seed(CellCulture &culture) const;
   /// Before each interval.
   virtual void before_interval(CellCulture &) const {}
-  /// Whether the run may end before its Duration; asked after each row of the table.
+  /// Whether the run may end before its End time; asked after each row of the table.
   virtual bool finished(const GrowthTable &) const { return false; }
   /// How much of the way to where it may end is gone, 0 to 1; for the progress bar.
   virtual double share_until_finished(const GrowthTable &) const { return 0.; }

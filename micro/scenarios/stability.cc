@@ -9,6 +9,7 @@
 #include "micro/io/cpu_clock.h"
 #include "micro/io/input_entries.h"
 #include "micro/io/number_text.h"
+#include "micro/scenarios/judged.h"
 #include "micro/scenarios/shared_entries.h"
 #include "micro/scenarios/stepping.h"
 
@@ -169,6 +170,9 @@ void Stability::run(RunContext &context)
   const MeasuredStep measured = measure_stable_step(system, at_reference);
   const MeasuredStep slow = measure_stable_step(system, at_reference, Pace::slow), fast = measure_stable_step(system, at_reference, Pace::fast);
   system.compute_forces();
+  const double crossed = double(wet->fluid->crossed());
+  context.result("crossed", crossed, "");
+  judge_outside(context, crossed, double(system.particles.fluid_count()), "an F nearer to 1, 0; 0, 1 or more SPH/Particles per side makes them fewer");
   std::ostringstream out;
   system.save(out);
   const std::string start = out.str();

@@ -160,12 +160,7 @@ std::string TissueLoading::Run::or_slower() const
 
 void TissueLoading::Run::report_worth()
 {
-  double fluid = 0., bonds = 0.;
-  for (const Group &g : system.particles.groups)
-    {
-      fluid += g.fluid_count();
-      bonds += g.wall_count();
-    }
+  const double fluid = double(system.particles.fluid_count()), bonds = double(system.particles.size()) - fluid;
   const double error = missing_energy() / std::max(std::abs(plates->work()), 1e-3 * start_energy);
   context.result("deepest_overlap", deepest, "m");
   context.result("deepest_behind_plate", deepest_behind, "m");
@@ -182,10 +177,7 @@ void TissueLoading::Run::report_worth()
   judged(context, "most_crossed_bonds", most_crossed / bonds, {0., 0.02},
          percent(most_crossed / bonds) + " of the walls' bonds have passed through others (a larger Contact ratio or a smaller End strain keeps them"
            + " apart" + or_slower() + ")");
-  judged(context, "most_crossed", most_outside / fluid, {0.01, 0.2},
-         percent(most_outside / fluid)
-           + " of the fluid particles are outside a wall that is whole (more SPH/Particles per side or a smaller End strain makes them fewer"
-           + or_slower() + ")");
+  judge_outside(context, most_outside, fluid, "more SPH/Particles per side or a smaller End strain makes them fewer" + or_slower());
   judged(context, "energy_balance_error", error, {0.02, 0.1},
          percent(std::abs(error)) + " of the plate's work " + (error > 0. ? "is not found again" : "came from nothing")
            + " (a smaller Step fraction makes it less)");

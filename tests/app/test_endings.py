@@ -22,7 +22,7 @@ def scene(name, *values):
 
 # Short ones with series, fields and checkpoints, and long ones that somebody has to end.
 FE2 = scene("tissue_gravity", "Time/End time=2e-6", "Time/Checkpoint interval=0")
-SPHEROID = scene("spheroid_free", "Duration=43200", "Frames=3", "Checkpoints=4", "Samples=20")
+SPHEROID = scene("spheroid_free", "End time=43200", "Frames=3", "Checkpoints=4", "Samples=20")
 LONG_FE2 = scene("tissue_gravity", "Time/End time=1e-2")
 LONG_CELL = scene("cell_endurance", "Steps=1e9", "Samples=1000000", "F_dot=0, 0; 0, 0", "Cell/Nodes per side=8", "SPH/Particles per side=8")
 

@@ -65,16 +65,16 @@ class Identity(unittest.TestCase):
         self.goes_on(FE2 + ["Time/Integrator=dormand_prince"], "probe.csv", [[f"Time/End time={end}"] for end in ("3.07e-6", "4.5e-6")])
 
     def test_spheroid_goes_on(self):
-        self.goes_on(SPHEROID, "growth.csv", [["Duration=36000", "Samples=10"], ["Duration=72000", "Samples=20"]])
-        done = self.turgor(SPHEROID, "parts", "Duration=144000", "Samples=20", resume=True)
+        self.goes_on(SPHEROID, "growth.csv", [["End time=36000", "Samples=10"], ["End time=72000", "Samples=20"]])
+        done = self.turgor(SPHEROID, "parts", "End time=144000", "Samples=20", resume=True)
         self.assertEqual(done.returncode, 2)
-        self.assertIn("Duration and Samples give a row of growth.csv every", done.stderr)
+        self.assertIn("End time and Samples give a row of growth.csv every", done.stderr)
 
     def test_entries_that_change_no_state(self):
         """As marked in `turgor parameters`."""
         for scene, table, less, more in (
                 (FE2 + ["Time/End time=3e-6"], "probe.csv", ["Time/Checkpoint interval=0"], []),
-                (SPHEROID + ["Duration=36000", "Samples=10"], "growth.csv", ["Checkpoints=0", "Frames=0"], ["Checkpoints=5", "Frames=7"]),
+                (SPHEROID + ["End time=36000", "Samples=10"], "growth.csv", ["Checkpoints=0", "Frames=0"], ["Checkpoints=5", "Frames=7"]),
                 (FULL, "cell_displacement.csv", ["Checkpoints=0", "Frames=0", "Samples=7"], ["Checkpoints=5", "Frames=3"])):
             with self.subTest(scene[0]):
                 self.run_scene(scene, scene[0] + "_less", *less)

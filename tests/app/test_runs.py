@@ -10,7 +10,7 @@ SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file_
 sys.path.insert(0, os.path.join(SOURCE, "inputs", "studies"))
 import runs  # noqa: E402
 
-ENTRIES = {"First cells": 4, "Duration": 3600, "Samples": 10, "Frames": 0, "Contact/Local stiffness": "law.csv"}
+ENTRIES = {"First cells": 4, "Duration": 3600, "Samples": 10, "Frames": 0, "Contact/Local stiffness": "law.csv"}  # Duration: End time, by its former name
 
 
 def another_build(program, place):

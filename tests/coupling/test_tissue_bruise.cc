@@ -85,6 +85,22 @@ BOOST_AUTO_TEST_CASE(a_hit_bruises_and_the_energy_is_accounted_for)
   BOOST_TEST(failed == results.at("bruised_share"));
 }
 
+BOOST_AUTO_TEST_CASE(a_tool_deep_in_the_tissue_is_noted_in_the_summary)
+{
+  for (const double stiffness : {1., 0.03})
+  {
+    TissueRunSettings soft = hit();
+    soft.tissue.tool.stiffness *= stiffness;
+    Disk disk;
+    MemoryContext context(disk, false);
+    Bruise bruise(soft.tissue);
+    run_tissue(context, soft, cells(), bruise);
+    const double share = context.results.at("penetration_share_max");
+    BOOST_TEST((share > 0.1) == (stiffness < 1.), share);
+    BOOST_TEST(context.notes.count("penetration_share_max") == (stiffness < 1. ? 1u : 0u));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(stop_and_resume_and_threads_give_the_same_bits)
 {
   Disk whole, parts, threads;

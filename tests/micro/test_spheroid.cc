@@ -19,7 +19,7 @@ using test::Outcome, test::read, test::run;
 const std::string eventful = R"(
 set First cells = 40
 set First phases = spread
-set Duration = 130000
+set End time = 130000
 set Samples = 20
 set Frames = 0
 set Checkpoints = 0
@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(synchronous_cells_without_spread_double_every_cycle)
 {
   const Outcome out = run<SpheroidFree>(R"(
 set First cells = 3
-set Duration = 200000
+set End time = 200000
 set Samples = 100
 set Frames = 0
 subsection Cell
@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(cells_below_the_rim_rest)
   const Outcome out = run<SpheroidFree>(R"(
 set First cells = 200
 set First phases = spread
-set Duration = 70000
+set End time = 70000
 set Samples = 100
 set Frames = 0
 subsection Growth
@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(a_monolayer_stays_flat)
   const std::string text = R"(
 set First cells = 7
 set First phases = spread
-set Duration = 130000
+set End time = 130000
 set Samples = 10
 set Frames = 0
 subsection Motion
@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(a_compressed_spheroid_recovers)
 {
   const std::string text = R"(
 set First cells = 40
-set Duration = 60000
+set End time = 60000
 set Samples = 200
 set Frames = 0
 subsection Motion
@@ -185,7 +185,7 @@ BOOST_AUTO_TEST_CASE(a_population_that_does_not_double_has_no_doubling_time)
   const Outcome out = run<SpheroidFree>(R"(
 set First cells = 20
 set First phases = spread
-set Duration = 300000
+set End time = 300000
 set Samples = 40
 set Frames = 0
 subsection Death
@@ -207,7 +207,7 @@ BOOST_AUTO_TEST_CASE(a_spheroid_that_does_not_recover_has_no_relaxation_time)
 {
   const Outcome out = run<SpheroidRelaxation>(R"(
 set First cells = 3
-set Duration = 70000
+set End time = 70000
 set Samples = 40
 set Settling time = 7200
 set Frames = 0
@@ -243,12 +243,12 @@ BOOST_AUTO_TEST_CASE(progress_goes_by_what_ends_the_run)
     void progress(const double fraction, const std::string &) override { fractions.push_back(fraction); }
   };
   SpheroidFree scene;
-  read(scene, "set First cells = 4\nset Most cells = 32\nset Duration = 1e9\nset Samples = 1000000\nset Frames = 0\nset Checkpoints = 0\n"
+  read(scene, "set First cells = 4\nset Most cells = 32\nset End time = 1e9\nset Samples = 1000000\nset Frames = 0\nset Checkpoints = 0\n"
               "subsection Motion\n set Tolerance = 1e-2\n set Growth tolerance = 1e-2\nend\n");
   test::Disk disk;
   Watched context(disk, false);
   scene.run(context);
-  BOOST_TEST(context.results.at("time") < 1e-3 * 1e9); // of Duration it would be next to nothing
+  BOOST_TEST(context.results.at("time") < 1e-3 * 1e9); // of End time it would be next to nothing
   BOOST_REQUIRE(!context.fractions.empty());
   BOOST_TEST(context.fractions.back() == 1.);
   BOOST_TEST(std::is_sorted(context.fractions.begin(), context.fractions.end()));

@@ -39,7 +39,7 @@ subsection Motion
 end
 )";
 const std::string capsule = cells + R"(
-set Duration = 180000
+set End time = 180000
 subsection Death
   set Rim = necrotic
   set Rim thickness = 12e-6
@@ -53,7 +53,7 @@ subsection Capsule
 end
 )";
 const std::string dextran = cells + R"(
-set Duration = 100000
+set End time = 100000
 subsection Death
   set Rim = quiescent
   set Rim thickness = 15e-6

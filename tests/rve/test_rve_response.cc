@@ -28,6 +28,7 @@ public:
     void add_row(const std::vector<double> &values) override { rows->push_back(values); }
   };
   std::map<std::string, double> results;
+  std::map<std::string, std::string> notes;
   std::vector<std::vector<double>> rows;
   std::vector<Column> header;
   std::filesystem::path where = ".";
@@ -36,7 +37,7 @@ public:
   unsigned int threads() const override { return 1; }
   bool is_writer() const override { return true; }
   void result(const std::string &name, double value, const std::string &) override { results[name] = value; }
-  void note(const std::string &, const std::string &) override {}
+  void note(const std::string &name, const std::string &text) override { notes[name] = text; }
   void active(const std::vector<std::string> &, const std::vector<std::string> &) override {}
   std::unique_ptr<Series> series(const std::string &, const std::vector<Column> &columns) override
   {
@@ -86,6 +87,9 @@ BOOST_AUTO_TEST_CASE(wrong_paths_are_named)
   BOOST_CHECK_EXCEPTION(path("0 : 1, 0, 0, 1 | 1 : 1, 0; 0, 1"), InputError, says("xx, xy; yx, yy"));
   BOOST_CHECK_EXCEPTION(path("0 : 1, nan; 0, 1 | 1 : 1, 0; 0, 1"), InputError, says("finite number"));
   Memory memory;
+  BOOST_CHECK_EXCEPTION(run(memory, "subsection Path\nset Keyframes = 0 : 1, 0; 0, 1 | 1e-299 : 1, 0.1; 0, 1\nend\n"), InputError,
+                        says("Path/Keyframes has a rate of 1e+298 1/s"));
+  BOOST_CHECK_EXCEPTION(run(memory, "subsection Path\nset F_dot = 1e10, 0; 0, 0\nend\n"), InputError, says("Path/F_dot has a rate of"));
   BOOST_CHECK_EXCEPTION(run(memory, "subsection Path\nset F = 1, 0; 0, -1\nend\n"), InputError,
                         says("determinant has to be positive"));
   BOOST_TEST(memory.rows.empty());
@@ -135,6 +139,11 @@ BOOST_AUTO_TEST_CASE(scene_agrees_with_the_closed_form)
   BOOST_TEST(memory.rows[0].size() == memory.header.size());
   BOOST_TEST(std::abs(memory.results["final_sigma_xy"] - 10.47e3) < 0.01 * 10.47e3);
   BOOST_TEST(memory.results["max_deviation_over_allowed"] < 1.);
+  BOOST_TEST(memory.notes.empty());
+  Memory coarse;
+  run(coarse, "subsection Path\nset F = 1, 0.3; 0, 1\nend\nsubsection Cell\nset Nodes per side = 10\nend\n");
+  BOOST_TEST(coarse.results["max_deviation_over_allowed"] > 1.);
+  BOOST_TEST(coarse.notes.at("max_deviation_over_allowed").find("more Cell/Nodes per side") != std::string::npos);
   Memory path;
   run(path, "subsection Path\nset Points = 5\nend\n");
   BOOST_TEST(path.rows.size() == 5u);
