@@ -88,6 +88,7 @@ void Bruise::row(const Tissue<2> &tissue, const RveLaw<2> &law)
     memory.largest_permanent = std::max(memory.largest_permanent, c.permanent);
   memory.penetration = std::max(memory.penetration, state.tool.penetration);
   memory.support_penetration = std::max(memory.support_penetration, state.tool.support_penetration);
+  memory.node_penetration = std::max(memory.node_penetration, state.tool.node_penetration);
   check_contact(tissue);
 }
 
@@ -130,9 +131,14 @@ void Bruise::results(RunContext &context, const Tissue<2> &tissue, const RveLaw<
   context.result("tool_penetration_max", memory.penetration, "m");
   context.result("support_penetration_max", memory.support_penetration, "m");
   context.result("penetration_share_max", deepest / size, "1"); // of an element's thickness or the tool's radius
+  // At nodes the contact gives way; between them it is the straight edges of elements that cut off the shape of the tool.
   judged(context, "penetration_share_max", deepest / size, penetration,
-         "tool and tissue overlap by up to " + number_text(deepest) + " m, " + number_text(100. * deepest / size) +
-           " % of an element's thickness or the tool's radius (a larger Impact/Contact stiffness makes it less)");
+         "tool and tissue overlap by up to " + number_text(deepest, 3) + " m, " + number_text(100. * deepest / size, 3) +
+           " % of an element's thickness or the tool's radius (" +
+           (memory.node_penetration > penetration.noted * size
+              ? std::string("a larger Impact/Contact stiffness makes it less)")
+              : "only between nodes of the mesh; nodes, where the forces act, by " + number_text(memory.node_penetration, 3) +
+                  " m: an error of the mesh, which more Tissue/Elements make less)"));
   context.result("peak_force", memory.peak_force, "N/m");
   context.result("time_of_peak_force", memory.peak_time, "s");
   context.result("peak_transmitted_force", memory.peak_support, "N/m");

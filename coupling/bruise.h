@@ -38,7 +38,7 @@ private:
     double first_failure_time = -1., first_failure_travel = 0.; // s, m; -1: none yet
     double impulse = 0., last_time = 0., last_force = 0.;      // N s/m
     double largest_permanent = 0.;
-    double penetration = 0., support_penetration = 0.; // m, deepest so far of tool and plate below
+    double penetration = 0., support_penetration = 0., node_penetration = 0.; // m, deepest so far of tool, plate below and the nodes in both
   };
 
   /// Throws RunFailed where a contact no longer holds what it should keep out.

@@ -140,6 +140,7 @@ ToolReading RigidTools<dim>::read(const double time, const std::vector<double> &
     double &deep = upper ? reading.penetration : reading.support_penetration;
     deep = std::max(deep, penetration);
   });
+  reading.node_penetration = std::max(reading.penetration, reading.support_penetration);
   reading.penetration = std::max(reading.penetration, deepest(upper_side, time, u, true));
   reading.support_penetration = std::max(reading.support_penetration, deepest(lower_side, time, u, false));
   return reading;

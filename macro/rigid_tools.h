@@ -24,6 +24,7 @@ struct ToolReading
   double energy = 0.;  ///< J, in the penalty
   double penetration = 0.;         ///< m, deepest of the tool below the side x = width, between nodes too
   double support_penetration = 0.; ///< m, deepest of the side x = 0 in the plate below
+  double node_penetration = 0.;    ///< m, deepest node of both: where forces act
 };
 
 struct ToolForces

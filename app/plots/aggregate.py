@@ -75,7 +75,7 @@ def picture(directory, name):
     for k, frame in enumerate(chosen):
         axis = figure.add_axes([0.02 + 0.97 * k / len(chosen), 3.5 / total, 0.94 / len(chosen), tall / total])
         draw(axis, frame, table, start, norm, colours)
-    colour_bar(figure, [0.35, 3.35 / total, 0.3, 0.1 / total], norm, colours, "mean fluid pressure of a cell [kPa]" + (", failed cells hatched" if failing else ""), values)
+    colour_bar(figure, [0.35, 3.35 / total, 0.3, 0.1 / total], norm, colours, "mean fluid pressure of a cell [kPa]" + (", failed cells hatched, fluid that has left them blue" if failing else ""), values)
 
     strain = 100 * table["strain [1]"]
     left = figure.add_axes([0.07, 0.6 / total, 0.40 if failing else 0.56, 1.9 / total])
@@ -89,12 +89,14 @@ def picture(directory, name):
     if failing:
         right.plot(strain, table["failed_cells"], color=ACCENT, linewidth=1.8, label="failed cells")
         right.set_ylabel("failed cells", color=ACCENT, fontsize=9)
+        right.yaxis.set_major_locator(matplotlib.ticker.MaxNLocator(integer=True))
         right.set_ylim(bottom=0)
         if table["broken_ties"].max() > 0:
             twin = right.twinx()
             twin.plot(strain, table["broken_ties"], color=ALONG, linewidth=1.4)
             twin.set_ylabel("broken lamella ties", color=ALONG, fontsize=9)
             twin.set_ylim(bottom=0)
+            twin.yaxis.set_major_locator(matplotlib.ticker.MaxNLocator(integer=True))
             twin.tick_params(labelsize=8, colors=INK)
             twin.spines["top"].set_visible(False)
     else:

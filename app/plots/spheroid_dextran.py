@@ -29,7 +29,7 @@ def draw(runs, path, regime_change=9.0):
         free = "free" in label and "edge" not in label
         colour = ACCENT if free else "#8a6fb0" if "edge" in label else ALONG
         axis = axes[lines.index(label.split()[0])]
-        axis.plot(t, table["radius [m]"] * 1e6, color=colour, linewidth=2, linestyle="-" if free else (0, (5, 2)), label=label)
+        axis.plot(t, table["radius [m]"] * 1e6, color=colour, linewidth=2, linestyle="-" if free or len(runs) == 1 else (0, (5, 2)), label=label)
         draw_data(axis, "time [s]", "radius [m]", 1 / DAY, 1e6)
         last.plot(t, table["pressure [Pa]"] / 1e3, color=colour, linewidth=1)
     published = any(input_is(directory, {("Cell", "Birth radius"): 6e-6, ("Cell", "Modulus"): 450}) for _, directory in runs)
@@ -61,7 +61,7 @@ def main(directory):
     """Paths of the pictures made."""
     have = input_entries(directory)
     pressure = float(have.get(("Dextran", "Pressure"), "nan"))
-    label = f"{have.get(('Dextran', 'Cell line'), 'cells')} {'free' if pressure == 0 else f'{pressure / 1e3:g} kPa'}"
+    label = f"{have.get(('Dextran', 'Cell line'), 'cells')} {'free' if pressure == 0 else f'under {pressure / 1e3:g} kPa of dextran'}"
     made = [draw([(label, directory)], os.path.join(directory, "spheroid_dextran.png"))]
     cut = draw_cut(directory)
     return made + ([cut] if cut else [])

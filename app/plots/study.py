@@ -133,9 +133,9 @@ def plot_errors(rows, info, directory):
 
 
 def varies(rows, column):
-    """By more than the last of the six digits of the tables."""
+    """By so much that the six digits of the tables tell a course."""
     values = [value for value in (number(row.get(column)) for row in rows) if value is not None]
-    return len(values) > 1 and max(values) - min(values) > 1e-5 * max(map(abs, values))
+    return len(values) > 1 and max(values) - min(values) > 1e-4 * max(map(abs, values))
 
 
 def in_order(columns, defined):
@@ -196,6 +196,8 @@ def draw_panel(panel, lines, entry, columns, looks):
     if values and min(values) > 0 and max(values) / min(values) > (5 if columns[0].startswith("error_") else 50):
         panel.set_yscale("log")
         panel.yaxis.set_minor_formatter(NullFormatter())
+    if panel.get_yscale() == "linear":
+        panel.ticklabel_format(axis="y", useOffset=False)  # not "+1.0566e3" above the axis
     panel.set_xlabel(entry, fontsize=8, color=INK)
     shown = [f"size of {column}" if column.startswith("error_") else "CPU time [s]" if column == "cpu_time_s" else bare(column) for column in columns]
     names = ", ".join(f"{name} ({dash})" for name, dash in zip(shown, ("solid", "dashed", "dotted", "dash-dotted"))) if len(shown) > 1 else shown[0]

@@ -28,7 +28,7 @@ def main(directory):
     triangles = np.vstack([cells[:, [0, 1, 2]], cells[:, [0, 2, 3]]])
     shear = np.abs(stress[:, 1])
     for axis, values, colours, norm, label in (
-            (axes[0], shear, "YlGnBu", Normalize(0, max(shear.max(), 1e-9)), "shear stress [kPa]"),
+            (axes[0], shear, "YlGnBu", Normalize(0, max(shear.max(), 1e-9)), "size of the shear stress [kPa]"),
             (axes[1], 0.5 * (stress[:, 0] + stress[:, 4]), "RdBu_r", None, "mean stress, positive in tension [kPa]")):
         if norm is None:
             most = max(np.abs(values).max(), 1e-9)

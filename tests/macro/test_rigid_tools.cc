@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <cmath>
 #include <numbers>
 #include <sstream>
 
@@ -82,6 +83,28 @@ BOOST_AUTO_TEST_CASE(penalty_by_hand)
       BOOST_TEST(largest > 0.);
       BOOST_TEST(worst < 1e-3 * largest, shape << ": " << worst << " of " << largest); // h/penetration: nodes at the edge of contact
     }
+}
+
+BOOST_AUTO_TEST_CASE(overlap_between_nodes_is_told_from_that_at_nodes)
+{
+  const TissueParameters<2> p = pressed("cylinder");
+  const TissueMesh<2> mesh(p);
+  const double time = 1e-5, face = width - time, R = p.tool.radius; // 1 m/s
+  // Every node of the side lies on the cylinder, a hair below it: the straight edges between them are chords.
+  std::vector<double> u(mesh.nodes * 2, 0.);
+  for (unsigned int n = 0; n < mesh.nodes; ++n)
+    if (mesh.nodal_area[n] > 0.)
+      {
+        const double d = mesh.node_position[n][1] - 0.5 * width;
+        u[2 * n] = face + R - std::sqrt(R * R - d * d) - 1e-12 - mesh.node_position[n][0];
+      }
+  const ToolReading between = RigidTools<2>(mesh, p, 1e9).read(time, u);
+  const double edge = width / 6.;
+  BOOST_TEST(between.penetration > 0.9 * edge * edge / (8. * R));
+  BOOST_TEST(between.node_penetration == 0.);
+  BOOST_TEST(between.force == 0.);
+  const ToolReading flat = RigidTools<2>(mesh, pressed("plate"), 1e9).read(time, std::vector<double>(mesh.nodes * 2, 0.));
+  BOOST_TEST(flat.node_penetration == flat.penetration);
 }
 
 // A block between two frictionless plates is in uniaxial stress. Small strain, plane strain: E' = 4 mu (lambda + mu)/(lambda + 2 mu);
