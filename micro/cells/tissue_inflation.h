@@ -56,6 +56,7 @@ private:
   void set_walls(double inverse_mass); ///< 1/kg, of all nodes
   void begin_part();       ///< velocities zero, the stable step measured
   void keep_step_stable(); ///< measured anew where the state has outgrown it
+  void quieten();          ///< half the step where a contact that opens and closes makes the descent begin anew again and again
   void limit_speed();
   void take_up(); ///< water, by osmosis
   double pressure(std::size_t cell) const; ///< Pa; leaves the cell's forces those of the fluid alone

@@ -47,6 +47,7 @@ void Descent<dim>::step(const double dt)
   if (!(power > 0.))
     {
       stop();
+      ++stops;
       return;
     }
   const double along = share * std::sqrt(motion / pull);
@@ -62,6 +63,7 @@ void Descent<dim>::save(std::ostream &out) const
 {
   write_binary(out, share);
   write_binary(out, downhill);
+  write_binary(out, stops);
 }
 
 template <int dim>
@@ -69,6 +71,7 @@ void Descent<dim>::load(std::istream &in)
 {
   read_binary(in, share);
   read_binary(in, downhill);
+  read_binary(in, stops);
 }
 
 template class Descent<2>;

@@ -29,8 +29,9 @@ public:
   void save(std::ostream &out) const;
   void load(std::istream &in);
 
-private:
+  unsigned int stops = 0; ///< steps that went past a minimum; whoever counts them sets it back
 
+private:
   ParticleSystem<dim> &system;
   KickDriftKick<dim> integrator;
   double share = 0.; ///< a
