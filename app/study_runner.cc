@@ -27,9 +27,22 @@ namespace turgor
 {
 namespace
 {
+/// Throws where 'Draw' names what none of the runs can have as a result: told before the first, not after the last. `known`: as defined.
+void check_drawing(const StudyInput &study, std::vector<std::string> known, const std::string &file)
+{
+  known.push_back("cpu_time_s");
+  for (const StudyMeasure &one : study.measures)
+    known.insert(known.end(), {one.name, "error_" + one.name});
+  for (const auto &panel : study.draw)
+    for (const std::string &name : panel)
+      if (std::none_of(known.begin(), known.end(), [&](const std::string &defined) { return stands_for(defined, name); }))
+        throw InputError(file + ": 'Draw' names '" + name + "', which is no result of the runs." + suggestion(name, known));
+}
+
 std::vector<StudyRow> planned(const StudyInput &study, const StudyOptions &options, const ScenarioRegistry &registry)
 {
   std::vector<StudyRow> rows;
+  std::vector<std::string> results;
   std::string refused; // all of them: a sweep is mended at once
   for (const StudyRun &run : study.runs)
     {
@@ -45,6 +58,7 @@ std::vector<StudyRow> planned(const StudyInput &study, const StudyOptions &optio
             for (const OutputDefinition &one : place.all)
               if (place.file == Outputs::results_file)
                 row.defined.push_back(one.name);
+          results.insert(results.end(), row.defined.begin(), row.defined.end());
           for (const auto &point : run.swept)
             row.units[point.first] = unit_of_entry(input.scenario_name, point.first, registry);
         }
@@ -55,6 +69,7 @@ std::vector<StudyRow> planned(const StudyInput &study, const StudyOptions &optio
     }
   if (!refused.empty())
     throw InputError(options.file.string() + ", " + refused);
+  check_drawing(study, results, options.file.string());
   for (const std::string &label : options.only)
     if (std::none_of(rows.begin(), rows.end(), [&](const StudyRow &row) { return row.run.label == label; }))
       throw InputError("--only " + label + ": the study has no run with this label.");
@@ -102,23 +117,6 @@ std::vector<StudyRow> committed(const StudyInput &study)
       read_summary(row);
     }
   return rows;
-}
-
-/// A sentence where 'Draw' names what the finished run does not have and the others, of the same scene, will not have either.
-std::string wrong_drawing(const StudyInput &study, const StudyRow &row)
-{
-  if (row.status != "finished" || std::any_of(study.runs.begin(), study.runs.end(), [&](const StudyRun &run) { return run.input != row.run.input; }))
-    return "";
-  std::vector<std::string> known = {"cpu_time_s"};
-  for (const auto &result : results_of(row.directory))
-    known.push_back(result.first);
-  for (const StudyMeasure &one : study.measures)
-    known.insert(known.end(), {one.name, "error_" + one.name});
-  for (const auto &panel : study.draw)
-    for (const std::string &name : panel)
-      if (std::find(known.begin(), known.end(), name) == known.end())
-        return "'Draw' names '" + name + "', which is no result of the runs." + suggestion(name, known);
-  return "";
 }
 
 void say(const std::string &line, std::mutex &turn)
@@ -200,8 +198,6 @@ int study_command(const StudyOptions &options, const ScenarioRegistry &registry)
         failed = failed || row.status != "finished";
       }
     const std::lock_guard<std::mutex> lock(turn);
-    if (const std::string wrong = wrong_drawing(study, row); !wrong.empty())
-      throw InputError(options.file.string() + ": " + wrong);
     measure_row(study, row, rows);
     write_study_tables(study, rows, directory);
     if (row.status == "finished" && !row.message.empty())

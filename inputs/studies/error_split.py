@@ -16,7 +16,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy  # noqa: E402
 
-from runs import ROOT, results, study  # noqa: E402
+from runs import ROOT, no_choice, results, study  # noqa: E402
 
 OUT = os.path.join(ROOT, "doc", "results", "error_split")
 MESHES = {1: [4, 8, 16, 32], 2: [4, 8, 16, 32]}
@@ -198,4 +198,5 @@ def main():
 
 
 if __name__ == "__main__":
+    no_choice(__doc__)
     main()

@@ -54,6 +54,11 @@ def choice(names, text):
     return parser.parse_args().study
 
 
+def no_choice(text):
+    """A script that takes nothing: --help tells what it does, anything else is refused; neither starts a run."""
+    argparse.ArgumentParser(description=text, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args()
+
+
 def write_table(path, rows):
     """A CSV below doc/results of rows {column: text}; the columns are all that occur."""
     path = os.path.join(ROOT, "doc", "results", path)

@@ -19,17 +19,24 @@ import numpy as np
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.insert(0, os.path.join(ROOT, "app", "plots"))
 from drawing import ACCENT, ALONG, INK, style  # noqa: E402
+from runs import no_choice  # noqa: E402
 
 FOLDER = os.path.join(ROOT, "doc", "results", "single_cell")
 PRESSURES = (("deviation_cut_eos [%]", "mean EOS pressure"), ("deviation_cut_virial [%]", "fluid's virial"))
 
 
 def rows(name, column):
+    """Of the study's own results or, where it was not run here, of the committed table."""
     path = os.path.join(FOLDER, name, "results.csv")
     if not os.path.exists(path):
-        return []
+        path = os.path.join(FOLDER, name + ".csv")
+    if not os.path.exists(path):
+        sys.exit(f"There is no {path}: run the study first (./turgor study, see doc/results/single_cell/README.md).")
     with open(path, encoding="utf-8") as file:
-        return [row for row in csv.DictReader(file) if row.get(column)]
+        found = [row for row in csv.DictReader(file) if row.get(column)]
+    if not found or "method" not in found[0]:
+        sys.exit(f"{path} has no column 'method', so it is no table of a study: run the study anew.")
+    return found
 
 
 def spacing(particles, dim):
@@ -108,4 +115,5 @@ def main():
 
 
 if __name__ == "__main__":
+    no_choice(__doc__)
     main()

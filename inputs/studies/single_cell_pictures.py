@@ -16,6 +16,7 @@ import numpy as np
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.insert(0, os.path.join(ROOT, "app", "plots"))
 from drawing import INK, read_table, style  # noqa: E402
+from runs import no_choice  # noqa: E402
 
 PLACE = os.path.join(ROOT, "doc", "results", "single_cell")
 COLOURS = ("#1b6ca8", "#3a9d6e", "#d98e04", "#b5332e")
@@ -105,5 +106,6 @@ def largest_stretch():
 
 
 if __name__ == "__main__":
+    no_choice(__doc__)
     impact_matrix()
     largest_stretch()

@@ -25,7 +25,7 @@ import sys
 
 import numpy as np
 
-from runs import ROOT, results, study, write_table
+from runs import ROOT, no_choice, results, study, write_table
 
 sys.path.insert(0, os.path.join(ROOT, "app", "plots"))
 from drawing import read_table  # noqa: E402
@@ -97,4 +97,5 @@ def main():
 
 
 if __name__ == "__main__":
+    no_choice(__doc__)
     main()

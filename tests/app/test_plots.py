@@ -85,6 +85,21 @@ class Pictures(unittest.TestCase):
         columns = {"a": [1., 2.], "b": [1e-6, 0.], "c": [0., 0.], "d": [0.1, 0.]}
         self.assertEqual(drawing.of_one_scale({name: drawing.np.array(v) for name, v in columns.items()}), ([["a", "d"], ["b"]], ["c"]))
 
+    def test_of_two_pictures_of_one_name_the_later_stays_and_a_users_is_kept(self):
+        # a table and its scene share a name (laplace.csv, laplace.png)
+        with tempfile.TemporaryDirectory() as directory:
+            with open(os.path.join(directory, "made_by_turgor.txt"), "w", encoding="utf-8") as file:
+                file.write("laplace.csv\n")
+            ours, theirs = os.path.join(directory, "laplace.png"), os.path.join(directory, "mine.png")
+            with open(theirs, "w", encoding="utf-8") as file:
+                file.write("theirs")
+            for width in (1, 2):
+                plt.figure(figsize=(width, 1)).savefig(ours, dpi=10)
+                plt.figure(figsize=(width, 1)).savefig(theirs, dpi=10)
+            self.assertEqual(plt.imread(ours).shape[1], 20)
+            with open(theirs, encoding="utf-8") as file:
+                self.assertEqual(file.read(), "theirs")
+
     def test_own_points_need_the_same_name_and_unit(self):
         self.write("input.prm", "set Scenario = none\n")
         self.write("growth.csv", "time [s],radius [m]\n0,1\n1,2\n")

@@ -35,10 +35,16 @@ class Study(unittest.TestCase):
         self.assertIn("Did you mean 'largest_error'?", said)
         self.assertEqual(said.count("Running"), 1)
 
-    def test_a_wrong_name_to_draw_is_told_after_the_first_run_of_many(self):
+    def test_a_wrong_name_to_draw_is_told_before_the_first_run(self):
         said = self.study(2, f"set Input = {INPUTS}/wall_uniaxial.prm\nset Draw = largest_eror\nsubsection Run drop\nset Grid = Yield drop = 0 | 0.5\nend\n")
         self.assertIn("Did you mean 'largest_error'?", said)
-        self.assertEqual(said.count("Running"), 1)
+        self.assertEqual(said.count("Running"), 0)
+
+    def test_what_only_some_runs_have_can_be_drawn(self):
+        # the first of these never reaches 30 %
+        self.study(0, f"set Input = {INPUTS}/cell_compression.prm\nset Draw = force_at_05 + force_at_30\n"
+                      "set Overrides = Dimension=2; Cell/Radius=50e-6; Cell/Wall thickness=1e-6; Cell/Wall density=32500; Cell/Fluid=pressure; Frames=0; Speed=20\n"
+                      "subsection Run to\nset Grid = Deformation = 0.06 | 0.31\nend\n")
 
     def test_a_study_of_errors_that_computes_none_fails(self):
         said = self.study(1, f"set Input = {INPUTS}/wall_uniaxial.prm\nset Reference = drop 0\n"
