@@ -38,6 +38,8 @@ PrmSetting scenario_setting(const PrmText &text, const std::string &file, const 
       for (const PrmSetting &setting : text.settings)
         if (setting.section.empty() && edit_distance(setting.name, "Scenario") <= 3)
           throw InputError(setting.where + ": there is no entry '" + setting.name + "' in the top level. Did you mean 'Scenario'?");
+      if (std::any_of(text.sections.begin(), text.sections.end(), [](const PrmSection &section) { return section.path.front().starts_with("Run "); }))
+        throw InputError(file + " is a study, not a scene: ./turgor study " + file + " --list looks at it, without --list it is run.");
       throw InputError(file + ": the entry 'Scenario' is missing; write 'set Scenario = NAME'." + suggestion("", registry.names));
     }
   if (std::find(registry.names.begin(), registry.names.end(), found->value) == registry.names.end())

@@ -245,7 +245,7 @@ void report_worth(RunContext &context, const Rows &rows, const double radius, co
   judged(context, "deepest_behind_plate", behind / radius, {0.05, 0.5},
          "wall nodes stand up to " + number_text(100. * behind / radius)
            + " % of the cell's radius behind a plate (a larger Plate stiffness or a smaller Speed holds them)");
-  judge_outside(context, crossed, fluid_particles, "more Cell/Fluid particles or a smaller Deformation makes them fewer");
+  judge_outside(context, crossed, fluid_particles, "a smaller Deformation leaves fewer");
   if (conservative)
     judged(context, "energy_balance_error", error, {0.02, 0.1},
            number_text(100. * std::abs(error)) + " % of the plates' work "

@@ -9,6 +9,7 @@ import unittest
 PLOTS = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), "app", "plots")
 sys.path.insert(0, PLOTS)
 import drawing  # noqa: E402
+from drawing import plt  # noqa: E402
 import plot  # noqa: E402
 import study  # noqa: E402
 import tissue_gravity  # noqa: E402
@@ -96,6 +97,8 @@ class Pictures(unittest.TestCase):
             for width in (1, 2):
                 plt.figure(figsize=(width, 1)).savefig(ours, dpi=10)
                 plt.figure(figsize=(width, 1)).savefig(theirs, dpi=10)
+            drawing._name_all()
+            drawing._drawn.clear()
             self.assertEqual(plt.imread(ours).shape[1], 20)
             with open(theirs, encoding="utf-8") as file:
                 self.assertEqual(file.read(), "theirs")

@@ -38,6 +38,7 @@ def general():
         ("unknown_option", head, RUN + ["--thread", "2"], ["--thread"]),
         ("zero_threads", head, RUN + ["--threads", "0"], ["--threads", "1"]),
         ("no_scenario", "set Steps = 3\n", RUN, ["the entry 'Scenario' is missing"]),
+        ("a_study", "subsection Run a\n  set Input = a.prm\nend\n", RUN, ["is a study, not a scene"]),
         ("unknown_scenario", "set Scenario = tissue_gravitee\n", RUN, ["IN, line 1: there is no scenario 'tissue_gravitee'"]),
         ("misspelt_scenario_entry", "set Scenaro = x\n", RUN, ["line 1", "Did you mean 'Scenario'?"]),
         ("unclosed_subsection", head + "subsection A\n", RUN, ["line 2: subsection 'A' is never closed"]),
