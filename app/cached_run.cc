@@ -36,6 +36,7 @@ bool read_summary(CachedRun &run)
       const nlohmann::json json = read_json(file);
       run.use = {json.value("wall_time_s", 0.), json.value("cpu_time_s", 0.), json.value("peak_memory_bytes", std::uint64_t(0))};
       run.message = json.value("message", "");
+      run.date = json.value("date", "").substr(0, 10);
       run.status = json.value("status", "failed");
     }
   catch (const std::exception &) // no summary of ours

@@ -26,6 +26,7 @@ struct CachedRun
   std::filesystem::path directory;
   std::string status = "waiting"; ///< waiting, partly, finished, failed, stopped
   std::string message;
+  std::string date; ///< of its summary: YYYY-MM-DD
   ResourceUse use; ///< a resumed run's cost is that of all its parts
 };
 

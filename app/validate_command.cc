@@ -2,6 +2,7 @@
 
 #include "app/child_process.h"
 #include "app/nearest_name.h"
+#include "app/program_build.h"
 #include "app/run_command.h"
 #include "app/typed_command.h"
 #include "app/validation_table.h"
@@ -123,12 +124,24 @@ bool run_all(const Validation &validation, std::map<std::string, CachedRun> &run
   return finished;
 }
 
+/// Commit and instruction set, which the bits depend on; the linker's id where no commit is known.
+std::string this_build()
+{
+  const ProgramBuild &build = program_build();
+  const std::size_t mark = build.commit.find('-'); // "-changed"
+  const std::string changed = mark == std::string::npos ? "" : build.commit.substr(mark);
+  return (build.commit == "unknown" ? "build " + build.hash.substr(0, 12) : build.commit.substr(0, std::min<std::size_t>(mark, 12)) + changed) +
+         " " + build.instruction_set;
+}
+
 std::vector<ValidationResult> measured(const Validation &validation, const std::map<std::string, CachedRun> &runs)
 {
   std::map<std::string, std::filesystem::path> directories;
   double cpu = 0.;
+  std::string date; // of the last run
   for (const auto &[label, run] : runs)
     {
+      date = std::max(date, run.date);
       if (run.status == "finished") // what a failed run had found before is no result
         directories[label] = run.directory;
       cpu += run.use.cpu_time;
@@ -139,7 +152,7 @@ std::vector<ValidationResult> measured(const Validation &validation, const std::
   for (const ValidationRow &row : validation.rows)
     {
       ValidationResult &result = results.emplace_back();
-      result = {validation.name, row.quantity, "", row.unit, seconds, "failed"};
+      result = {validation.name, row.quantity, "", row.unit, seconds, "failed", this_build(), date};
       try
         {
           const Measured value = value_of(row, directories, validation.means);
@@ -192,7 +205,7 @@ public:
     for (const Validation &validation : validations)
       for (const ValidationRow &row : validation.rows)
         {
-          const ValidationResult wanted = {validation.name, row.quantity, "", "", "", ""};
+          const ValidationResult wanted = {validation.name, row.quantity, "", "", "", "", "", ""};
           if (const ValidationResult *found = row_of(wanted, now); found || (found = row_of(wanted, rows)))
             ordered.push_back(*found);
         }

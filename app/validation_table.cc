@@ -8,6 +8,7 @@
 #include "micro/io/run_context.h"
 #include "micro/io/user_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -19,7 +20,8 @@ namespace turgor
 namespace
 {
 const std::string mark_begin = "<!-- turgor validate: begin -->", mark_end = "<!-- turgor validate: end -->";
-const std::vector<std::string> header = {"name", "quantity", "value", "unit", "cpu_time_s", "verdict"};
+const std::vector<std::string> header_before = {"name", "quantity", "value", "unit", "cpu_time_s", "verdict"}; // of older tables
+const std::vector<std::string> header = {"name", "quantity", "value", "unit", "cpu_time_s", "verdict", "program", "date"};
 
 std::string digits(const double value)
 {
@@ -63,6 +65,46 @@ Measured look_up(const std::string &reference, const Directories &directories, c
     mean.error += (value - mean.value) * (value - mean.value) / (n * (n - 1.));
   mean.error = std::sqrt(mean.error);
   return mean;
+}
+
+const ValidationResult *result_of(const Validation &validation, const ValidationRow &row, const std::vector<ValidationResult> &results)
+{
+  for (const ValidationResult &result : results)
+    if (result.name == validation.name && result.quantity == row.quantity)
+      return &result;
+  return nullptr;
+}
+
+/// "Computed by A on 2026-11-29: all 9 rows.", or each program's rows with their scenes: rows are kept from call to call, and a reader has
+/// to see when they are not of one program.
+std::string origin_of(const std::vector<Validation> &validations, const std::vector<ValidationResult> &results)
+{
+  struct Part
+  {
+    std::string what, scenes;
+    unsigned int rows = 0;
+  };
+  std::vector<Part> parts;
+  for (const Validation &validation : validations)
+    for (const ValidationRow &row : validation.rows)
+      {
+        const ValidationResult *found = result_of(validation, row, results);
+        const std::string what = found == nullptr        ? "Not run"
+                                 : found->program.empty() ? "By a program that was not noted"
+                                                          : "Computed by " + found->program + " on " + found->date;
+        auto part = std::find_if(parts.begin(), parts.end(), [&](const Part &p) { return p.what == what; });
+        if (part == parts.end())
+          part = parts.insert(parts.end(), {what, "", 0});
+        if (part->scenes.empty() || part->scenes.substr(part->scenes.rfind(' ') + 1) != validation.name)
+          part->scenes += (part->scenes.empty() ? "" : ", ") + validation.name;
+        ++part->rows;
+      }
+  if (parts.size() == 1 && parts[0].rows > 1)
+    return parts[0].what + ": all " + number_text(parts[0].rows) + " rows.";
+  std::string text;
+  for (const Part &part : parts)
+    text += (text.empty() ? "" : " ") + part.what + ": " + number_text(part.rows) + (part.rows == 1 ? " row (" : " rows (") + part.scenes + ").";
+  return text;
 }
 
 std::string in_cell(const std::string &text)
@@ -131,13 +173,14 @@ std::vector<ValidationResult> read_results(const std::filesystem::path &file)
   if (!std::filesystem::exists(file))
     return results;
   const CsvText text(file);
-  if (text.header.fields != header)
+  const bool old = text.header.fields == header_before;
+  if (!old && text.header.fields != header)
     throw InputError(file.string() + " is no table of turgor validate; it is not overwritten.");
   for (const CsvRow &row : text.rows)
     {
-      text.require_fields(row, 6);
+      text.require_fields(row, unsigned(text.header.fields.size()));
       const std::vector<std::string> &f = row.fields;
-      results.push_back({f[0], f[1], f[2], f[3], f[4], f[5]});
+      results.push_back({f[0], f[1], f[2], f[3], f[4], f[5], old ? "" : f[6], old ? "" : f[7]});
     }
   return results;
 }
@@ -150,7 +193,7 @@ void write_results(const std::filesystem::path &file, const std::vector<Validati
   out << '\n';
   for (const ValidationResult &r : results)
     out << csv_field(r.name) << ',' << csv_field(r.quantity) << ',' << r.value << ',' << csv_field(r.unit) << ',' << r.cpu_time
-        << ',' << r.verdict << '\n';
+        << ',' << r.verdict << ',' << csv_field(r.program) << ',' << r.date << '\n';
   std::filesystem::create_directories(file.parent_path());
   write_atomically(file, out.str());
 }
@@ -158,15 +201,13 @@ void write_results(const std::filesystem::path &file, const std::vector<Validati
 std::string markdown(const std::vector<Validation> &validations, const std::vector<ValidationResult> &results)
 {
   std::ostringstream out;
-  out << "| scene | quantity | compared with | error of the thesis | target | ours | CPU time, s | verdict |\n"
+  out << origin_of(validations, results) << "\n\n"
+      << "| scene | quantity | compared with | error of the thesis | target | ours | CPU time, s | verdict |\n"
       << "|---|---|---|---|---|---|---|---|\n";
   for (const Validation &validation : validations)
     for (const ValidationRow &row : validation.rows)
       {
-        const ValidationResult *found = nullptr;
-        for (const ValidationResult &result : results)
-          if (result.name == validation.name && result.quantity == row.quantity)
-            found = &result;
+        const ValidationResult *found = result_of(validation, row, results);
         out << "| " << validation.name << " | " << in_cell(row.quantity) << " | " << in_cell(row.source) << " | "
             << in_cell(row.thesis) << " | " << target_of(row) << " | ";
         if (found == nullptr)

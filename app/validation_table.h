@@ -16,6 +16,7 @@ namespace turgor
 struct ValidationResult
 {
   std::string name, quantity, value, unit, cpu_time, verdict; ///< value in digits; empty when failed
+  std::string program, date;                                  ///< which computed it, and when; empty in tables that did not keep them
 };
 
 struct Measured
@@ -40,7 +41,7 @@ std::string target_of(const ValidationRow &row);
 std::vector<ValidationResult> read_results(const std::filesystem::path &file);
 void write_results(const std::filesystem::path &file, const std::vector<ValidationResult> &results);
 
-/// The rows of all validations in their order; those without a result say "not run".
+/// Which program computed the rows and when, in a line; then the rows of all validations in their order, "not run" where there is no result.
 std::string markdown(const std::vector<Validation> &validations, const std::vector<ValidationResult> &results);
 
 /// Whether it holds the marks between which the table stands.

@@ -1,4 +1,5 @@
 """`turgor validate` through the built program: exit codes, where it writes, what it leaves alone."""
+import csv
 import json
 import os
 import subprocess
@@ -49,6 +50,10 @@ class Validate(unittest.TestCase):
         self.assertFalse(os.path.exists(os.path.join(self.directory, "runs")))  # the runs are in here/cache
         self.validate(0, "-o", "here", "--update-doc")
         self.assertIn("| met |", self.text("doc", "validation.md"))
+        with open(os.path.join(self.directory, "doc", "results", "validation.csv"), encoding="utf-8") as file:
+            row = list(csv.DictReader(file))[0]
+        self.assertIn(f"Computed by {row['program']} on {row['date']}: 1 row (wall).", self.text("doc", "validation.md"))
+        self.assertRegex(row["program"] + " " + row["date"], r"^\S.* \w+ 2\d{3}-\d\d-\d\d$")
         self.assertTrue(self.text("doc", "validation.md").endswith("\n\nText.\n"))
         # A row that was met in the source and no longer is, is told.
         self.assertIn("in the source's table it is met", self.validate(1, "-o", "here", most=1e-300))

@@ -126,14 +126,36 @@ BOOST_AUTO_TEST_CASE(the_table_goes_between_its_marks)
   BOOST_TEST(twice.find("\nbehind\n") != std::string::npos);
 }
 
+// A row that another program computed, or none, is not taken for one of today's.
+BOOST_AUTO_TEST_CASE(the_table_says_which_program_computed_it)
+{
+  Validation validation;
+  validation.name = "ring";
+  validation.rows.resize(2);
+  validation.rows[0].quantity = "a";
+  validation.rows[1].quantity = "b";
+  Validation other = validation;
+  other.name = "ball";
+  std::vector<ValidationResult> results = {{"ring", "a", "1", "%", "2", "met", "1234 avx2", "2026-11-29"}, {"ring", "b", "1", "%", "2", "met", "1234 avx2", "2026-11-29"}};
+  BOOST_TEST(markdown({validation}, results).find("Computed by 1234 avx2 on 2026-11-29: all 2 rows.\n\n| scene |") == 0u);
+  results[1].program = "";
+  const std::string mixed = markdown({validation, other}, results);
+  BOOST_TEST(mixed.find("Computed by 1234 avx2 on 2026-11-29: 1 row (ring). By a program that was not noted: 1 row (ring). Not run: 2 rows (ball).\n") == 0u);
+}
+
 BOOST_AUTO_TEST_CASE(results_survive_the_file)
 {
   const TemporaryDirectory directory;
-  write_results(directory / "r.csv", {{"name", "a \"quantity\", with a comma", "1.5", "%", "3", "met"}});
+  write_results(directory / "r.csv", {{"name", "a \"quantity\", with a comma", "1.5", "%", "3", "met", "1234abcd avx2", "2026-11-29"}});
   const std::vector<ValidationResult> back = read_results(directory / "r.csv");
   BOOST_REQUIRE(back.size() == 1u);
   BOOST_TEST(back[0].quantity == "a \"quantity\", with a comma");
   BOOST_TEST(back[0].verdict == "met");
+  BOOST_TEST(back[0].program == "1234abcd avx2");
+  BOOST_TEST(back[0].date == "2026-11-29");
+  set_content(directory / "old.csv", "name,quantity,value,unit,cpu_time_s,verdict\na,b,1,%,2,met\n");
+  BOOST_REQUIRE(read_results(directory / "old.csv").size() == 1u);
+  BOOST_TEST(read_results(directory / "old.csv")[0].program == "");
   BOOST_TEST(read_results(directory / "none.csv").empty());
 }
 
