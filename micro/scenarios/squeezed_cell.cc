@@ -334,6 +334,7 @@ void SqueezedCell::run_in(RunContext &context)
       if (broken > 0.)
         {
           context.result("first_break_angle", at_step.first_angle, "degrees");
+          context.result("first_break_angle_from_nearer_plate", std::min(at_step.first_angle, 180. - at_step.first_angle), "degrees");
           context.result("first_break_tilt", at_step.first_tilt, "degrees");
           context.result("mean_break_tilt", at_step.tilt_sum / broken, "degrees");
           context.result("first_break_deformation", at_step.first_deformation, "1");

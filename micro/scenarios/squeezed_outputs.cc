@@ -62,6 +62,7 @@ Outputs SqueezedCell::outputs() const
               {"broken_bonds", "", "Number of bonds of the wall that have broken by the end.", breaks},
               {"bonds", "", "Number of bonds of the wall before any broke.", breaks},
               {"first_break_angle", "degrees", "Polar angle of the first bond that broke: 0 under the upper plate, 90 at the equator.", "where a bond broke"},
+              {"first_break_angle_from_nearer_plate", "degrees", "The same from the nearer of both plates' poles: 90 at the equator, as the balloon model has it.", "where a bond broke"},
               {"first_break_tilt", "degrees", "Angle of the first bond that broke to the circle around the axis, when it broke.", "where a bond broke"},
               {"first_break_deformation", "1", "Deformation at which the first bond broke.", "where a bond broke"},
               {"mean_break_angle", "degrees", "Mean polar angle of all bonds that broke.", "where a bond broke"},
