@@ -49,7 +49,8 @@ def draw(runs, path):
         t, radius, pressure, density, rest, results = data
         colour = COLOURS[k % len(COLOURS)]
         shown = t > -1
-        for axis, values in zip(axes, (radius - rest, pressure, density)):
+        # the density as a ratio: ours counts centres, a section shows nuclei (doc/results/spheroid/density.md)
+        for axis, values in zip(axes, (radius - rest, pressure, density / np.interp(0, t, density))):
             axis.plot(t[shown], values[shown], color=colour, linewidth=1.8, label=label)
         if "capsule_pressure_24h" in results:
             axes[1].plot(1, results["capsule_pressure_24h"]["value"] / 1e3, "o", color=colour, markersize=6)
@@ -62,8 +63,9 @@ def draw(runs, path):
             axes[0].plot(at, slope * (at - at[0]) + (8 if slope > 1 else 3), color=INK, linewidth=1.1, linestyle=style_of, label=name)
     if any(input_is(directory, CT26) for _, directory in runs):
         axes[1].axhline(1.5, color=INK, linewidth=1, linestyle=(0, (5, 2)), label="experiment: about 1.5 kPa after a day")
-        axes[2].plot([0, min(2, last)], [0.85, 2.0], "D", color=INK, markersize=6, label="experiment: 0.85, after 48 h 2")
-    for axis, text in zip(axes, ("capsule dilated by [µm]", "pressure on the capsule [kPa]", "cells per 100 µm² of a section")):
+        if last >= 2:
+            axes[2].errorbar([2], [2.175], yerr=0.175, fmt="none", ecolor=INK, capsize=5, elinewidth=1.6, label="experiment: 2 to 2.35 after 48 h")
+    for axis, text in zip(axes, ("capsule dilated by [µm]", "pressure on the capsule [kPa]", "cells in a section over those at confluence")):
         axis.set_xlabel("time after confluence [d]", color=INK)
         axis.set_ylabel(text, color=INK)
         axis.axvline(0, color="#c8d0d6", linewidth=0.8)

@@ -47,6 +47,12 @@ def draw(runs, path, regime_change=9.0):
         axis.set_ylim(top=axis.get_ylim()[1] + 0.25 * np.ptp(axis.get_ylim()))  # room for the legend
         axis.legend(frameon=False, fontsize=8, loc="upper left")
     last.set_ylabel("mean pressure of living cells [kPa]", color=INK)
+    if len(runs) > 1:
+        for colour, name in ((ALONG, "under dextran"), (ACCENT, "free"), ("#8a6fb0", "free, rim from the mean edge")):
+            if any(line.get_color() == colour for line in last.lines):
+                last.plot([], [], color=colour, linewidth=1, label=name)
+        last.set_ylim(top=last.get_ylim()[1] + 0.25 * np.ptp(last.get_ylim()))
+        last.legend(frameon=False, fontsize=8, loc="upper left")
     for axis in axes[:len(lines) + 1]:
         axis.set_xlabel("time [d]", color=INK)
         style(axis)

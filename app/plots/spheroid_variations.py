@@ -31,7 +31,7 @@ def draw(groups, path, columns=4):
             shown = t > -0.1
             axis.plot(t[shown], values[shown], color=colour, linewidth=1.6, label=label)
         if column == "density":
-            axis.plot([2], [2], "D", color=INK, markersize=5, label="experiment: 2 at 48 h")
+            axis.errorbar([2], [2.175], yerr=0.175, fmt="none", ecolor=INK, capsize=4, elinewidth=1.4, label="experiment: 2 to 2.35 at 48 h")
         axis.set_title(title, fontsize=10, color=INK, loc="left")
         axis.set_ylabel(NAMES[column], color=INK, fontsize=9)
         axis.set_xlabel("time after confluence [d]", color=INK, fontsize=9)
