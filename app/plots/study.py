@@ -12,10 +12,10 @@ import sys
 import textwrap
 from fnmatch import fnmatchcase
 
-from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter
+from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, MaxNLocator, NullFormatter
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from drawing import INK, number_points, plt, read_table, style  # noqa: E402
+from drawing import INK, in_prefix, number_points, plt, read_table, style  # noqa: E402
 
 MARKERS = "osD^vP*X<>hp"
 MOST = 12  # panels of what a study did not choose: more are not legible
@@ -169,15 +169,27 @@ def lines_of(rows, entry, entries):
     return lines
 
 
+def decades(least, most):
+    """Powers of ten from least to most, at most six."""
+    first, last = math.ceil(math.log10(least) - 1e-9), math.floor(math.log10(most) + 1e-9)
+    return [10.0 ** k for k in range(first, last + 1, 1 + (last - first) // 6)]
+
+
+def unit_in(column):
+    return column[column.find("[") + 1:-1] if "[" in column else ""
+
+
 def draw_panel(panel, lines, entry, columns, looks):
     texts = list(dict.fromkeys(row[entry] for rows in lines.values() for row in rows))
     numeric = all(number(text) is not None for text in texts)
     place = {text: number(text) if numeric else k for k, text in enumerate(texts)}
     values = []
+    factor, unit = in_prefix(unit_in(columns[0]), [[number(row[column]) for rows in lines.values() for row in rows if number(row.get(column)) is not None]
+                                                   for column in columns])
     for label, rows in lines.items():
         for k, column in enumerate(columns):
             size = abs if column.startswith("error_") else float
-            points = sorted((place[row[entry]], size(number(row[column]))) for row in rows if number(row.get(column)) is not None)
+            points = sorted((place[row[entry]], factor * size(number(row[column]))) for row in rows if number(row.get(column)) is not None)
             if points:
                 panel.plot(*zip(*points), ls=("-", "--", ":", "-.")[k % 4], markersize=4, lw=1.2, **looks[label])
                 values += [y for _, y in points]
@@ -186,10 +198,18 @@ def draw_panel(panel, lines, entry, columns, looks):
                 panel.plot(place[row[entry]], 0.02, "x", color=INK, transform=panel.get_xaxis_transform())
     positions = list(place.values())
     if not numeric:
-        panel.set_xticks(positions, texts, rotation=30, ha="right", fontsize=7)
-    elif min(positions) > 0 and max(positions) / min(positions) > 12:
-        panel.set_xscale("log")
-        readable_log_axis(panel.xaxis)
+        panel.set_xticks(positions, texts, rotation=90 if len(texts) > 8 else 30, ha="center" if len(texts) > 8 else "right", fontsize=7 if len(texts) <= 8 else 6)
+    elif min(positions) >= 0 and max(positions) > 12 * (least := min(x for x in positions if x > 0)):
+        if min(positions) > 0:
+            panel.set_xscale("log")
+        else:  # zero stands one decade below the least
+            panel.set_xscale("symlog", linthresh=least, linscale=0.5)
+        if max(positions) / least > 300 or min(positions) == 0:
+            panel.xaxis.set_major_locator(FixedLocator([0.0] * (min(positions) == 0) + decades(least, max(positions))))
+            panel.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
+            panel.xaxis.set_minor_formatter(NullFormatter())
+        else:
+            readable_log_axis(panel.xaxis)
     else:
         panel.xaxis.set_major_locator(MaxNLocator(4))
         panel.ticklabel_format(axis="x", style="sci", scilimits=(-3, 4), useMathText=True)
@@ -200,12 +220,11 @@ def draw_panel(panel, lines, entry, columns, looks):
         panel.ticklabel_format(axis="y", useOffset=False)  # not "+1.0566e3" above the axis
     panel.set_xlabel(entry, fontsize=8, color=INK)
     shown = [f"size of {column}" if column.startswith("error_") else "CPU time [s]" if column == "cpu_time_s" else bare(column) for column in columns]
-    names = ", ".join(f"{name} ({dash})" for name, dash in zip(shown, ("solid", "dashed", "dotted", "dash-dotted"))) if len(shown) > 1 else shown[0]
-    unit = columns[0][columns[0].find(" ["):] if "[" in columns[0] else ""
-    panel.set_ylabel(names + unit, fontsize=8, color=INK)
+    shown = [name.replace("_", " ") for name in shown]
+    names = ",\n".join(f"{name} ({dash})" for name, dash in zip(shown, ("solid", "dashed", "dotted", "dash-dotted"))) if len(shown) > 1 else shown[0]
+    panel.set_ylabel(names + (f" [{unit}]" if unit not in ("", "1") else ""), fontsize=8, color=INK)
     panel.grid(alpha=0.15)
     style(panel)
-    panel.tick_params(axis="x", labelrotation=30 if not numeric else 0)
 
 
 def plot_sweeps(results, errors, info, directory):
