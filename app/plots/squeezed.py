@@ -71,7 +71,7 @@ def picture(directory, name, title):
     left.legend(frameon=False, fontsize=9)
     style(left)
 
-    right = figure.add_axes([0.68, 0.085, 0.295, 0.345])
+    right = figure.add_axes([0.68, 0.085, 0.265, 0.345])
     right.plot(100 * deformation, table["mean_stretch_upper [1]"], color=ACCENT, linewidth=1.6, label="upper half")
     right.plot(100 * deformation, table["mean_stretch_lower [1]"], color=ALONG, linewidth=1.6, label="lower half")
     right.set_xlabel("deformation [%]", fontsize=9, color=INK)
