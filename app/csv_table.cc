@@ -2,6 +2,7 @@
 
 #include "app/nearest_name.h"
 #include "micro/io/csv_text.h"
+#include "micro/io/user_text.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -23,9 +24,9 @@ CsvTable read_csv(const std::filesystem::path &file)
   table.file = file;
   for (const std::string &name : text.header.fields)
     {
-      const std::size_t bracket = std::min(name.find(" ["), name.size());
-      table.names.push_back(name.substr(0, bracket));
-      table.units.push_back(bracket + 3 < name.size() ? name.substr(bracket + 2, name.size() - bracket - 3) : "");
+      const std::size_t bracket = std::min(name.find('['), name.size());
+      table.names.push_back(trimmed(name.substr(0, bracket)));
+      table.units.push_back(bracket + 2 < name.size() ? trimmed(name.substr(bracket + 1, name.find(']', bracket) - bracket - 1)) : "");
     }
   table.columns.resize(table.names.size());
   for (const CsvRow &row : text.rows)

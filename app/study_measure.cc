@@ -6,6 +6,7 @@
 #include "app/json_file.h"
 #include "app/nearest_name.h"
 #include "app/polyline.h"
+#include "app/units.h"
 #include "micro/io/number_text.h"
 #include "micro/io/user_text.h"
 
@@ -39,21 +40,39 @@ struct Curve
   Columns u, keys;
 };
 
-Curve curve_of(const StudyMeasure &measure, const CsvTable &table)
+/// A column in the unit that another table has it in.
+std::vector<double> in_unit_of(const CsvTable &other, const CsvTable &table, const std::string &name)
+{
+  const std::string &unit = table.units[table.index(name)], &wanted = other.units[other.index(name)];
+  const std::optional<double> factor = unit_factor(unit, wanted);
+  const auto in_words = [](const std::string &one) { return one.empty() ? std::string("no unit") : "the unit [" + one + "]"; };
+  if (!factor)
+    throw std::runtime_error("'" + name + "' has " + in_words(unit) + " in " + table.file.string() + " and " + in_words(wanted) + " in " +
+                             other.file.string() + ", which are not of one quantity or not known" +
+                             (unit.empty() ? "; its header line names it: '" + name + " [" + wanted + "]'." : "."));
+  std::vector<double> column = table.column(name);
+  for (double &value : column)
+    value *= *factor;
+  return column;
+}
+
+/// In the units of the run's table.
+Curve curve_of(const StudyMeasure &measure, const CsvTable &table, const CsvTable &run)
 {
   Curve curve;
   curve.file = table.file;
   for (const std::string &name : measure.columns)
-    curve.u.push_back(table.column(name));
+    curve.u.push_back(in_unit_of(run, table, name));
   for (const std::string &name : measure.match)
-    curve.keys.push_back(table.column(name));
+    curve.keys.push_back(in_unit_of(run, table, name));
   if (table.rows() == 0)
     throw std::runtime_error(table.file.string() + " has no rows.");
   if (!measure.match.empty())
     return curve;
-  curve.x = measure.against.empty() ? table.columns[0] : table.column(measure.against);
+  const std::string &abscissa = measure.against.empty() ? run.names[0] : measure.against;
+  curve.x = in_unit_of(run, table, abscissa);
   if (!std::is_sorted(curve.x.begin(), curve.x.end()))
-    throw std::runtime_error("'" + (measure.against.empty() ? table.names[0] : measure.against) + "' of " + table.file.string() +
+    throw std::runtime_error("'" + abscissa + "' of " + table.file.string() +
                              " goes back; 'Against' names a column that rises, or 'Match' the columns that name a row.");
   return curve;
 }
@@ -234,7 +253,7 @@ MeasuredRun measure(const StudyMeasure &measure, const std::filesystem::path &ru
   if (measure.table.empty())
     return measure_result(measure, run_directory, there);
   const CsvTable table = read_csv(run_directory / (measure.table + ".csv"));
-  Curve run = curve_of(measure, table);
+  Curve run = curve_of(measure, table, table);
   MeasuredRun measured;
   measured.unit = measure.weight == Weight::period ? table.units[measure.against.empty() ? 0 : table.index(measure.against)] : table.units[table.index(measure.columns[0])];
   const bool number = measure.weight > Weight::end;
@@ -243,7 +262,7 @@ MeasuredRun measure(const StudyMeasure &measure, const std::filesystem::path &ru
   if (kind == Kind::none)
     return measured;
   Curve reference = kind == Kind::expression ? closed_form(measure, run, table, run_directory) :
-                                               curve_of(measure, read_csv(kind == Kind::file ? there : there / (measure.table + ".csv")));
+                                               curve_of(measure, read_csv(kind == Kind::file ? there : there / (measure.table + ".csv")), table);
   if (!measure.match.empty())
     match_rows(run, reference);
   else

@@ -8,6 +8,7 @@
 // With a size S the differences are over S instead (rms: of the root of the mean). Integrals are of the line through the
 // samples; the run is interpolated linearly to the reference's abscissae, or both are averaged over equal parts. Matched rows
 // are summed: sqrt(sum |u - u_ref|^2 / sum |u_ref|^2).
+// A reference's columns are brought into the units of the run's (units.h) or refused.
 #pragma once
 
 #include "app/study_input.h"

@@ -149,6 +149,23 @@ BOOST_AUTO_TEST_CASE(what_is_not_there_is_named)
   BOOST_CHECK_EXCEPTION(runs.of("0,0,1\n", "0,0,1\n"), std::runtime_error, Says{"u.csv: No such file"});
 }
 
+BOOST_AUTO_TEST_CASE(a_reference_is_read_in_its_own_units)
+{
+  TwoRuns runs;
+  runs.asked.columns = {"x"};
+  set_content(runs.directory / "run/t.csv", "time [s],x [N]\n0,2.2\n4e-6,2.2\n");
+  const auto against = [&](const std::string &header, const std::string &rows) {
+    set_content(runs.directory / "mine.csv", header + rows);
+    runs.asked.reference = {StudyReference::Kind::file, "mine.csv", runs.directory / "mine.csv"};
+    return measure(runs.asked, runs.directory / "run", {});
+  };
+  BOOST_TEST(*against("time [us],x [mN]\n", "0,2000\n4,2000\n").error == 0.1, close);
+  BOOST_TEST(*against("x[kN], time [ s ]\n", "0.002,0\n0.002,4e-6\n").error == 0.1, close); // the abscissa is the run's, not its first column
+  BOOST_CHECK_EXCEPTION(against("time [s],x [mPa]\n", "0,2\n4,2\n"), std::runtime_error, Says{"'x' has the unit [mPa] in"});
+  BOOST_CHECK_EXCEPTION(against("time [s],x\n", "0,2\n4,2\n"), std::runtime_error, Says{"its header line names it: 'x [N]'"});
+  BOOST_CHECK_EXCEPTION(against("time [m],x [N]\n", "0,2\n4,2\n"), std::runtime_error, Says{"and the unit [s] in"});
+}
+
 BOOST_AUTO_TEST_CASE(expressions)
 {
   const auto none = [](const std::string &) -> double { throw std::logic_error("no variable was expected"); };
