@@ -145,7 +145,7 @@ int dispatch(int argc, char **argv)
   std::string plot_directory, plot_data;
   CLI::App *plot_app = app.add_subcommand("plot", "Pictures of a run, beside its results");
   plot_app->add_option("DIR", plot_directory, "Output directory of a run")->required();
-  plot_app->add_option("--data", plot_data, "CSV of your own measurements, drawn as points wherever a column has the same name and unit");
+  plot_app->add_option("--data", plot_data, "CSV of your own measurements: columns named as in the run's tables, in any unit of the quantity ('time [h],radius [um]'), are drawn as points");
   app.add_subcommand("test", "Build and run all tests (by the launcher ./turgor)");
 
   if (argc > 1 && argv[1][0] != '-')

@@ -17,6 +17,7 @@ from matplotlib.path import Path
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from drawing import ACCENT, ALONG, INK, colour_bar, read_table, style  # noqa: E402
 from fields import frames  # noqa: E402
+from own_data import draw_data  # noqa: E402
 
 
 def cells_of(frame):
@@ -81,6 +82,8 @@ def picture(directory, name):
     left = figure.add_axes([0.07, 0.6 / total, 0.40 if failing else 0.56, 1.9 / total])
     left.plot(strain, table["stress_upper [Pa]"] / 1e3, color=ACCENT, linewidth=1.2, label="moving plate")
     left.plot(strain, table["stress_lower [Pa]"] / 1e3, color=ALONG, linewidth=1.8, label="fixed plate (transmitted)")
+    for column in ("stress_upper [Pa]", "stress_lower [Pa]"):
+        draw_data(left, "strain [1]", column, 100, 1e-3)
     left.set_xlabel("strain [%]", color=INK, fontsize=9)
     left.set_ylabel("force over area [kPa]", color=INK, fontsize=9)
     left.legend(frameon=False, fontsize=9)
@@ -88,6 +91,7 @@ def picture(directory, name):
     right = figure.add_axes([0.56 if failing else 0.71, 0.6 / total, 0.38 if failing else 0.27, 1.9 / total])
     if failing:
         right.plot(strain, table["failed_cells"], color=ACCENT, linewidth=1.8, label="failed cells")
+        draw_data(right, "strain [1]", "failed_cells", 100)
         right.set_ylabel("failed cells", color=ACCENT, fontsize=9)
         right.yaxis.set_major_locator(matplotlib.ticker.MaxNLocator(integer=True))
         right.set_ylim(bottom=0)

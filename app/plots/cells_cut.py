@@ -10,8 +10,9 @@ from matplotlib.colors import ListedColormap, Normalize
 from matplotlib.patches import Circle
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from drawing import ACCENT, ALONG, INK, beyond, draw_data, input_entries, plt, read_table, style  # noqa: E402
+from drawing import ACCENT, ALONG, INK, beyond, input_entries, plt, read_table, style  # noqa: E402
 from fields import frames  # noqa: E402
+from own_data import draw_data  # noqa: E402
 
 STATES = ["proliferating", "quiescent", "necrotic", "lysed"]
 STATE_COLOURS = ["#7fb069", "#e0c060", "#8a5a44", "#4a3b35"]

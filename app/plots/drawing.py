@@ -12,6 +12,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
+
 def _record(path):
     """The list of what turgor made in the directory of this file, if that is one of a run."""
     return os.path.join(os.path.dirname(path), "made_by_turgor.txt")
@@ -62,15 +63,14 @@ _savefig = plt.Figure.savefig
 plt.Figure.savefig = _save
 
 INK = "#22313f"
-DATA = []  # (name, {column: values}) of the user's own measurements, `turgor plot DIR --data FILE.csv`: set by plot.py
 ACCENT = "#b5432e"
 ALONG = "#3d6e99"
 
 
 def read_table(path):
     """{column: array} of a CSV with one header line; rows that are not numbers throughout are left out."""
-    with open(path, newline="", encoding="utf-8") as file:
-        rows = list(csv.reader(file))
+    with open(path, newline="", encoding="utf-8-sig") as file:  # a user's may begin with a byte-order mark and hold remarks
+        rows = [row for row in csv.reader(file) if row and not row[0].lstrip().startswith("#")]
     if not rows:
         return {}
     values = []
@@ -111,30 +111,31 @@ def input_is(directory, numbers):
         return False
 
 
-def draw_data(axis, first, column, unit_first=1.0, unit=1.0):
-    """The user's own points of this column over this first column, where their table has both, in the units of the axis."""
-    for name, table in DATA:
-        if first in table and column in table:
-            axis.plot(table[first] * unit_first, table[column] * unit, "D", color=INK, markersize=4.5, linestyle="none", label=name)
+def pretty(unit):
+    """As it is written beside an axis: \u00b5m\u00b2, not um^2."""
+    for plain, printed in (("^2", "\u00b2"), ("^3", "\u00b3"), ("um", "\u00b5m"), ("us", "\u00b5s")):
+        unit = unit.replace(plain, printed)
+    return unit
 
 
 def in_prefix(unit, values):
-    """(factor, unit with an SI prefix) in which the largest of the values is a number from 1 to 1000: (1e6, "\u00b5m") for 3e-5 m. Times of an
-    hour and more are told in hours. Units that take no prefix stay."""
-    largest = max((float(np.max(np.abs(v))) for v in values if len(v)), default=0.0)
+    """(factor, unit with an SI prefix) in which the largest of the values is a number from 1 to 1000: (1e6, "\u00b5m") for 3e-5 m; areas and
+    volumes by their lengths. Times of an hour and more are told in hours. Units that take no prefix stay."""
+    largest = max((float(np.nanmax(np.abs(v))) for v in values if np.any(np.isfinite(v))), default=0.0)
     if unit == "s" and largest >= 3600.0:
         return 1.0 / 3600.0, "h"
-    if unit not in ("s", "m", "Pa", "N", "J", "N/m", "J/m", "m/s", "Hz", "J/m^3") or largest <= 0.0:
-        return 1.0, unit
+    if unit not in ("s", "m", "m^2", "m^3", "Pa", "N", "J", "N/m", "J/m", "m/s", "Hz", "J/m^3") or largest <= 0.0:
+        return 1.0, pretty(unit)
     prefixes = {-15: "f", -12: "p", -9: "n", -6: "\u00b5", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}
-    power = int(np.clip(3 * np.floor(np.log10(largest * 1.0001) / 3), -15, 9))
-    return 10.0 ** -power, prefixes[power] + unit
+    dimension = int(unit[2:]) if unit.startswith("m^") else 1
+    power = int(np.clip(3 * np.floor(np.log10(largest * 1.0001) / 3 / dimension), -15, 9))
+    return 10.0 ** (-power * dimension), prefixes[power] + pretty(unit)
 
 
 def of_one_scale(columns, spread=30.0):
     """Splits {name: values} into lists of names whose largest values are within a factor of each other, so that none is a line along zero
     only because another is large. Second: the names that are zero throughout."""
-    size = {name: float(np.max(np.abs(values))) for name, values in columns.items()}
+    size = {name: float(np.nanmax(np.abs(values))) for name, values in columns.items()}
     groups = []
     for name in sorted((name for name in columns if size[name] > 0.0), key=lambda name: -size[name]):
         if groups and size[groups[-1][0]] <= spread * size[name]:

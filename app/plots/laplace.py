@@ -10,6 +10,7 @@ import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from drawing import ACCENT, ALONG, INK, colour_bar, read_table, style  # noqa: E402
+from own_data import draw_data  # noqa: E402
 from round_cell import cell_frames, draw_cell, has_cell  # noqa: E402
 
 
@@ -37,6 +38,7 @@ def main(directory):
                                         ("pressure_from_cut_tension [Pa]", ACCENT, "-", "wall: pull across great circles"),
                                         ("pressure_from_virial_tension [Pa]", ACCENT, "--", "wall: virial")):
         axis.plot(t, table[column] / 1e3, color=colour, linestyle=dash, linewidth=1.6, label=label)
+        draw_data(axis, "time [s]", column, 1e6, 1e-3)
     final = table["pressure_eos [Pa]"][-1] / 1e3
     axis.set_ylim(-0.1 * final, 1.6 * final)
     axis.set_xlim(0, t[-1])

@@ -9,7 +9,8 @@ import sys
 import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from drawing import ACCENT, ALONG, INK, draw_data, plt, read_table, style  # noqa: E402
+from drawing import ACCENT, ALONG, INK, plt, read_table, style  # noqa: E402
+from own_data import draw_data  # noqa: E402
 
 COMPONENTS = ("xx", "xy", "yx", "yy")
 COLOURS = {"xx": ACCENT, "yy": ALONG, "xy": "#6b8e4e", "yx": "#8a6fb0"}

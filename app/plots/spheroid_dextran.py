@@ -10,7 +10,8 @@ import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from cells_cut import draw_cut  # noqa: E402
-from drawing import ACCENT, ALONG, INK, draw_data, input_entries, input_is, plt, read_table, style  # noqa: E402
+from drawing import ACCENT, ALONG, INK, input_entries, input_is, plt, read_table, style  # noqa: E402
+from own_data import draw_data  # noqa: E402
 
 DAY = 86400.0
 

@@ -6,13 +6,17 @@ import sys
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import cells_cut  # noqa: E402
 from drawing import ACCENT, INK, plt, read_table, style  # noqa: E402
+from own_data import draw_data  # noqa: E402
 
 
 def main(directory):
     table = read_table(os.path.join(directory, "growth.csv"))
     t, radius = table["time [s]"] / 3600, table["gyration_radius [m]"] * 1e6
     figure, axis = plt.subplots(figsize=(7, 4.4), layout="constrained")
-    axis.plot(t, radius, color=ACCENT, linewidth=2)
+    axis.plot(t, radius, color=ACCENT, linewidth=2, label="the run")
+    draw_data(axis, "time [s]", "gyration_radius [m]", 1 / 3600, 1e6)
+    if len(axis.lines) > 1:
+        axis.legend(frameon=False, fontsize=8)
     try:
         with open(os.path.join(directory, "summary.json"), encoding="utf-8") as file:
             found = json.load(file)["results"]["relaxation_time"]["value"] / 3600

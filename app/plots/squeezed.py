@@ -11,6 +11,7 @@ import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from drawing import ACCENT, ALONG, INK, colour_bar, read_table, style  # noqa: E402
+from own_data import draw_data  # noqa: E402
 from round_cell import cell_frames, draw_cell, has_cell  # noqa: E402
 
 
@@ -64,6 +65,10 @@ def picture(directory, name, title):
             mine = model["membrane"] == kind
             left.plot(100 * model["deformation [1]"][mine], unit * model["force [N]"][mine], color=INK, linestyle=dash,
                       linewidth=1.2, label=label)
+    for column in ("force_upper [N]", "force_lower [N]"):
+        draw_data(left, "deformation [1]", column, 100, unit)
+    if os.path.exists(slow):
+        draw_data(left, "deformation [1]", "force [N]", 100, unit)
     left.set_xlabel("deformation [%]", fontsize=9, color=INK)
     left.set_ylabel("force on a plate [mN]", fontsize=9, color=INK)
     left.set_xlim(0, 100 * deformation.max())
@@ -74,6 +79,8 @@ def picture(directory, name, title):
     right = figure.add_axes([0.68, 0.085, 0.265, 0.345])
     right.plot(100 * deformation, table["mean_stretch_upper [1]"], color=ACCENT, linewidth=1.6, label="upper half")
     right.plot(100 * deformation, table["mean_stretch_lower [1]"], color=ALONG, linewidth=1.6, label="lower half")
+    for column in ("mean_stretch_upper [1]", "mean_stretch_lower [1]"):
+        draw_data(right, "deformation [1]", column, 100)
     right.set_xlabel("deformation [%]", fontsize=9, color=INK)
     right.set_ylabel("mean stretch of the wall", fontsize=9, color=INK)
     right.set_xlim(0, 100 * deformation.max())

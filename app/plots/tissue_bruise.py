@@ -18,6 +18,7 @@ from matplotlib.patches import ConnectionPatch
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from drawing import ACCENT, ALONG, INK, colour_bar, input_entries, read_table, scale_bar, style  # noqa: E402
 from fields import frames  # noqa: E402
+from own_data import draw_data  # noqa: E402
 from tissue_gravity import draw_rve, read_rves  # noqa: E402
 
 BRUISE = matplotlib.colors.LinearSegmentedColormap.from_list("bruise", ["#d9a066", "#8a4b2a", "#4a2318"])
@@ -129,6 +130,8 @@ def picture(directory):
     below = figure.add_axes([0.07, 0.075, 0.55, 0.20])
     below.plot(t * 1e3, force / 1e3, color=ACCENT, linewidth=1.8, label="on the tool")
     below.plot(t * 1e3, impact["transmitted_force [N/m]"] / 1e3, color=ALONG, linewidth=1.4, label="transmitted")
+    for column in ("force [N/m]", "transmitted_force [N/m]"):
+        draw_data(below, "time [s]", column, 1e3, 1e-3)
     below.axvline(main_frame.time * 1e3, color=INK, linewidth=0.9, linestyle=(0, (4, 3)))
     below.set_xlim(0, t[-1] * 1e3)
     below.set_xlabel("time [ms]", color=INK, fontsize=9)
@@ -136,11 +139,12 @@ def picture(directory):
     style(below)
     twin = below.twinx()
     twin.plot(t * 1e3, 100 * impact["bruised_share [1]"], color="#8a4b2a", linewidth=1.4, linestyle=(0, (5, 2)), label="failed cells")
+    draw_data(twin, "time [s]", "bruised_share [1]", 1e3, 100)
     twin.set_ylabel("failed cells [%]", color="#8a4b2a", fontsize=9)
     twin.set_ylim(0, None)
     twin.tick_params(colors="#8a4b2a", labelsize=8)
     twin.spines["top"].set_visible(False)
-    lines = below.get_lines()[:2] + twin.get_lines()
+    lines = [line for line in [*below.get_lines(), *twin.get_lines()] if not line.get_label().startswith("_")]
     below.legend(lines, [line.get_label() for line in lines], frameon=False, fontsize=9, loc="best")
 
     end = figure.add_axes([0.71, 0.045, 0.27, 0.235])

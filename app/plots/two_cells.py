@@ -10,6 +10,7 @@ import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from drawing import ACCENT, ALONG, INK, plt, read_table, style  # noqa: E402
+from own_data import draw_data  # noqa: E402
 
 
 def main(directory):
@@ -21,6 +22,7 @@ def main(directory):
     axis.axhline(0, color="#c8d0d6", linewidth=0.8)
     axis.plot(overlap[:turn + 1], force[:turn + 1], color=ALONG, linewidth=2.2, label="brought together")
     axis.plot(overlap[turn:], force[turn:], color=ACCENT, linewidth=1.4, linestyle=(0, (5, 2)), label="drawn apart")
+    draw_data(axis, "overlap [m]", "force [N]", 1e6, 1e9)
     try:
         with open(os.path.join(directory, "summary.json"), encoding="utf-8") as file:
             results = json.load(file)["results"]

@@ -10,6 +10,7 @@ PLOTS = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abs
 sys.path.insert(0, PLOTS)
 import drawing  # noqa: E402
 from drawing import plt  # noqa: E402
+import own_data  # noqa: E402
 import plot  # noqa: E402
 import study  # noqa: E402
 import tissue_gravity  # noqa: E402
@@ -76,7 +77,8 @@ class Pictures(unittest.TestCase):
 
     def test_units_take_the_prefix_that_fits(self):
         for unit, largest, factor, word in (("m", 3e-5, 1e6, "\u00b5m"), ("Pa", 2e5, 1e-3, "kPa"), ("s", 3e-4, 1e6, "\u00b5s"), ("s", 2e5, 1 / 3600, "h"),
-                                            ("1", 3e-5, 1., "1"), ("m", 0., 1., "m"), ("J/m", 1000., 1e-3, "kJ/m"), ("m^3", 1e-12, 1., "m^3")):
+                                            ("1", 3e-5, 1., "1"), ("m", 0., 1., "m"), ("J/m", 1000., 1e-3, "kJ/m"), ("m^3", 1e-12, 1e18, "µm³"),
+                                            ("m^2", 2e-4, 1e6, "mm²"), ("1/(100 um^2)", 0.5, 1., "1/(100 µm²)")):
             with self.subTest(unit=unit, largest=largest):
                 found = drawing.in_prefix(unit, [drawing.np.array([0., -largest])])
                 self.assertEqual(found[1], word)
@@ -103,16 +105,56 @@ class Pictures(unittest.TestCase):
             with open(theirs, encoding="utf-8") as file:
                 self.assertEqual(file.read(), "theirs")
 
-    def test_own_points_need_the_same_name_and_unit(self):
+    def plot_with(self, own):
+        """Code, message and pictures of `plot DIR --data` with a file of this text, over a run with one table."""
         self.write("input.prm", "set Scenario = none\n")
-        self.write("growth.csv", "time [s],radius [m]\n0,1\n1,2\n")
-        run = [sys.executable, os.path.join(PLOTS, "plot.py"), self.directory, "--data"]
-        good = self.write("own.csv.txt", "time [s],radius [m]\n0.5,1.5\n")
-        self.assertEqual(subprocess.run(run + [good], capture_output=True).returncode, 0)
-        empty = self.write("empty.txt", "words\n")
-        done = subprocess.run(run + [empty], capture_output=True, text=True)
-        self.assertNotEqual(done.returncode, 0)
-        self.assertIn("needs one header line", done.stderr)
+        self.write("growth.csv", "time [s],radius [m],strain [1],cells\n0,1,0,1\n1,2,0.1,1\n2,4,0.3,2\n")
+        run = [sys.executable, os.path.join(PLOTS, "plot.py"), self.directory, "--data", self.write("own.txt", own)]
+        done = subprocess.run(run, capture_output=True, text=True)
+        return done.returncode, done.stderr, [os.path.basename(line) for line in done.stdout.split()]
+
+    def test_own_points_are_drawn_in_any_unit_of_the_quantity(self):
+        for own, pictures in (("time [s],radius [m]\n0.5,1.5\n", ["growth.png"]), ("time [min],radius [um]\n0.01,1.5e6\n", ["growth.png"]),
+                              ("strain [%],radius[mm]\n5,1500\n", ["growth.png", "growth_over_strain.png"])):
+            with self.subTest(own=own):
+                self.assertEqual(self.plot_with(own), (0, "", pictures))
+
+    def test_own_points_come_out_where_they_belong(self):
+        figure, axis = plt.subplots()
+        own_data.DATA[:] = [("own.csv", {"time [h]": drawing.np.array([2.]), "radius [um]": drawing.np.array([30.])})]
+        self.addCleanup(own_data.DATA.clear)
+        own_data.draw_data(axis, "time [s]", "radius [m]", 1 / 3600, 1e6)
+        self.assertAlmostEqual(axis.lines[0].get_xdata()[0], 2., places=12)
+        self.assertAlmostEqual(axis.lines[0].get_ydata()[0], 30., places=12)
+        self.assertEqual(axis.lines[0].get_label(), "own.csv: radius")
+        plt.close(figure)
+
+    def test_own_points_that_are_drawn_nowhere_are_told_with_the_reason(self):
+        for own, code, words in (("words\n", 1, "needs one header line"), ("foo,bar\n1,2\n", 1, "has a column of this name"),
+                                 ("radius [mm]\n1\n", 1, "a second column is needed to draw it over, such as 'time [s]' of growth.csv"),
+                                 ("time [s],radius\n1,2\n", 1, "'radius': it has no unit; it is 'radius [m]' in growth.csv"),
+                                 ("time [s],radius [N]\n1,2\n", 1, "'radius [N]': its unit does not convert"),
+                                 ("time [s],radius [m],radus [m]\n1,2,3\n", 0, "'radus [m]': no table of the run has a column of this name (did you mean 'radius'?)")):
+            with self.subTest(own=own):
+                found = self.plot_with(own)
+                self.assertEqual(found[0], code, found)
+                self.assertIn(words, found[1])
+
+    def test_where_a_closed_form_does_not_apply_its_line_has_a_gap(self):
+        table = plot.with_gaps({"time [s]": drawing.np.arange(3.), "closed_form_applies": drawing.np.array([1., 0., 1.]),
+                                "closed_sigma_xx [Pa]": drawing.np.array([5., 0., 6.])})
+        self.assertEqual([bool(gap) for gap in drawing.np.isnan(table["closed_sigma_xx [Pa]"])], [False, True, False])
+        self.assertFalse(drawing.np.any(drawing.np.isnan(table["closed_form_applies"])))
+
+    def test_a_panel_is_named_by_what_its_lines_have_in_common(self):
+        for columns, name in ((["sigma_xx [Pa]", "sigma_xy [Pa]"], "sigma"), (["gyration_radius [m]", "radius [m]"], "radius"), (["radius [m]"], "radius"),
+                              (["pressure [Pa]", "stress [Pa]"], "stress, pressure"), (["cells", "dead"], "number"), (["a [kg]", "b [kg]"], "value")):
+            self.assertEqual(plot.quantity_of(columns), name)
+
+    def test_a_panel_holds_no_more_lines_than_are_told_apart(self):
+        columns = [f"{name}_{c} [Pa]" for name in ("sigma", "P") for c in ("xx", "xy", "yy")] + ["pressure [Pa]", "spread [Pa]", "closed_sigma_xx [Pa]"]
+        self.assertEqual([len(one) for one in plot.few_at_a_time(columns)], [3, 3, 3])
+        self.assertEqual(plot.few_at_a_time(columns[:4]), [columns[:4]])
 
 
 if __name__ == "__main__":
