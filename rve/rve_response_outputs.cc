@@ -10,6 +10,8 @@ Outputs RveResponse::outputs() const
   all
     .results({{"final_sigma_*", "Pa", "That component of the RVE's mean Cauchy stress at the last point, positive in tension."},
               {"final_pressure", "Pa", "Mean pressure of the fluid at the last point."},
+              {"shear_modulus", "Pa", "Shear stress sigma_xy, less the viscous one, over F_xy + F_yx, at the first point at which only these differ from the undeformed state.", "where there is such a point with 2 % of shear at most"},
+              {"stretch_modulus", "Pa", "sigma_xx - sigma_yy, less the viscous ones, over F_xx - F_yy (twice the shear modulus of an isotropic material), at the first point at which only these differ from the undeformed state.", "where there is such a point with 2 % of stretch at most"},
               {"evaluations", "", "Number of points at which the stress was asked for."},
               {"iterations", "", "Number of Newton iterations (dynamic rules: micro steps) of all evaluations."},
               {"cpu_time_per_evaluation", "s", "CPU time inside the RVE over the number of evaluations."},

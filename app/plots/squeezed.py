@@ -84,7 +84,7 @@ def picture(directory, name, title):
     right.set_xlabel("deformation [%]", fontsize=9, color=INK)
     right.set_ylabel("mean stretch of the wall", fontsize=9, color=INK)
     right.set_xlim(0, 100 * deformation.max())
-    right.legend(frameon=False, fontsize=9, loc="upper left")
+    right.legend(frameon=False, fontsize=9, loc="best")
     style(right)
     if table["broken_bonds"][-1] > 0:
         count = right.twinx()
