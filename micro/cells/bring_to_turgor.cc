@@ -89,7 +89,7 @@ double bring_to_turgor(RoundCell<dim> &cell, const std::function<void(unsigned i
       if (watch)
         watch(s + 1, steps, dt);
     }
-  const double scale = std::max(p.turgor, 0.01 * p.wall_stiffness / p.radius);
+  const double scale = p.turgor > 0. ? p.turgor : 0.01 * p.wall_stiffness / p.radius; // Pa
   const auto unbalanced = [&] { return cell.largest_unbalanced() / (scale * cell.surface() / nw); };
   const auto at_rest = [&] { return unbalanced() <= p.rest_residual && std::abs(cell.pressure() - p.turgor) <= 0.02 * scale; };
   cell.system.compute_forces();
@@ -124,7 +124,10 @@ double bring_to_turgor(RoundCell<dim> &cell, const std::function<void(unsigned i
                              + number_text(more) + " of Cell/Rest steps = " + number_text(p.rest_steps) + " (pressure "
                              + number_text(cell.pressure()) + " Pa, turgor " + number_text(p.turgor) + " Pa; unbalanced force "
                              + number_text(residual) + " of turgor times the wall of a node, allowed "
-                             + number_text(p.rest_residual) + "): use more steps.");
+                             + number_text(p.rest_residual) + "): use "
+                             + (p.turgor > 0. && p.turgor < 1e-3 * p.fluid_modulus
+                                  ? "a softer fluid, a smaller Cell/Fluid modulus (now " + number_text(p.fluid_modulus) + " Pa)."
+                                  : "more Cell/Rest steps."));
   return residual;
 }
 

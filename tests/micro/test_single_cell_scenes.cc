@@ -98,6 +98,31 @@ BOOST_AUTO_TEST_CASE(a_cell_of_one_pressure_obeys_laplace_to_its_facets)
   BOOST_TEST(2. * cell->cut_tension(deviation) / cell->mean_radius() == 200e3, boost::test_tools::tolerance(0.02));
 }
 
+BOOST_AUTO_TEST_CASE(a_cell_has_its_turgor_or_is_refused)
+{
+  // with walls a thousand times as stiff, and with turgor a hundredth and a hundred-thousandth
+  for (const auto &[stiffness, turgor] : {std::pair{1e3, 200e3}, std::pair{1e4, 200e3}, std::pair{1e5, 200e3}, std::pair{100., 2e3}, std::pair{100., 2.}})
+    {
+      RoundCellParameters p;
+      p.frequency = 4;
+      p.fluid_particles = 120;
+      p.anneal_steps = 1000;
+      p.rest_steps = 2000;
+      p.wall_stiffness = stiffness;
+      p.turgor = turgor;
+      auto cell = make_round_cell<3>(p, false);
+      try
+        {
+          bring_to_turgor<3>(*cell, {});
+          BOOST_TEST(cell->pressure() == turgor, boost::test_tools::tolerance(0.02));
+        }
+      catch (const std::runtime_error &problem)
+        {
+          BOOST_TEST(std::string(problem.what()).find(turgor < 6e3 ? "a smaller Cell/Fluid modulus" : "more Cell/Rest steps") != std::string::npos);
+        }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_cell_goes_on_to_rest_until_it_is_there)
 {
   RoundCellParameters p;
