@@ -85,6 +85,8 @@ struct TopEntries
   }
 };
 
+const std::vector<std::string> weights = {"rms", "max", "end", "mean", "largest", "amplitude", "period"};
+
 StudyReference reference_of(const std::string &text, const std::filesystem::path &base, const std::vector<std::string> &labels, const std::string &where)
 {
   using Kind = StudyReference::Kind;
@@ -123,7 +125,6 @@ StudyMeasure measure_of(const MeasureEntries &entries, const TopEntries &top, co
   measure.match = split_escaped(entries.match, ',');
   measure.parts = entries.parts;
   measure.size = entries.size;
-  const std::vector<std::string> weights = {"rms", "max", "end", "mean", "largest", "amplitude", "period"};
   measure.weight = static_cast<Weight>(std::find(weights.begin(), weights.end(), entries.weight) - weights.begin());
   measure.reference = reference_of(entries.reference.empty() ? top.reference : entries.reference, file.parent_path(), labels, where + "/Reference'");
   if (entries.result.empty() == (entries.table.empty() || measure.columns.empty()))
@@ -154,6 +155,17 @@ StudyMeasure measure_of(const MeasureEntries &entries, const TopEntries &top, co
   return measure;
 }
 } // namespace
+
+std::string StudyMeasure::weight_name() const
+{
+  return table.empty() ? "" : weights[static_cast<std::size_t>(weight)];
+}
+
+std::string StudyMeasure::value_column() const
+{
+  const std::string kind = weight_name();
+  return kind.empty() || name == kind || name.ends_with("_" + kind) ? name : name + "_" + kind;
+}
 
 bool StudyInput::of_errors() const
 {

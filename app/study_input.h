@@ -8,7 +8,7 @@
 //   subsection Run coarser                    # six runs: every value of the first with every value of the second
 //     set Grid = SPH/Particles per side & Cell/Nodes per side = 6 & 8 | 10 & 14 | 16 & 20; Step fraction = 0.8 | 0.4
 //   end
-//   subsection Measure force                  # columns "force [Pa]" and "error_force" of error_vs_time.csv
+//   subsection Measure force                  # columns "force_rms [Pa]" and "error_force" of error_vs_time.csv
 //     set Table   = loading
 //     set Columns = stress_lower
 //   end
@@ -68,6 +68,9 @@ struct StudyMeasure
   unsigned int parts = 0; ///< means over so many parts of the abscissa are compared; 0: the rows
   double size = 0.;       ///< what a difference is divided by, in the unit of the columns; 0: the size of the reference
   StudyReference reference;
+
+  std::string weight_name() const;  ///< as the entry has it; empty for a result
+  std::string value_column() const; ///< force_rms: what the value is called in tables, without its unit
 };
 
 struct StudyInput

@@ -21,6 +21,7 @@
 #include <functional>
 #include <iostream>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 namespace turgor
@@ -32,17 +33,39 @@ void check_drawing(const StudyInput &study, std::vector<std::string> known, cons
 {
   known.push_back("cpu_time_s");
   for (const StudyMeasure &one : study.measures)
-    known.insert(known.end(), {one.name, "error_" + one.name});
+    known.insert(known.end(), {one.name, one.value_column(), "error_" + one.name});
   for (const auto &panel : study.draw)
     for (const std::string &name : panel)
       if (std::none_of(known.begin(), known.end(), [&](const std::string &defined) { return stands_for(defined, name); }))
         throw InputError(file + ": 'Draw' names '" + name + "', which is no result of the runs." + suggestion(name, known));
 }
 
+/// Every entry that some run sweeps, in the order of the study.
+std::vector<std::string> swept_entries(const StudyInput &study)
+{
+  std::vector<std::string> entries;
+  for (const StudyRun &run : study.runs)
+    for (const auto &point : run.swept)
+      if (std::find(entries.begin(), entries.end(), point.first) == entries.end())
+        entries.push_back(point.first);
+  return entries;
+}
+
+/// What the run has for an entry: as swept, else as in its input; nothing where its scene has no such entry.
+std::optional<std::string> value_in(const StudyRun &run, const RunIdentity &identity, const std::string &entry)
+{
+  for (const auto *list : {&run.swept, &identity.deciding, &identity.ends, &identity.free})
+    for (const auto &[name, value] : *list)
+      if (name == entry)
+        return value;
+  return std::nullopt;
+}
+
 std::vector<StudyRow> planned(const StudyInput &study, const StudyOptions &options, const ScenarioRegistry &registry)
 {
   std::vector<StudyRow> rows;
   std::vector<std::string> results;
+  const std::vector<std::string> swept = swept_entries(study);
   std::string refused; // all of them: a sweep is mended at once
   for (const StudyRun &run : study.runs)
     {
@@ -59,8 +82,12 @@ std::vector<StudyRow> planned(const StudyInput &study, const StudyOptions &optio
               if (place.file == Outputs::results_file)
                 row.defined.push_back(one.name);
           results.insert(results.end(), row.defined.begin(), row.defined.end());
-          for (const auto &point : run.swept)
-            row.units[point.first] = unit_of_entry(input.scenario_name, point.first, registry);
+          for (const std::string &entry : swept)
+            if (const auto value = value_in(run, input.identity, entry))
+              {
+                row.values.emplace_back(entry, *value);
+                row.units[entry] = unit_of_entry(input.scenario_name, entry, registry);
+              }
         }
       catch (const InputError &problem)
         {
@@ -164,6 +191,16 @@ bool is_reference(const StudyInput &study, const StudyRow &row)
     return one.reference.kind == StudyReference::Kind::run && one.reference.text == row.run.label;
   });
 }
+/// The first row before this one that is the same run; a null pointer if none is.
+const StudyRow *twin_of(const StudyRow &row, const std::vector<StudyRow> &rows)
+{
+  for (const StudyRow &other : rows)
+    if (&other == &row)
+      break;
+    else if (other.directory == row.directory && !other.run.input.empty())
+      return &other;
+  return nullptr;
+}
 } // namespace
 
 int study_command(const StudyOptions &options, const ScenarioRegistry &registry)
@@ -187,7 +224,15 @@ int study_command(const StudyOptions &options, const ScenarioRegistry &registry)
   const auto take = [&](StudyRow &row) {
     const bool wanted = options.only.empty() || is_reference(study, row) ||
                         std::find(options.only.begin(), options.only.end(), row.run.label) != options.only.end();
-    if (row.status != "finished" && wanted && !row.run.input.empty() && !stop_was_requested())
+    const StudyRow *twin = twin_of(row, rows);
+    if (row.status != "finished" && twin != nullptr && twin->status == "finished")
+      {
+        say(row.run.label + " is there already: it is the run " + twin->run.label + ".", turn);
+        const std::lock_guard<std::mutex> lock(turn);
+        static_cast<CachedRun &>(row) = *twin;
+        row.message.clear(); // of the other's measures
+      }
+    else if (row.status != "finished" && wanted && !row.run.input.empty() && !stop_was_requested())
       {
         CachedRun run = row;
         say("Running " + row.run.label + " (" + number_text(row.run.threads) + " threads) ...", turn);
@@ -212,8 +257,11 @@ int study_command(const StudyOptions &options, const ScenarioRegistry &registry)
   };
   // References first: then every later line of the table has its error at once.
   const auto others = std::stable_partition(rows.begin(), rows.end(), [&](const StudyRow &row) { return is_reference(study, row); });
-  for (const auto &[first, last] : {std::pair{rows.begin(), others}, std::pair{others, rows.end()}})
-    side_by_side(std::size_t(last - first), options.jobs, [&, begin = first](const std::size_t k) { take(begin[long(k)]); });
+  std::vector<StudyRow *> passes[3]; // a run that is asked for twice is computed once, so the second waits
+  for (auto row = rows.begin(); row != rows.end(); ++row)
+    passes[twin_of(*row, rows) != nullptr ? 2 : row < others ? 0 : 1].push_back(&*row);
+  for (const std::vector<StudyRow *> &pass : passes)
+    side_by_side(pass.size(), &pass == &passes[2] ? 1 : options.jobs, [&](const std::size_t k) { take(*pass[k]); });
   print_study(study, rows);
   if (stop_was_requested())
     {

@@ -40,7 +40,7 @@ CsvFields question(const StudyRow &row)
   CsvFields fields = {{"run", row.run.label}, {"method", row.run.method}};
   if (!row.run.settings.empty())
     fields.emplace_back("settings", row.run.settings);
-  for (const auto &[entry, value] : row.run.swept)
+  for (const auto &[entry, value] : row.values)
     fields.emplace_back(with_unit(entry, unit_of(row, entry)), value);
   return fields;
 }
@@ -79,7 +79,7 @@ CsvFields errors_row(const StudyInput &study, const StudyRow &row)
   for (std::size_t k = 0; k < study.measures.size(); ++k)
     if (const std::optional<MeasuredRun> &measured = row.measured[k])
       {
-        fields.emplace_back(with_unit(study.measures[k].name, measured->unit), number(measured->value));
+        fields.emplace_back(with_unit(study.measures[k].value_column(), measured->unit), number(measured->value));
         if (measured->error)
           fields.emplace_back("error_" + study.measures[k].name, number(*measured->error));
       }
@@ -95,7 +95,7 @@ nlohmann::json description(const StudyInput &study, const std::vector<StudyRow> 
       using Kind = StudyReference::Kind;
       const StudyReference &reference = measure.reference;
       const std::filesystem::path table = reference.kind == Kind::file ? reference.path : reference.path / (measure.table + ".csv");
-      json["measures"].push_back({{"name", measure.name}, {"table", measure.table}, {"against", measure.against}, {"columns", measure.columns},
+      json["measures"].push_back({{"name", measure.name}, {"value", measure.value_column()}, {"weight", measure.weight_name()}, {"table", measure.table}, {"against", measure.against}, {"columns", measure.columns},
                                   {"curve", measure.match.empty() && !measure.table.empty()}, {"relative", measure.size == 0.},
                                   {"reference", reference.text},
                                   {"reference_table", reference.kind == Kind::file || reference.kind == Kind::directory ? seen_from(directory, table) : ""}});
@@ -106,8 +106,12 @@ nlohmann::json description(const StudyInput &study, const std::vector<StudyRow> 
   };
   for (const StudyRow &row : rows)
     {
+      nlohmann::json &swept = json["swept"][row.run.label] = nlohmann::json::array();
       for (const auto &[entry, value] : row.run.swept)
-        add_once("entries", with_unit(entry, unit_of(row, entry)));
+        {
+          add_once("entries", with_unit(entry, unit_of(row, entry)));
+          swept.push_back(with_unit(entry, unit_of(row, entry)));
+        }
       for (const std::string &name : row.defined)
         add_once("results", name);
     }
@@ -142,7 +146,7 @@ void print_study(const StudyInput &study, const std::vector<StudyRow> &rows)
 {
   std::printf("%-28s %-10s", "run", "status");
   for (const StudyMeasure &measure : study.measures)
-    std::printf(" %14s %14s", measure.name.substr(0, 14).c_str(), "error");
+    std::printf(" %14s %14s", measure.value_column().substr(0, 14).c_str(), "error");
   std::printf(" %12s %12s\n", "CPU s", "wall s");
   for (const StudyRow &row : rows)
     {

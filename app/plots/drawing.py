@@ -212,6 +212,15 @@ def plot_history(axis, table, now):
     style(axis)
 
 
+def list_beside(figure, handles):
+    """A legend in a column of its own at the right; call before the figure is drawn."""
+    wide, _ = figure.get_size_inches()
+    column = 0.6 + 0.068 * max(len(line) for handle in handles for line in handle.get_label().split("\n"))  # inches
+    figure.set_figwidth(wide + column)
+    figure.get_layout_engine().set(rect=(0, 0, wide / (wide + column), 1))
+    figure.legend(handles=handles, loc="upper left", bbox_to_anchor=(wide / (wide + column), 0.99), fontsize=8, frameon=False)
+
+
 def number_points(axis, points, fontsize=7.5):
     """Writes a text beside each point (x, y, text, colour), where it covers no marker and no text written before.
 

@@ -4,7 +4,6 @@
 reads DIR/study.json, results.csv and error_vs_time.csv (app/study_tables.h), writes error_vs_time.png (measures with a
 reference), sweep.png or sweep_ENTRY.png (swept entries) and curves.png (measured columns of tables).
 """
-import csv
 import json
 import math
 import os
@@ -15,32 +14,14 @@ from fnmatch import fnmatchcase
 from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, MaxNLocator, NullFormatter
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from drawing import INK, in_prefix, number_points, plt, read_table, style  # noqa: E402
+from drawing import INK, in_prefix, list_beside, number_points, plt, style  # noqa: E402
+from study_curves import plot_curves  # noqa: E402
+from study_tables import number, point_of, rows_of, same_runs, settings_of  # noqa: E402
+from units import bare, unit_of  # noqa: E402
 
 MARKERS = "osD^vP*X<>hp"
 MOST = 12  # panels of what a study did not choose: more are not legible
 COLOURS = plt.get_cmap("tab10").colors
-
-
-def rows_of(directory, name):
-    path = os.path.join(directory, name)
-    if not os.path.exists(path):
-        return []
-    with open(path, newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
-
-
-def bare(column):
-    return column.split(" [")[0]
-
-
-def number(text):
-    """A float, or None for what is none."""
-    try:
-        value = float(text)
-    except (TypeError, ValueError):
-        return None
-    return value if math.isfinite(value) else None
 
 
 def pareto(points):
@@ -53,28 +34,13 @@ def pareto(points):
     return front
 
 
-def settings_of(row, entries):
-    """What tells a run from others of its method."""
-    swept = [f"{bare(entry).split('/')[-1]} {row[entry]}" for entry in entries if row.get(entry)]
-    return ", ".join(([row["settings"]] if row.get("settings") else []) + swept)
-
-
 def readable_log_axis(axis):
     axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
     axis.set_major_formatter("{x:g}")
     axis.set_minor_formatter(NullFormatter())
 
 
-def list_beside(figure, handles):
-    """A legend in a column of its own at the right; call before the figure is drawn."""
-    wide, _ = figure.get_size_inches()
-    column = 0.6 + 0.068 * max(len(handle.get_label()) for handle in handles)  # inches
-    figure.set_figwidth(wide + column)
-    figure.get_layout_engine().set(rect=(0, 0, wide / (wide + column), 1))
-    figure.legend(handles=handles, loc="upper left", bbox_to_anchor=(wide / (wide + column), 0.99), fontsize=8, frameon=False)
-
-
-def plot_errors(rows, info, directory):
+def plot_errors(rows, info, directory, same):
     """A panel for each measure: its error against CPU time, runs numbered as in the list beside; false without errors."""
     measures = [one for one in info["measures"] if any(number(row.get("error_" + one["name"])) for row in rows)]
     if not measures:
@@ -90,17 +56,22 @@ def plot_errors(rows, info, directory):
                                   layout="constrained")
     for panel in panels.ravel()[len(measures):]:
         panel.axis("off")
-    drawn = []
+    drawn, fronts, zeros = [], False, False
     for panel, measure in zip(panels.ravel(), measures):
         column, shown = "error_" + measure["name"], []
         for place, row in enumerate(rows, 1):
             time, error = number(row["cpu_time_s"]), number(row.get(column))
             if time and error == 0:
                 panel.axvline(time, color="0.5", ls=":")
+                zeros = True
             elif time and error:
                 shown.append((time, abs(error), str(place), look[row["run"]]["color"]))
                 panel.plot(time, abs(error), markersize=5, ls="", **look[row["run"]])
-        panel.plot(*zip(*pareto([point[:2] for point in shown])), color="0.75", lw=3, zorder=0)
+        front = pareto([point[:2] for point in shown])
+        # A reference that is the fastest of all: what the others differ in is no price for coming closer.
+        if len(front) > 1 and not any(number(row.get(column)) == 0 and (number(row["cpu_time_s"]) or 0) <= front[0][0] for row in rows):
+            panel.plot(*zip(*front), color="0.75", lw=3, zorder=0)
+            fronts = True
         for label, group in lines.items():
             points = [(number(row["cpu_time_s"]), abs(number(row[column]))) for row in group if number(row["cpu_time_s"]) and number(row.get(column))]
             panel.plot(*zip(*points) if points else ([], []), color=looks[label]["color"], lw=0.8)
@@ -109,8 +80,9 @@ def plot_errors(rows, info, directory):
         panel.margins(0.12)
         readable_log_axis(panel.xaxis)
         readable_log_axis(panel.yaxis)
-        unit = next((name[name.find(" ["):] for name in rows[0] if bare(name) == measure["name"] and "[" in name), "")
-        panel.set_title(f"{measure['name']}, against {measure['reference']}", fontsize=10, color=INK)
+        unit = next((f" [{unit_of(name)}]" for name in rows[0] if bare(name) == measure["value"] and unit_of(name)), "")
+        kind = f" ({measure['weight']})" if measure["weight"] else ""
+        panel.set_title(f"{measure['name']}{kind}, against {measure['reference']}", fontsize=10, color=INK)
         panel.set_xlabel("CPU time of the run [s]", color=INK)
         panel.set_ylabel(f"relative error of {measure['name']}" if measure["relative"] else f"error of {measure['name']}{unit}", color=INK)
         panel.grid(alpha=0.15, which="both")
@@ -118,10 +90,15 @@ def plot_errors(rows, info, directory):
         drawn.append((panel, shown))
     handles = []
     for place, row in enumerate(rows, 1):
-        reference = all(number(row.get("error_" + one["name"])) == 0 for one in measures)
-        handles.append(plt.Line2D([], [], label=f"{place}  {row['method']}  {settings_of(row, info['entries'])}" + " (reference)" * reference,
+        again = same.get(row["run"])
+        reference = any(one["reference"] == row["run"] for one in measures)
+        handles.append(plt.Line2D([], [], label=f"{place}  {row['method']}  {settings_of(row, info['entries'])}" + " (reference)" * reference +
+                                  (f" (the same run as {again})" if again else ""),
                                   **(dict(color="0.5", ls=":") if reference else dict(look[row["run"]], ls=""))))
-    handles.append(plt.Line2D([], [], color="0.75", lw=3, label="no other run is both faster and closer"))
+    if zeros:
+        handles.append(plt.Line2D([], [], color="0.5", ls=":", label="no difference to the reference"))
+    if fronts:
+        handles.append(plt.Line2D([], [], color="0.75", lw=3, label="no other numbered run is both faster and\ncloser to the reference, itself left out"))
     list_beside(figure, handles)
     figure.canvas.draw()
     figure.set_layout_engine("none")
@@ -151,6 +128,7 @@ def panels_of(info, columns, rows):
         kept = shown[:MOST - 1] + ["cpu_time_s"] * ("cpu_time_s" in found)
         return [[column] for column in kept], [bare(column) for column in found if column not in kept]
     known = {bare(column): column for column in columns}
+    known |= {one["name"]: known[one["value"]] for one in info.get("measures", []) if one.get("value") in known}
     for name in (name for panel in info["draw"] for name in panel):
         if name not in known:
             sys.exit(f"'Draw' names '{name}', which is no result of the runs. Known: {', '.join(known)}.")
@@ -164,7 +142,7 @@ def lines_of(rows, entry, entries):
              len({(row["method"], row[entry], row.get(other)) for row in here}) > len({(row["method"], row[entry]) for row in here})]
     lines = {}
     for row in here:
-        label = ", ".join([row["method"]] + [f"{bare(other).split('/')[-1]} {row[other]}" for other in apart if row.get(other)])
+        label = ", ".join([row["method"]] + [point_of(row, other) for other in apart if row.get(other)])
         lines.setdefault(label, []).append(row)
     return lines
 
@@ -175,16 +153,12 @@ def decades(least, most):
     return [10.0 ** k for k in range(first, last + 1, 1 + (last - first) // 6)]
 
 
-def unit_in(column):
-    return column[column.find("[") + 1:-1] if "[" in column else ""
-
-
 def draw_panel(panel, lines, entry, columns, looks):
     texts = list(dict.fromkeys(row[entry] for rows in lines.values() for row in rows))
     numeric = all(number(text) is not None for text in texts)
     place = {text: number(text) if numeric else k for k, text in enumerate(texts)}
     values = []
-    factor, unit = in_prefix(unit_in(columns[0]), [[number(row[column]) for rows in lines.values() for row in rows if number(row.get(column)) is not None]
+    factor, unit = in_prefix(unit_of(columns[0]), [[number(row[column]) for rows in lines.values() for row in rows if number(row.get(column)) is not None]
                                                    for column in columns])
     for label, rows in lines.items():
         for k, column in enumerate(columns):
@@ -265,50 +239,11 @@ def plot_sweeps(results, errors, info, directory):
         plt.close(figure)
 
 
-def curve(path, against, column):
-    """Abscissa with its name, values with theirs; None where the run wrote none."""
-    try:
-        table = read_table(path)
-    except OSError:
-        return None
-    names = {bare(name): name for name in table}
-    x = names.get(against or bare(next(iter(table), "")))
-    return (x, table[x], names[column], table[names[column]]) if x and column in names else None
-
-
-def plot_curves(results, info, directory):
-    wanted = list(dict.fromkeys((one["table"], one["against"], column, one["reference_table"], one["reference"]) for one in info["measures"] if one["curve"]
-                                for column in one["columns"]))
-    runs = [row for row in results if row["status"] == "finished"]
-    if not wanted or not runs:
-        return
-    figure, panels = plt.subplots(len(wanted), 1, figsize=(7.5, max(1 + 2.8 * len(wanted), 0.2 * len(runs) + 1)), squeeze=False, layout="constrained")
-    colours, handles = plt.get_cmap("tab20").colors, {}
-    for panel, (table, against, column, reference_table, reference) in zip(panels[:, 0], wanted):
-        for k, row in enumerate(runs):
-            found = curve(os.path.join(directory, row["directory"], table + ".csv"), against, column)
-            if found:
-                look = dict(color="k", lw=2.5, alpha=0.6, zorder=0) if row["run"] == reference else \
-                    dict(color=colours[k % 20], lw=1.2, ls=("-", "--", "-.", ":")[k // 20 % 4])
-                label = f"{row['method']}  {settings_of(row, info['entries'])}"
-                handles[label], = panel.plot(found[1], found[3], label=label, **look)
-                panel.set_xlabel(found[0], color=INK)
-                panel.set_ylabel(found[2], color=INK)
-        found = curve(os.path.join(directory, reference_table), against, column) if reference_table else None
-        if found:
-            handles["reference"], = panel.plot(found[1], found[3], color="k", lw=2.5, alpha=0.6, zorder=0, label="reference")
-        panel.grid(alpha=0.2)
-        style(panel)
-    list_beside(figure, list(handles.values()))
-    figure.savefig(os.path.join(directory, "curves.png"), dpi=130)
-    plt.close(figure)
-
-
 def main(directory):
     with open(os.path.join(directory, "study.json"), encoding="utf-8") as file:
         info = json.load(file)
-    results, errors = rows_of(directory, "results.csv"), rows_of(directory, "error_vs_time.csv")
-    plot_errors(errors, info, directory)
+    results, errors = rows_of(directory, "results.csv", info), rows_of(directory, "error_vs_time.csv", info)
+    plot_errors(errors, info, directory, same_runs(results))
     plot_sweeps(results, errors, info, directory)
     plot_curves(results, info, directory)
     return 0

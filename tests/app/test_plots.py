@@ -13,6 +13,8 @@ from drawing import plt  # noqa: E402
 import own_data  # noqa: E402
 import plot  # noqa: E402
 import study  # noqa: E402
+import study_curves  # noqa: E402
+import study_tables  # noqa: E402
 import tissue_gravity  # noqa: E402
 
 
@@ -65,6 +67,25 @@ class Pictures(unittest.TestCase):
         self.assertEqual(panels[:3] + panels[-2:], [["m [N]"], ["z [s]"], ["force_at_10 [N]"], ["n7"], ["cpu_time_s"]])
         self.assertEqual(len(panels), study.MOST)
         self.assertEqual(left_out, [f"n{k}" for k in range(8, 20)] + ["a"])
+
+    def test_a_value_that_a_run_has_but_that_is_not_swept_there_is_no_point_of_the_sweep(self):
+        self.write("results.csv", "run,directory,A [m],B\nx,d1,1,5\ny,d2,2,6\nz,d1,1,5\n")
+        info = {"entries": ["A [m]", "B"], "swept": {"x": ["A [m]"], "y": ["B"], "z": []}}
+        rows = study_tables.rows_of(self.directory, "results.csv", info)
+        self.assertEqual([(row["A [m]"], row["B"]) for row in rows], [("1", ""), ("", "6"), ("", "")])
+        self.assertEqual(study_tables.same_runs(rows), {"z": "x"})
+        self.assertEqual(study_tables.settings_of({"Cell/Fluid viscosity [Pa s]": "1e-3", "N": "4"}, ["Cell/Fluid viscosity [Pa s]", "N"]),
+                         "Fluid viscosity 1e-3 Pa s, N 4")
+
+    def test_own_measurements_stand_in_a_studys_curves_in_the_units_of_the_runs(self):
+        self.write("force.csv", "time [s],force [N]\n0,0\n1,2\n")
+        self.write("mine.csv", "force [mN],time [min]\n500,0.01\n")
+        one = {"table": "force", "against": "", "reference": "mine.csv", "reference_table": "mine.csv"}
+        runs = [{"run": "a", "method": "a", "settings": "", "directory": "."}]
+        label, found, _ = study_curves.curves_of(one, "force", runs, self.directory, [])[-1]
+        self.assertEqual((label, found[0], found[2]), ("mine.csv (reference)", "time [s]", "force [N]"))
+        self.assertAlmostEqual(found[1][0], 0.6)
+        self.assertAlmostEqual(found[3][0], 0.5)
 
     def test_published_numbers_need_the_published_input(self):
         self.write("input.prm", "subsection Cell\n  set Cycle time = 61200 # s\nend\n")

@@ -183,10 +183,10 @@ class Product(unittest.TestCase):
         self.run_program("study", "s.prm")
         with open(os.path.join(self.directory, "runs", "s", "error_vs_time.csv"), newline="", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
-        self.assertEqual(set(rows[0]), {"run", "method", "Step fraction", "history [m]", "error_history", "field [m]", "error_field",
+        self.assertEqual(set(rows[0]), {"run", "method", "Step fraction", "history_rms [m]", "error_history", "field_rms [m]", "error_field",
                                         "cpu_time_s", "wall_time_s", "peak_memory_bytes"})
         self.assertEqual([row["run"] for row in rows], ["a", "b", "step 0.3", "step 0.5"])
-        self.assertEqual([row["Step fraction"] for row in rows], ["", "", "0.3", "0.5"])
+        self.assertEqual([row["Step fraction"] for row in rows], ["0.9", "0.9", "0.3", "0.5"])  # the first two have it as it is in their input
         self.assertEqual(float(rows[0]["error_history"]), 0)
         self.assertGreater(float(rows[1]["error_field"]), 0.5)  # without load there is next to no displacement
         for name in ("error_vs_time.png", "sweep.png", "curves.png"):

@@ -62,6 +62,39 @@ class Study(unittest.TestCase):
             self.assertEqual(row["m [1]"], row["error_m"])
             self.assertGreater(float(row["cpu_time_s"]), 0)
 
+    def test_every_run_has_the_value_of_every_swept_entry_and_one_asked_for_twice_is_computed_once(self):
+        said = self.study(0, f"set Input = {INPUTS}/wall_uniaxial.prm\nsubsection Run drop\nset Grid = Yield drop = 0.5 | 0.9\nend\n"
+                             "subsection Run fine\nset Grid = Points = 11 | 21\nend\n"
+                             "subsection Run again\nset Overrides = Yield drop = 0.9\nend\n"
+                             "subsection Measure m\nset Result = largest_error\nend\n")
+        self.assertIn("again is there already: it is the run drop 0.9.", said)
+        self.assertNotIn("Running again", said)
+        with open(os.path.join(self.directory, "runs", "s", "results.csv"), newline="", encoding="utf-8") as file:
+            rows = {row["run"]: row for row in csv.DictReader(file)}
+        self.assertTrue(all(row["Yield drop"] and row["Points"] for row in rows.values()), rows)
+        self.assertEqual(rows["again"]["Yield drop"], rows["drop 0.9"]["Yield drop"])
+        self.assertEqual(rows["again"]["directory"], rows["drop 0.9"]["directory"])
+
+    def test_own_measurements_are_compared_in_their_own_units_and_a_value_is_named_by_what_it_is(self):
+        cell = "Dimension=2; Cell/Radius=50e-6; Cell/Wall thickness=1e-6; Cell/Wall density=32500; Cell/Fluid=pressure; Frames=0; Speed=20; Deformation=0.06"
+        text = (f"set Input = {INPUTS}/cell_compression.prm\nset Overrides = {cell}\nsubsection Run a\nend\n"
+                "subsection Measure force\nset Table = force\nset Columns = force_lower\nset Reference = FILE\nend\n")
+        errors = {}
+        for name, header, scale in (("si.csv", "time [s],force_lower [N]", (1, 1)), ("mine.csv", "time [us],force_lower [mN]", (1e6, 1e3)),
+                                    ("wrong.csv", "time [s],force_lower [mPa]", (1, 1))):
+            with open(os.path.join(self.directory, name), "w", encoding="utf-8") as file:
+                file.write(header + "\n" + "".join(f"{x * scale[0]!r},{(1 + x) * scale[1]!r}\n" for x in (0.0, 3e-7)))
+            said = self.study(2 if name == "wrong.csv" else 0, text.replace("FILE", name))
+            if name == "wrong.csv":
+                self.assertIn("'force_lower' has the unit [mPa]", said)
+                self.assertIn("the unit [N]", said)
+                continue
+            with open(os.path.join(self.directory, "runs", "s", "error_vs_time.csv"), newline="", encoding="utf-8") as file:
+                row = next(csv.DictReader(file))
+            self.assertIn("force_rms [N]", row)
+            errors[name] = float(row["error_force"])
+        self.assertAlmostEqual(errors["mine.csv"], errors["si.csv"], places=5)
+
     def test_everything_is_below_the_chosen_directory_and_told_from_the_table(self):
         text = f"set Input = {INPUTS}/wall_uniaxial.prm\nsubsection Run a\nend\n"
         for arguments, place in ((["-o", "chosen"], "chosen"), (["-o", os.path.join(self.directory, "deep", "chosen")], "deep/chosen"), ([], "runs/s")):
