@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace turgor
 {
@@ -11,11 +12,12 @@ using dealii::Tensor;
 
 namespace
 {
-/// Points of the side at x (m), eight an element and direction.
+constexpr unsigned int per_element = 8; // points of a side, in each direction
+
+/// Points of the side at x (m); the last direction counts fastest.
 template <int dim>
 std::vector<dealii::Point<dim>> points_of_side(const TissueParameters<dim> &p, const double x)
 {
-  constexpr unsigned int per_element = 8;
   std::vector<dealii::Point<dim>> points(1);
   points[0][0] = x;
   for (unsigned int d = 1; d < dim; ++d)
@@ -43,6 +45,7 @@ RigidTools<dim>::RigidTools(const TissueMesh<dim> &mesh_, const TissueParameters
   , width(parameters.size[0])
   , middle(0.5 * parameters.size[1])
   , size(parameters.size[0] / parameters.elements[0])
+  , points_across(dim == 3 ? per_element * parameters.elements[dim - 1] : 1)
 {
   if (tool.shape == "cylinder" && tool.active())
     size = std::min(size, tool.radius);
@@ -100,19 +103,60 @@ void RigidTools<dim>::for_contacts(const double time, const std::vector<double> 
 }
 
 template <int dim>
-double RigidTools<dim>::deepest(const Probe &side, const double time, const std::vector<double> &u, const bool upper) const
+std::vector<dealii::Point<dim>> RigidTools<dim>::present(const Probe &side, const std::vector<dealii::Point<dim>> &points,
+                                                         const std::vector<double> &u) const
 {
-  const std::vector<dealii::Point<dim>> &points = upper ? upper_points : lower_points;
-  const double face = width - travel(time);
-  double result = 0.;
+  std::vector<dealii::Point<dim>> result = points;
   for (std::size_t k = 0; k < points.size(); ++k)
+    for (unsigned int i = 0; i < side.nodes_per_point; ++i)
+      for (unsigned int d = 0; d < dim; ++d)
+        result[k][d] += side.weight[k * side.nodes_per_point + i] * u[std::size_t(side.node[k * side.nodes_per_point + i]) * dim + d];
+  return result;
+}
+
+// Behind it is where a ray outwards, along x, crosses the side an odd number of times.
+template <int dim>
+double RigidTools<dim>::axis_behind(const double face, const std::vector<dealii::Point<dim>> &side) const
+{
+  const Tensor<1, 2> axis({face + tool.radius, middle});
+  double deepest_row = -std::numeric_limits<double>::infinity();
+  for (std::size_t row = 0; row < points_across; ++row)
     {
-      dealii::Point<dim> x = points[k];
-      for (unsigned int i = 0; i < side.nodes_per_point; ++i)
-        for (unsigned int d = 0; d < dim; ++d)
-          x[d] += side.weight[k * side.nodes_per_point + i] * u[std::size_t(side.node[k * side.nodes_per_point + i]) * dim + d];
-      result = std::max(result, upper ? touch(face, x).penetration : -x[0]);
+      bool behind = false;
+      double nearest = std::numeric_limits<double>::infinity();
+      for (std::size_t k = row; k + points_across < side.size(); k += points_across)
+        {
+          const dealii::Point<dim> &a = side[k], &b = side[k + points_across];
+          const Tensor<1, 2> edge({b[0] - a[0], b[1] - a[1]}), to_axis = axis - Tensor<1, 2>({a[0], a[1]});
+          if ((a[1] <= middle) != (b[1] <= middle))
+            behind ^= a[0] + to_axis[1] / edge[1] * edge[0] > axis[0];
+          const double length2 = edge.norm_square();
+          const double part = length2 > 0. ? std::clamp(to_axis * edge / length2, 0., 1.) : 0.;
+          nearest = std::min(nearest, (to_axis - part * edge).norm());
+        }
+      if (behind)
+        deepest_row = std::max(deepest_row, nearest);
     }
+  return deepest_row;
+}
+
+template <int dim>
+double RigidTools<dim>::deepest(const double time, const std::vector<double> &u) const
+{
+  const std::vector<dealii::Point<dim>> side = present(upper_side, upper_points, u);
+  const double face = width - travel(time);
+  double result = -std::numeric_limits<double>::infinity();
+  for (const dealii::Point<dim> &x : side)
+    result = std::max(result, touch(face, x).penetration);
+  return tool.shape == "cylinder" ? std::max(result, tool.radius + axis_behind(face, side)) : result;
+}
+
+template <int dim>
+double RigidTools<dim>::deepest_below(const std::vector<double> &u) const
+{
+  double result = 0.;
+  for (const dealii::Point<dim> &x : present(lower_side, lower_points, u))
+    result = std::max(result, -x[0]);
   return result;
 }
 
@@ -141,8 +185,10 @@ ToolReading RigidTools<dim>::read(const double time, const std::vector<double> &
     deep = std::max(deep, penetration);
   });
   reading.node_penetration = std::max(reading.penetration, reading.support_penetration);
-  reading.penetration = std::max(reading.penetration, deepest(upper_side, time, u, true));
-  reading.support_penetration = std::max(reading.support_penetration, deepest(lower_side, time, u, false));
+  if (tool.active())
+    reading.penetration = std::max(reading.penetration, deepest(time, u));
+  if (plate_below)
+    reading.support_penetration = std::max(reading.support_penetration, deepest_below(u));
   return reading;
 }
 

@@ -8,7 +8,8 @@
 //                              s = d sin(v t/d) until it is back, then away ("rebound": what a mass does on a spring)
 //
 // In 2D forces are per metre of depth. In: u (m), t (s). Out: N, J, m. The penetration of a node under the pressure p is p/kappa.
-// Between nodes nothing holds a tool: how deep it is there is read at eight points an element.
+// Between nodes nothing holds a tool: how deep it is there is read at eight points an element. A cylinder whose axis is behind the
+// side is inside by its radius and the axis's distance from the side: no point of the side need touch it.
 // The oscillation of a node on its penalty has omega^2 = kappa A/m, which the stable step adds to the tissue's own.
 #pragma once
 
@@ -22,7 +23,7 @@ struct ToolReading
   double force = 0.;   ///< N, of the tool on the tissue in -x, positive when pressing; in a state: mean of the step before (central_differences)
   double support = 0.; ///< N, of the plate below, in +x; 0 with a clamp
   double energy = 0.;  ///< J, in the penalty
-  double penetration = 0.;         ///< m, deepest of the tool below the side x = width, between nodes too
+  double penetration = 0.;         ///< m, deepest of the tool below the side x = width, between nodes and wholly behind it too
   double support_penetration = 0.; ///< m, deepest of the side x = 0 in the plate below
   double node_penetration = 0.;    ///< m, deepest node of both: where forces act
 };
@@ -65,7 +66,11 @@ private:
     dealii::Tensor<1, dim> normal;  // of the tissue
   };
   Touch touch(double face, const dealii::Point<dim> &x) const;
-  double deepest(const Probe &side, double time, const std::vector<double> &u, bool upper) const;
+  std::vector<dealii::Point<dim>> present(const Probe &side, const std::vector<dealii::Point<dim>> &points, const std::vector<double> &u) const;
+  double deepest(double time, const std::vector<double> &u) const;
+  double deepest_below(const std::vector<double> &u) const;
+  /// m, of the cylinder's axis behind the moved side; -infinity: it is in front of it
+  double axis_behind(double face, const std::vector<dealii::Point<dim>> &side) const;
 
   template <class Each>
   void for_contacts(double time, const std::vector<double> &u, const Each &each) const;
@@ -74,6 +79,7 @@ private:
   const ToolParameters tool;
   bool plate_below;
   double kappa, width, middle, size;
+  std::size_t points_across; ///< of the side, one beside the other along z
   // points of the sides that may touch, between the nodes: a tool that comes down there meets no force
   std::vector<dealii::Point<dim>> upper_points, lower_points;
   Probe upper_side, lower_side;

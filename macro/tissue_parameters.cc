@@ -12,6 +12,7 @@ namespace turgor
 namespace
 {
 constexpr const char *size_names[] = {"Width", "Height", "Depth"};
+constexpr int most_elements = 4096; // along a direction
 constexpr const char *axis_names[] = {"x", "y", "z"};
 } // namespace
 
@@ -33,7 +34,7 @@ void TissueParameters<dim>::declare(InputEntries &prm, bool with_size_and_body_f
                       Patterns::Double(1e-9, 1e3));
   for (unsigned int d = 0; d < dim; ++d)
     prm.add_parameter("Elements " + std::string(axis_names[d]), elements[d],
-                      "Number of finite elements along " + std::string(axis_names[d]) + ". Units: 1.", Patterns::Integer(1, 4096));
+                      "Number of finite elements along " + std::string(axis_names[d]) + ". Units: 1.", Patterns::Integer(1, most_elements));
   prm.add_parameter("Degree", degree, "Polynomial degree of the elements: 1 bilinear, 2 biquadratic. Units: 1.",
                     Patterns::Integer(1, 2));
   prm.add_parameter("Locking treatment", locking,
@@ -81,6 +82,27 @@ void TissueParameters<dim>::declare(InputEntries &prm, bool with_size_and_body_f
   prm.leave_subsection();
 }
 
+// Only nodes feel the tool: one thinner than their spacing finds its way between them and meets no force.
+template <int dim>
+void TissueParameters<dim>::check_cylinder() const
+{
+  const unsigned int parts = elements[1] * degree;
+  const double spacing = size[1] / parts;
+  constexpr double rounding = 1. - 1e-12;
+  if (tool.radius < spacing * rounding)
+    {
+      const double needed = std::ceil(size[1] / (tool.radius * degree) * rounding);
+      throw std::invalid_argument("Impact/Radius is " + number_text(tool.radius) + " m, less than the " + number_text(spacing, 3) +
+                                  " m between two nodes of the surface: the cylinder would slip through between them. Take a larger one" +
+                                  (needed <= most_elements ? " or 'Tissue/Elements y' of at least " + number_text(needed) : "") + ".");
+    }
+  // With an even number of parts a node is below its lowest point.
+  const double aside = parts % 2 == 0 ? 0. : 0.5 * spacing;
+  if (!(tool.radius - std::sqrt(tool.radius * tool.radius - aside * aside) < tool.depth))
+    throw std::invalid_argument("With Tissue/Elements y = " + number_text(elements[1]) + " the cylinder comes down between two nodes and, at Impact/Depth = " +
+                                number_text(tool.depth * 1e3) + " mm, touches neither; take more elements, or an even number of them.");
+}
+
 template <int dim>
 void TissueParameters<dim>::check() const
 {
@@ -98,15 +120,7 @@ void TissueParameters<dim>::check() const
     throw std::invalid_argument("A tool acts on the side x = Width, so it needs 'Right side = free' (it is 'clamped').");
   tool.check(size[0]);
   if (tool.shape == "cylinder" && tool.active())
-    {
-      // Only nodes feel the tool; with an even number of them none is below its lowest point.
-      const unsigned int parts = elements[1] * degree;
-      const double aside = parts % 2 == 0 ? 0. : 0.5 * size[1] / parts;
-      const double height = aside < tool.radius ? tool.radius - std::sqrt(tool.radius * tool.radius - aside * aside) : tool.radius;
-      if (!(height < tool.depth))
-        throw std::invalid_argument("With Tissue/Elements y = " + number_text(elements[1]) + " the cylinder comes down between two nodes and, at Impact/Depth = " +
-                                    number_text(tool.depth * 1e3) + " mm, touches neither; take more elements, or an even number of them.");
-    }
+    check_cylinder();
   if (tool.active() && lateral == "clamped")
     for (unsigned int d = 1; d < dim; ++d)
       if (elements[d] * degree < 2)

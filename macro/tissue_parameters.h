@@ -45,5 +45,8 @@ struct TissueParameters
 
   /// What the patterns cannot say; std::invalid_argument with the entry and what is allowed.
   void check() const;
+
+private:
+  void check_cylinder() const;
 };
 } // namespace turgor

@@ -1,11 +1,28 @@
 #include "rve/deformation_path.h"
 
 #include "micro/engine/tensor_text.h"
+#include "micro/io/number_text.h"
 #include "micro/io/run_context.h"
 #include "micro/io/user_text.h"
 
+#include <algorithm>
+
 namespace turgor
 {
+namespace
+{
+/// Where in the segment, from 0 to 1, det F is least: along it F is linear, its determinant a parabola.
+double least_determinant_at(const Tensor2<2> &A, const Tensor2<2> &B)
+{
+  const Tensor2<2> D = B - A;
+  const double curvature = D.determinant(); // det (A + s D) = det A + slope s + curvature s^2
+  const double slope = B.determinant() - A.determinant() - curvature;
+  if (curvature > 0.)
+    return std::clamp(-0.5 * slope / curvature, 0., 1.);
+  return B.determinant() < A.determinant() ? 1. : 0.;
+}
+} // namespace
+
 DeformationPath::DeformationPath(const std::string &text, const std::string &entry)
 {
   for (const std::string &keyframe : split_trimmed(text + "|", '|'))
@@ -19,9 +36,21 @@ DeformationPath::DeformationPath(const std::string &text, const std::string &ent
         throw InputError(entry + " has the keyframe '" + keyframe + "', but times have to rise.");
       if (!(keyframes.back().determinant() > 0.))
         throw InputError(entry + " has the keyframe '" + keyframe + "', but det F has to be positive.");
+      if (times.size() > 1)
+        require_positive_on_the_way(entry, keyframe);
     }
   if (times.size() < 2)
     throw InputError(entry + " has one keyframe, but a path needs at least two (or set Path/F).");
+}
+
+void DeformationPath::require_positive_on_the_way(const std::string &entry, const std::string &keyframe) const
+{
+  const std::size_t last = times.size() - 1;
+  const double part = least_determinant_at(keyframes[last - 1], keyframes[last]);
+  const double time = times[last - 1] + part * (times[last] - times[last - 1]);
+  if (const double least = F(time).determinant(); !(least > 0.))
+    throw InputError(entry + " leads to the keyframe '" + keyframe + "' through det F = " + number_text(least, 3) + " at time " + number_text(time) +
+                     " s, but det F has to be positive: between keyframes F is linear, so a rotation needs several on its way.");
 }
 
 std::size_t DeformationPath::segment(const double time) const

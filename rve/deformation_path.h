@@ -15,7 +15,7 @@ namespace turgor
 class DeformationPath
 {
 public:
-  /// Throws InputError naming the entry for what cannot be read, times that do not rise, det F <= 0.
+  /// Throws InputError naming the entry for what cannot be read, times that do not rise, det F <= 0 at a keyframe or between.
   DeformationPath(const std::string &text, const std::string &entry);
 
   double start() const { return times.front(); } ///< s
@@ -25,6 +25,8 @@ public:
   Tensor2<2> F_dot(double time) const;
 
 private:
+  /// Throws where det F <= 0 between the last keyframe and the one before.
+  void require_positive_on_the_way(const std::string &entry, const std::string &keyframe) const;
   std::size_t segment(double time) const;
   std::vector<double> times;
   std::vector<Tensor2<2>> keyframes;

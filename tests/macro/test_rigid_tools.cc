@@ -107,6 +107,29 @@ BOOST_AUTO_TEST_CASE(overlap_between_nodes_is_told_from_that_at_nodes)
   BOOST_TEST(flat.node_penetration == flat.penetration);
 }
 
+// A tool that has gone through the side without a touch is as deep as it has gone, the moved side or not.
+BOOST_AUTO_TEST_CASE(a_tool_behind_the_side_is_as_deep_as_its_lowest_point)
+{
+  TissueParameters<2> p = pressed("cylinder");
+  p.tool.depth = 0.8 * width;
+  const TissueMesh<2> mesh(p);
+  const std::vector<double> rest(mesh.nodes * 2, 0.);
+  std::vector<double> moved = rest;
+  for (unsigned int n = 0; n < mesh.nodes; ++n)
+    moved[2 * n] = -0.05 * width;
+  for (const double radius : {0.01 * width, 0.1 * width, 0.3 * width, width})
+    {
+      p.tool.radius = radius;
+      const RigidTools<2> tool(mesh, p, 1e9);
+      for (const double share : {0.06, 0.1, 0.2, 0.4, 0.7})
+        {
+          const double depth = share * width; // 1 m/s
+          BOOST_TEST(tool.read(depth, rest).penetration == depth, boost::test_tools::tolerance(1e-9));
+          BOOST_TEST(tool.read(depth, moved).penetration == depth - 0.05 * width, boost::test_tools::tolerance(1e-9));
+        }
+    }
+}
+
 // A block between two frictionless plates is in uniaxial stress. Small strain, plane strain: E' = 4 mu (lambda + mu)/(lambda + 2 mu);
 // pressed slowly (a hundredth of the wave's speed) and damped, force = E' strain width, strain less what the penalties take.
 BOOST_AUTO_TEST_CASE(elastic_block_between_plates)
@@ -230,6 +253,19 @@ BOOST_AUTO_TEST_CASE(wrong_input_names_the_entry)
   p = pressed();
   p.tool.depth = 2. * width;
   fails(p, "Impact/Depth");
+  p = pressed("cylinder"); // 6 elements
+  for (const unsigned int degree : {1u, 2u})
+    {
+      p.degree = degree;
+      const double spacing = width / (6. * degree);
+      p.tool.radius = 0.99 * spacing;
+      fails(p, "Impact/Radius");
+      fails(p, "'Tissue/Elements y' of at least 7");
+      p.tool.radius = spacing;
+      BOOST_CHECK_NO_THROW(p.check());
+      p.tool.radius = 1e-9;
+      fails(p, "Take a larger one.");
+    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -86,6 +86,11 @@ BOOST_AUTO_TEST_CASE(wrong_paths_are_named)
   BOOST_CHECK_EXCEPTION(path("0 : 1, 0; 0, 1 | 1 : 1, 0; 0, -1"), InputError, says("det F has to be positive"));
   BOOST_CHECK_EXCEPTION(path("0 : 1, 0, 0, 1 | 1 : 1, 0; 0, 1"), InputError, says("xx, xy; yx, yy"));
   BOOST_CHECK_EXCEPTION(path("0 : 1, nan; 0, 1 | 1 : 1, 0; 0, 1"), InputError, says("finite number"));
+  // in between: half a turn goes through zero, a turn by 120 degrees through a quarter
+  BOOST_CHECK_EXCEPTION(path("0 : 1, 0; 0, 1 | 1 : -1, 0; 0, -1"), InputError, says("det F = 0 at time 0.5 s"));
+  BOOST_CHECK_EXCEPTION(path("0 : 1, 0; 0, 1 | 2 : 2, 0; 0, 2 | 4 : -4, 0.1; 0, -1"), InputError, says("det F = -0.5 at time 3 s"));
+  BOOST_CHECK_NO_THROW(path("0 : 1, 0; 0, 1 | 1 : -0.5, -0.87; 0.87, -0.5"));
+  BOOST_CHECK_NO_THROW(path("0 : 1, 0; 0, 1 | 1 : 4, 0; 0, 0.1 | 2 : 0.1, 0; 0, 4"));
   Memory memory;
   BOOST_CHECK_EXCEPTION(run(memory, "subsection Path\nset Keyframes = 0 : 1, 0; 0, 1 | 1e-299 : 1, 0.1; 0, 1\nend\n"), InputError,
                         says("Path/Keyframes has a rate of 1e+298 1/s"));
