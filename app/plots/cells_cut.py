@@ -57,13 +57,15 @@ def draw_cut(directory, flat=False, time=None):
             (panels[0], pressure, "pressure [Pa]", "RdBu_r" if low < -0.2 * high else "viridis",
              Normalize(-most, most) if low < -0.2 * high else Normalize(low, high)),
             (panels[1], volume, "volume [µm³]", "cividis", Normalize(*np.percentile(volume[place[3]], [2, 98])))):
-        figure.colorbar(draw_cells(axis, place, values, colours, norm), ax=axis, label=label, shrink=0.85, extend=beyond(norm, values[place[3]]))
-        axis.set_xlabel("x [µm]", color=INK)
+        bar = figure.colorbar(draw_cells(axis, place, values, colours, norm), ax=axis, shrink=0.85, extend=beyond(norm, values[place[3]]))
+        bar.ax.set_title(label, fontsize=9, color=INK)  # beside the bar it would stand at the next panel
     bar = figure.colorbar(draw_cells(panels[2], place, state, ListedColormap(STATE_COLOURS), Normalize(-0.5, 3.5)), ax=panels[2],
                           ticks=range(4), shrink=0.85)
     bar.ax.set_yticklabels(STATES, fontsize=8)
-    panels[2].set_xlabel("x [µm]", color=INK)
-    panels[0].set_ylabel("y [µm]", color=INK)
+    bar.ax.set_title("state", fontsize=9, color=INK)
+    for axis in panels:
+        axis.set_xlabel("x [µm]", color=INK)
+        axis.set_ylabel("y [µm]", color=INK)
     figure.suptitle(f"{'From above' if flat else 'Cut through the middle'} at {frame.time / 3600:.0f} h, {len(volume)} cells",
                     color=INK, fontsize=11)
     path = os.path.join(directory, "cells_cut.png")
@@ -81,19 +83,20 @@ def draw_growth(directory, flat=False):
     cells = table["cells"]
     left.semilogy(t, cells, color=ALONG, linewidth=2, label="cells")
     if np.isfinite(cycle):
-        left.semilogy(t, cells[0] * 2 ** (t / cycle), color=INK, linewidth=1, linestyle=(0, (4, 3)),
-                      label=f"doubling every {cycle:g} h (the input's Cycle time)")
+        # Through the last point: cells that begin at one age, newborn, are a quarter below a line through the first for good.
+        left.semilogy(t, cells[-1] * 2 ** ((t - t[-1]) / cycle), color=INK, linewidth=1, linestyle=(0, (4, 3)),
+                      label=f"doubling every {cycle:g} h (the input's Cycle time),\nthrough the last point")
     for name, colour in zip(STATES, STATE_COLOURS):
         if np.any(table[name] > 0) and np.any(table[name] < cells):
             left.semilogy(t, np.where(table[name] > 0, table[name], np.nan), color=colour, linewidth=1.3, label=name)
     draw_data(left, "time [s]", "cells", 1 / 3600)
     left.set_ylabel("cells", color=INK)
     radius = table["radius [m]"] * 1e6
-    right.plot(t, radius, color=ACCENT, linewidth=2, label="radius (outermost cells)")
+    right.plot(t, radius, color=ACCENT, linewidth=2, label="radius: mean of the cells at the outside")
     right.plot(t, table["gyration_radius [m]"] * 1e6, color=ALONG, linewidth=1.2, label="radius of gyration")
     if np.isfinite(cycle):
         right.plot(t, radius[-1] * 2 ** ((t - t[-1]) / ((2 if flat else 3) * cycle)), color=INK, linewidth=1, linestyle=(0, (4, 3)),
-                   label=f"{'area' if flat else 'volume'} doubling every {cycle:g} h, through the last point")
+                   label=f"{'area' if flat else 'volume'} doubling every {cycle:g} h,\nthrough the last point")
     draw_data(right, "time [s]", "radius [m]", 1 / 3600, 1e6)
     right.set_ylabel("radius [µm]", color=INK)
     for axis in (left, right):

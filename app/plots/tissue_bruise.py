@@ -118,7 +118,7 @@ def picture(directory):
             number = rve["number"]
             draw_rve(inset, rve, dots[number], 0.8e6 * np.max(np.abs(rve["periods"])))
             failed = points["failed [1]"][number]
-            inset.set_title(f"{'failed, ' if failed > 0 else ''}p = {rve['pressure'] / 1e3:.0f} kPa", fontsize=8.5,
+            inset.set_title(f"{'failed, ' if failed > 0 else ''}fluid pressure {rve['pressure'] / 1e3:.0f} kPa", fontsize=8,
                             color=ACCENT if failed > 0 else INK, pad=3)
             at = rve["at"] * 1e3
             axis.plot(*at, "s", markersize=7, markerfacecolor="none", markeredgecolor=INK, markeredgewidth=1.5, zorder=6)

@@ -12,7 +12,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.collections import LineCollection
+from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.patches import ConnectionPatch
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -126,11 +126,8 @@ def picture(directory):
     high_figure, wide_figure = 8.4, 12.6
     figure = plt.figure(figsize=(wide_figure, high_figure), facecolor="white")
     axis = figure.add_axes([0.22, 0.33, 0.53, 0.60])
-    # Every element has one stress; drawn as a smooth field through the means of the elements at each node.
-    elements = np.bincount(cells.ravel(), minlength=len(points))
-    at_nodes = np.bincount(cells.ravel(), np.repeat(shear, 4), minlength=len(points)) / np.maximum(elements, 1)
-    triangles = np.vstack([cells[:, [0, 1, 2]], cells[:, [0, 2, 3]]])
-    axis.tripcolor(*(points * 1e3).T, triangles, at_nodes, shading="gouraud", cmap=colours, norm=norm, zorder=2)
+    # The mean of each element as it is: smoothed over its neighbours it would be far off the stress of the cells beside it.
+    axis.add_collection(PolyCollection(points[cells] * 1e3, array=shear, cmap=colours, norm=norm, edgecolor="face", linewidth=0.3, zorder=2))
     period = np.linalg.norm(np.linalg.solve(rves[0]["F"], rves[0]["periods"][:, 0])) if rves else np.inf
     if np.isfinite(period):
         curves = [c * 1e3 for c in cell_lines(reference, points, period)]
@@ -178,14 +175,15 @@ def picture(directory):
             reach = 0.8e6 * np.max(np.abs(rve["periods"]))
             draw_rve(inset, rve, colours(norm(abs(rve["shear_stress"]) / 1e3)), reach)
             turned, sheared = turn_and_shear(rve["F"])
-            inset.set_title(f"turned {turned:+.1f}°, sheared {sheared:+.1f}°\np = {rve['pressure'] / 1e3:.0f} kPa", fontsize=8, color=INK, pad=3)
+            inset.set_title(f"turned {turned:+.1f}°, sheared {sheared:+.1f}°\n"
+                            f"shear stress {abs(rve['shear_stress']) / 1e3:.1f}, fluid {rve['pressure'] / 1e3:.0f} kPa", fontsize=8, color=INK, pad=3)
             at = rve["at"] * 1e3
             axis.plot(*at, "s", markersize=6, markerfacecolor="white", markeredgecolor=INK, markeredgewidth=1.3, zorder=6)
             edge = (1.0, 0.5) if left < 0.5 else (0.0, 0.5)
             figure.add_artist(
                 ConnectionPatch(edge, at, coordsA=inset.transAxes, coordsB=axis.transData, color=INK, linewidth=0.9, zorder=5)
             )
-    colour_bar(figure, [0.50, 0.325, 0.22, 0.014], norm, colours, "size of the shear stress [kPa]")
+    colour_bar(figure, [0.50, 0.325, 0.22, 0.014], norm, colours, "size of the shear stress [kPa]\n(tissue: mean of each element; cells: at their own point)")
 
     below = figure.add_axes([0.085, 0.075, 0.88, 0.165])
     plot_history(below, probe_table, time)
