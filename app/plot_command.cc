@@ -3,7 +3,9 @@
 #include "app/child_process.h"
 #include "micro/io/manifest.h"
 #include "micro/io/run_context.h"
+#include "micro/io/stop_flag.h"
 
+#include <iostream>
 #include <map>
 
 namespace turgor
@@ -18,22 +20,37 @@ std::map<std::string, std::filesystem::file_time_type> pictures(const std::files
       result[entry.path().filename().string()] = entry.last_write_time();
   return result;
 }
+
+/// Pictures that have not got their names.
+void remove_begun(const std::filesystem::path &directory)
+{
+  std::vector<std::filesystem::path> begun;
+  for (const auto &entry : std::filesystem::directory_iterator(directory))
+    if (entry.path().string().ends_with(".png.part") && entry.is_regular_file() && is_made(directory, entry.path().filename().string()))
+      begun.push_back(entry.path());
+  std::error_code ignored;
+  for (const std::filesystem::path &path : begun)
+    std::filesystem::remove(path, ignored);
+}
 } // namespace
 
-bool draw(const std::filesystem::path &directory, const std::string &script, const std::vector<std::string> &arguments)
+Drawn draw(const std::filesystem::path &directory, const std::string &script, const std::vector<std::string> &arguments)
 {
   std::vector<std::string> words = {TURGOR_PYTHON, std::string(TURGOR_PLOTS) + "/" + script, directory.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   const auto before = pictures(directory);
-  const bool drawn = run_child(words).code == 0;
+  const int code = run_child(words).code;
+  if (code != 0)
+    remove_begun(directory);
   // The next run into this directory must not leave these behind as if they were its own.
   for (const auto &[name, time] : pictures(directory))
     if (const auto old = before.find(name); old == before.end() || old->second != time)
       record_made(directory, name);
-  return drawn;
+  constexpr int nothing = 3; // plot.py's NOTHING
+  return code == 0 ? Drawn::yes : code == nothing ? Drawn::nothing : stop_was_requested() ? Drawn::stopped : Drawn::failed;
 }
 
-bool draw_run(const std::filesystem::path &directory, const std::filesystem::path &data)
+Drawn draw_run(const std::filesystem::path &directory, const std::filesystem::path &data)
 {
   return draw(directory, "plot.py", data.empty() ? std::vector<std::string>() : std::vector<std::string>{"--data", data.string()});
 }
@@ -62,6 +79,19 @@ int plot_command(const std::filesystem::path &directory, const std::filesystem::
     throw InputError(directory.string() + " holds no run (neither summary.json nor input.prm is there).");
   if (!data.empty() && !std::filesystem::is_regular_file(data))
     throw InputError("--data " + data.string() + ": there is no such file.");
-  return draw_run(directory, data) ? 0 : 1;
+  switch (draw_run(directory, data))
+    {
+    case Drawn::yes:
+      return 0;
+    case Drawn::nothing:
+      std::cerr << "turgor: There is nothing to plot in " << directory.string()
+                << ": no series has two rows, and the scene has no picture of its own." << std::endl;
+      return 1;
+    case Drawn::stopped:
+      std::cerr << "turgor: Stopped before the pictures were drawn." << std::endl;
+      return 130;
+    default:
+      return 1;
+    }
 }
 } // namespace turgor

@@ -6,6 +6,7 @@
 #include "app/run_ending.h"
 #include "app/typed_command.h"
 #include "micro/io/field_output.h"
+#include "micro/io/manifest.h"
 #include "micro/io/number_text.h"
 #include "micro/io/resource_use.h"
 #include "micro/io/run_directory.h"
@@ -124,10 +125,33 @@ void write_ending(Ending &ending, RunDirectory &directory, std::filesystem::path
 }
 
 /// Pictures are a service: the run has its results whether or not they can be drawn.
-void draw_pictures(RunDirectory &directory, const std::string &place)
+Drawn draw_pictures(RunDirectory &directory, const std::string &place)
 {
-  if (!draw_run(place))
+  const Drawn drawn = draw_run(place);
+  if (drawn == Drawn::stopped)
+    directory.say("Stopped before the pictures were drawn; to draw them: turgor plot " + place);
+  else if (drawn == Drawn::failed)
     directory.say("The pictures could not be drawn; try: turgor plot " + place);
+  return drawn;
+}
+
+/// States to look at are left where one of them has failed, not where only the disk has.
+void tell_what_to_look_at(const Ending &ending, const std::filesystem::path &place)
+{
+  std::error_code problem;
+  std::vector<std::filesystem::path> begun;
+  for (const auto &entry : std::filesystem::directory_iterator(place, problem))
+    {
+      std::filesystem::path description = entry.path();
+      if (!description.replace_extension(".xdmf").string().ends_with(FieldOutput::look_ending))
+        continue;
+      if (ending.output_failed && is_made(place, entry.path().filename().string()))
+        begun.push_back(entry.path());
+      else if (!ending.output_failed && entry.path() == description)
+        std::cerr << "\nThe last state that was in order and the one that failed are in " << description.string() << ", to look at in ParaView.";
+    }
+  for (const std::filesystem::path &path : begun)
+    std::filesystem::remove_all(path, problem);
 }
 
 /// To whoever started the run, after everything is on disk.
@@ -150,9 +174,7 @@ void tell(const Ending &ending, RunDirectory &directory, const std::string &plac
   std::error_code problem;
   if (std::filesystem::exists(place, problem))
     std::cerr << "What there is, is in " << place << ".";
-  for (const auto &entry : std::filesystem::directory_iterator(place, problem))
-    if (entry.path().string().ends_with(FieldOutput::look_ending))
-      std::cerr << "\nThe last state that was in order and the one that failed are in " << entry.path().string() << ", to look at in ParaView.";
+  tell_what_to_look_at(ending, place);
   std::cerr << std::endl;
 }
 } // namespace
@@ -175,10 +197,9 @@ int run_command(const RunOptions &options, const ScenarioRegistry &registry, Mpi
   if (is_begun && start->directory->has_finished())
     {
       const std::string place = start->settings.directory.string();
-      const bool drawn = !is_writer || options.quiet || has_pictures(place);
-      start->directory->say("The run in " + place + " has finished already: " + (drawn ? "nothing is left to do." : "its pictures are drawn."));
-      if (!drawn)
-        draw_pictures(*start->directory, place);
+      const bool is_complete = !is_writer || options.quiet || has_pictures(place);
+      const bool drawn = !is_complete && draw_pictures(*start->directory, place) == Drawn::yes;
+      start->directory->say("The run in " + place + " has finished already: " + (drawn ? "its pictures are drawn." : "nothing is left to do."));
       return 0;
     }
   if (is_begun)

@@ -274,7 +274,7 @@ int study_command(const StudyOptions &options, const ScenarioRegistry &registry)
   });
   if (!compared)
     std::cerr << "turgor: no run could be compared with a reference." << std::endl;
-  const bool drawn = draw(directory, "study.py", {});
+  const bool drawn = draw(directory, "study.py", {}) == Drawn::yes;
   std::cout << "The study's tables " << (drawn ? "and pictures " : "") << "are in " << directory.string() << "." << std::endl;
   return failed || !drawn || !compared ? 1 : 0;
 }

@@ -262,6 +262,12 @@ void RveResponse::run(RunContext &context)
   if (worst > 1.)
     remarked(context, "max_deviation_over_allowed", "the deviatoric stress is off that of flat walls by up to " + number_text(largest_deviation) + " Pa, "
              + number_text(worst) + " times the allowed 1 % of it or 0.5 % of turgor, whichever is more. " + why_off(rve.cell.wall_bending));
+  constexpr double noted = 0.05; // of turgor
+  if (largest_pressure_deviation > noted * rve.cell.turgor)
+    remarked(context, "max_pressure_deviation_over_turgor", "the fluid's pressure is off that of flat walls by up to " + number_text(largest_pressure_deviation, 3) + " Pa, "
+             + number_text(100. * largest_pressure_deviation / rve.cell.turgor, 3) + " % of turgor" +
+             (rve.fluid == "hydrostatic" ? ": the middle lamella gives, and the little area this makes counts for a fluid that is hardly compressible "
+                                           "(more Cell/Nodes per side or a larger Cell/Lamella ratio makes it less)." : "."));
   char line[200];
   std::snprintf(line, sizeof line, "sigma = %.6g, %.6g; %.6g, %.6g kPa at the last point, pressure %.6g kPa",
                 1e-3 * answer.sigma(0, 0), 1e-3 * answer.sigma(0, 1), 1e-3 * answer.sigma(1, 0),

@@ -55,6 +55,7 @@ def few_at_a_time(columns):
     return [one[k:k + MOST] for one in lists for k in range(0, len(one), MOST)]
 
 
+NOTHING = 3  # exit code where there is nothing to draw; plot_command.cc knows it
 GAPS = ((0, (4, 4)), (0, (1.5, 4)), (0, (4, 3, 1, 3)))
 
 
@@ -144,8 +145,7 @@ def main(directory):
     for picture in dict.fromkeys(pictures):
         print(picture)
     if not pictures:
-        print(f"There is nothing to plot in {directory}: no series has two rows, and the scene has no picture of its own.", file=sys.stderr)
-        return 1
+        return NOTHING
     return 0
 
 

@@ -12,7 +12,9 @@
 
 #include <algorithm>
 #include <ctime>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 #include <limits>
 #include <sstream>
 #include <streambuf>
@@ -99,6 +101,16 @@ void RunDirectory::refuse_to_replace_input() const
                      "output directory. Choose another output directory with -o DIR.");
 }
 
+/// By its summary or, where it was killed and has none, by its copy of the input.
+bool RunDirectory::holds_another_input(const nlohmann::json &summary) const
+{
+  if (summary.contains("input_hash"))
+    return summary.value("input_hash", "") != settings.identity.input_hash();
+  std::ifstream copy(settings.directory / "input.prm", std::ios::binary);
+  const std::string text(std::istreambuf_iterator<char>(copy), {});
+  return copy && !input_is_its_copy() && is_made(settings.directory, "input.prm") && text != settings.input_text;
+}
+
 /// Throws InputError when something is in the way that this run must not replace.
 void RunDirectory::require_replaceable()
 {
@@ -115,6 +127,9 @@ void RunDirectory::require_replaceable()
   if (!settings.resume && status == "stopped" && checkpoints.exists())
     throw InputError(directory.string() + " holds a run that was stopped and can go on: add --resume. To begin anew, choose another directory with "
                      "-o DIR, or replace it with --overwrite.");
+  if (settings.resume && status != "finished" && !checkpoints.exists() && holds_another_input(summary))
+    throw InputError(directory.string() + " holds a run of another input (" + (directory / "input.prm").string() +
+                     " shows it) that has no checkpoint to go on from. Choose another directory with -o DIR, or replace it with --overwrite.");
   if (status != "finished")
     return;
   if (!settings.resume && summary.value("input_hash", "") != settings.identity.input_hash())

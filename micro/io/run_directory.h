@@ -18,6 +18,8 @@
 #include "micro/io/run_context.h"
 #include "micro/io/run_record.h"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <functional>
 #include <map>
 #include <memory>
@@ -100,6 +102,7 @@ public:
 private:
   void prepare() const;
   bool input_is_its_copy() const;
+  bool holds_another_input(const nlohmann::json &summary) const;
   void refuse_to_replace_input() const;
   void require_replaceable();
 

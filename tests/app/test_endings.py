@@ -169,6 +169,15 @@ class Endings(unittest.TestCase):
                     self.assertEqual(file.read(), whole)
                 shutil.rmtree(self.out)
 
+    def test_where_only_the_disk_has_failed_no_state_is_said_to_have(self):
+        for size in (16384, 65536):
+            with self.subTest(size=size):
+                done = self.run_program(*FE2, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size)))
+                self.assert_refused(done, "cannot write")
+                self.assertNotIn("the one that failed", done.stderr)
+                self.assertEqual([name for name in os.listdir(self.out) if "at_failure" in name], [])
+                shutil.rmtree(self.out)
+
     def test_all_ranks_end_when_one_cannot_go_on(self):
         def taken(name):
             os.makedirs(os.path.join(self.out, name, "something"))

@@ -162,6 +162,19 @@ class OutputDirectory(Case):
         self.assertNotEqual(self.summary("out")["input_hash"], before)
         self.assertFalse(os.path.exists(self.path("out", "turgor_earlier_run")))
 
+    def test_a_run_without_checkpoint_is_not_replaced_by_a_resume_of_another(self):
+        self.accepted(*self.quick())
+        other = self.quick("--set", "Largest stretch=1.2", "--resume")
+        summary = self.summary("out")
+        self.write(json.dumps({**summary, "status": "stopped"}), "out", "summary.json")
+        self.refused(*other, says="holds a run of another input")
+        os.remove(self.path("out", "summary.json"))  # killed
+        self.refused(*other, says="holds a run of another input")
+        self.accepted(*self.quick("--resume"))
+        self.write(json.dumps({**summary, "status": "failed"}), "out", "summary.json")
+        self.accepted(*other, "--overwrite")
+        self.assertNotEqual(self.summary("out")["input_hash"], summary["input_hash"])
+
     def test_resume_of_a_finished_run_leaves_it(self):
         self.accepted(*self.quick())
         before = tree(self.directory)
@@ -186,6 +199,30 @@ class OutputDirectory(Case):
         done = self.accepted("run", QUICK, "-o", "out", "--resume")
         self.assertIn("has finished already: nothing is left to do.", done.stdout)
         self.assertEqual(tree(self.directory), before)
+
+    def test_where_there_is_nothing_to_draw_no_advice_is_given_to_draw(self):
+        one_point = ["run", os.path.join(SOURCE, "inputs", "rve_response.prm"), "--set", "Path/F=1, 0.05; 0, 1", "-o", "out"]
+        for again in ([], ["--resume"]):
+            done = self.accepted(*one_point, *again)
+            for word in ("plot", "drawn"):
+                self.assertNotIn(word, done.stdout + done.stderr)
+        done = self.turgor("plot", "out")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("There is nothing to plot in out", done.stderr)
+
+    def test_a_wish_to_stop_while_pictures_are_drawn(self):
+        run = subprocess.Popen([PROGRAM, "run", QUICK, "-o", "out"], cwd=self.directory, stdout=subprocess.PIPE, stdin=subprocess.DEVNULL, text=True)
+        while not os.path.exists(self.path("out", "summary.json")):
+            self.assertIsNone(run.poll())
+        with open(self.path("out", "made_by_turgor.txt"), "a", encoding="utf-8") as file:
+            file.write("wall_uniaxial.png.part\n")
+        self.write("half a picture", "out", "wall_uniaxial.png.part")
+        run.send_signal(signal.SIGINT)
+        said = run.communicate(timeout=60)[0]
+        self.assertEqual(run.returncode, 0, said)
+        self.assertIn("Stopped before the pictures were drawn; to draw them: turgor plot out", said)
+        self.assertEqual([name for name in os.listdir(self.path("out")) if ".png" in name], [])
+        self.assertEqual(self.turgor("plot", "out").returncode, 0)
 
 
 class Account(Case):

@@ -149,6 +149,16 @@ BOOST_AUTO_TEST_CASE(scene_agrees_with_the_closed_form)
   run(coarse, "subsection Path\nset F = 1, 0.3; 0, 1\nend\nsubsection Cell\nset Nodes per side = 10\nend\n");
   BOOST_TEST(coarse.results["max_deviation_over_allowed"] > 1.);
   BOOST_TEST(coarse.notes.at("max_deviation_over_allowed").find("bending of the walls") != std::string::npos);
+  Memory sheared;
+  run(sheared, "subsection Path\nset F = 1, 8; 0, 1\nend\n");
+  BOOST_TEST(sheared.results["max_pressure_deviation_over_turgor"] > 0.05);
+  BOOST_TEST(sheared.notes.at("max_pressure_deviation_over_turgor").find("Cell/Lamella ratio") != std::string::npos);
+  for (const char *advice : {"Nodes per side = 50", "Lamella ratio = 20"})
+  {
+    Memory followed;
+    run(followed, std::string("subsection Path\nset F = 1, 8; 0, 1\nend\nsubsection Cell\nset ") + advice + "\nend\n");
+    BOOST_TEST(followed.results["max_pressure_deviation_over_turgor"] < 0.6 * sheared.results["max_pressure_deviation_over_turgor"], advice);
+  }
   Memory path;
   run(path, "subsection Path\nset Points = 5\nend\n");
   BOOST_TEST(path.rows.size() == 5u);
