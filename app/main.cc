@@ -125,7 +125,7 @@ int dispatch(int argc, char **argv)
 
   StudyOptions study;
   CLI::App *study_app = app.add_subcommand("study", "Run many variants of any scene: results over swept entries, error against run time");
-  study_app->footer("`turgor parameters study` prints all entries of a study file; inputs/studies holds ready-made ones.");
+  study_app->footer("`turgor parameters study` prints all entries of a study file; inputs/studies holds ready-made ones; doc/studies.md explains them.");
   study_app->add_option("FILE", study.file, "Study file (.prm)")->required();
   study_app->add_option("-o,--output", study.directory, "Directory of tables, pictures and, in its cache/, the runs (default runs/<name of the file>, runs in runs/cache)");
   study_app->add_flag("--list", study.list_only, "Only print the runs and what is cached");
