@@ -18,7 +18,7 @@ class ResultFolders(unittest.TestCase):
                     text = file.read()
                 self.assertRegex(text, r"(\./turgor|/usr/bin/python3|build/tests/test_\w+) \S")
                 self.assertGreater(len(os.listdir(folder)), 1, "a README alone")
-                for path in re.findall(r"inputs/[\w/]+\.(?:prm|py)", text):
+                for path in re.findall(r"inputs/[a-z_/0-9]+\.(?:prm|py)", text):
                     self.assertTrue(os.path.exists(os.path.join(ROOT, path)), path)
 
 
