@@ -87,11 +87,11 @@ std::string refusal(const PrmSetting &setting, const InputEntry &entry)
          (entry.documentation.empty() ? "" : " (" + entry.documentation + ")");
 }
 
-/// Where the name stands in the sentence as a whole, not as a part of a longer one.
-std::size_t place_of(const std::string &name, const std::string &sentence)
+/// Where the name stands in the sentence as a whole, not as a part of a longer one; joint: what joins names to longer ones.
+std::size_t place_of(const std::string &name, const std::string &sentence, const std::string &joint = "/_")
 {
   const auto belongs = [&](const std::size_t place) {
-    return place < sentence.size() && (std::isalnum(static_cast<unsigned char>(sentence[place])) != 0 || sentence[place] == '/' || sentence[place] == '_');
+    return place < sentence.size() && (std::isalnum(static_cast<unsigned char>(sentence[place])) != 0 || joint.find(sentence[place]) != std::string::npos);
   };
   for (std::size_t place = sentence.find(name); place != std::string::npos; place = sentence.find(name, place + 1))
     if (!(place > 0 && belongs(place - 1)) && !belongs(place + name.size()))
@@ -99,8 +99,8 @@ std::size_t place_of(const std::string &name, const std::string &sentence)
   return std::string::npos;
 }
 
-/// Paths of the entries that the sentence names.
-std::set<std::string> named_in(std::string sentence, const std::vector<InputEntry> &known)
+/// Paths of the entries that the sentence names; they are blanked in it.
+std::set<std::string> named_in(std::string &sentence, const std::vector<InputEntry> &known)
 {
   std::vector<std::string> paths;
   for (const InputEntry &entry : known)
@@ -157,10 +157,16 @@ std::vector<PrmSetting> right_settings(const PrmText &text, const std::vector<In
 std::string with_place(const std::string &sentence, const std::string &file, const std::vector<PrmSetting> &in_file,
                        const std::vector<PrmSetting> &overrides, const std::vector<InputEntry> &known)
 {
-  const std::set<std::string> named = named_in(sentence, known);
+  std::string rest = sentence;
+  std::set<std::string> named = named_in(rest, known);
   std::map<std::string, std::string> set_last; // of the overrides: the last counts
   for (const PrmSetting &setting : overrides)
     set_last[setting.path()] = setting.where;
+  // Laws call their numbers by the name alone ("below 2 G t0/Radius").
+  if (std::none_of(set_last.begin(), set_last.end(), [&](const auto &one) { return named.contains(one.first); }))
+    for (const PrmSetting &setting : overrides)
+      if (place_of(setting.name, rest, "_") != std::string::npos)
+        named.insert(setting.path());
   std::string in_command, everything;
   for (const auto &[path, where] : set_last)
     {

@@ -99,8 +99,8 @@ void Bruise::check_contact(const Tissue<2> &tissue) const
     if (depth > penetration.allowed * size)
       throw RunFailed("At t = " + number_text(tissue.time() * 1e3) + " ms " + what + " is " + number_text(depth) +
                       " m inside the tissue, more than half of " + number_text(size) +
-                      " m, the least of an element's thickness and the tool's radius: the contact no longer holds. Take a larger "
-                      "Impact/Contact stiffness; a tool that is smaller than an element needs more Tissue/Elements.");
+                      " m, the least of an element's thickness and the tool's radius: the contact no longer holds. Take a "
+                      "smaller Impact/Speed or a larger Impact/Contact stiffness; a tool that is smaller than an element needs more Tissue/Elements.");
   };
   check("the tool", memory.penetration);
   check("the plate below", memory.support_penetration);

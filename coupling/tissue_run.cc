@@ -313,7 +313,7 @@ void Run::go()
   {
     if (tissue.time() > 0.)
       checkpoint();
-    throw RunFailed(why.what());
+    throw RunFailed(why.what() + std::string(settings.tissue.tool.active() ? " A smaller Impact/Speed or Impact/Depth deforms it less." : ""));
   }
   results();
   if (const std::string complaint = memory.energy.complaint(); !complaint.empty())

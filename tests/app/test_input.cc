@@ -1,6 +1,7 @@
 // Input files: the parser, and the sentence for each kind of mistake.
 #include "app/declared_entries.h"
 #include "app/input.h"
+#include "app/input_mistakes.h"
 #include "app/nearest_name.h"
 #include "micro/io/prm_text.h"
 #include "tests/app/temporary_directory.h"
@@ -166,6 +167,18 @@ BOOST_AUTO_TEST_CASE(values_that_do_not_go_together_are_told_where_they_were_set
   BOOST_TEST(refused("set Scenario = tiny\n", {"Law/Rate=900"}).starts_with("--set 'Law/Rate=900': " + rate));
   BOOST_TEST(refused(text, {"Steps=3"}).starts_with("in.prm, line 3: " + rate));
   BOOST_TEST(refused(text, {"Law/Rate=1", "Law/Rate=900.0"}).starts_with("--set 'Law/Rate=900.0': " + rate));
+}
+
+BOOST_AUTO_TEST_CASE(of_overrides_those_named_without_their_section_are_told)
+{
+  TinyScene scene;
+  InputEntries prm;
+  scene.declare_parameters(prm);
+  const std::vector<PrmSetting> overrides = {parse_override("Law/Rate=9"), parse_override("Steps=3"), parse_override("Mode=decay")};
+  const auto place = [&](const std::string &sentence) { return with_place(sentence, "in.prm", {}, overrides, prm.entries()); };
+  for (const char *sentence : {"Law/Weights are 0.5, but allowed is 2 t0/Rate (1).", "weights are not those of Rate.", "Law/Rate is 9; Steps_of and Modes are not it."})
+    BOOST_TEST(place(sentence) == std::string("--set 'Law/Rate=9': ") + sentence);
+  BOOST_TEST(place("Rates do not go together.").starts_with("in.prm with --set 'Law/Rate=9' with --set 'Mode=decay' with --set 'Steps=3': ")); // nobody knows
 }
 
 BOOST_AUTO_TEST_CASE(numbers_in_another_notation_are_told_how_to_write_them)

@@ -101,6 +101,15 @@ BOOST_AUTO_TEST_CASE(a_tool_deep_in_the_tissue_is_noted_in_the_summary)
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_blow_that_is_too_fast_is_said_to_be)
+{
+  TissueRunSettings fast = hit();
+  fast.tissue.tool.speed = 200.;
+  fast.tissue.tool.stiffness = 0.1;
+  Disk disk;
+  BOOST_CHECK_EXCEPTION(finish(disk, fast), RunFailed, [](const RunFailed &e) { return std::string(e.what()).find("smaller Impact/Speed") != std::string::npos; });
+}
+
 BOOST_AUTO_TEST_CASE(stop_and_resume_and_threads_give_the_same_bits)
 {
   Disk whole, parts, threads;
