@@ -6,6 +6,7 @@
 #include "app/json_file.h"
 #include "app/nearest_name.h"
 #include "app/polyline.h"
+#include "app/study_units.h"
 #include "app/units.h"
 #include "micro/io/number_text.h"
 #include "micro/io/user_text.h"
@@ -43,16 +44,11 @@ struct Curve
 /// A column in the unit that another table has it in.
 std::vector<double> in_unit_of(const CsvTable &other, const CsvTable &table, const std::string &name)
 {
-  const std::string &unit = table.units[table.index(name)], &wanted = other.units[other.index(name)];
-  const std::optional<double> factor = unit_factor(unit, wanted);
-  const auto in_words = [](const std::string &one) { return one.empty() ? std::string("no unit") : "the unit [" + one + "]"; };
-  if (!factor)
-    throw std::runtime_error("'" + name + "' has " + in_words(unit) + " in " + table.file.string() + " and " + in_words(wanted) + " in " +
-                             other.file.string() + ", which are not of one quantity or not known" +
-                             (unit.empty() ? "; its header line names it: '" + name + " [" + wanted + "]'." : "."));
+  const std::string &wanted = other.units[other.index(name)];
+  require_unit(table, name, wanted, other.file.string());
   std::vector<double> column = table.column(name);
   for (double &value : column)
-    value *= *factor;
+    value *= *unit_factor(table.units[table.index(name)], wanted);
   return column;
 }
 

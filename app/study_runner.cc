@@ -7,6 +7,7 @@
 #include "app/study_input.h"
 #include "app/study_measure.h"
 #include "app/study_tables.h"
+#include "app/study_units.h"
 #include "app/typed_command.h"
 #include "micro/io/directory_lock.h"
 #include "micro/io/number_text.h"
@@ -22,6 +23,7 @@
 #include <iostream>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <thread>
 
 namespace turgor
@@ -65,6 +67,7 @@ std::vector<StudyRow> planned(const StudyInput &study, const StudyOptions &optio
 {
   std::vector<StudyRow> rows;
   std::vector<std::string> results;
+  std::set<std::string> scenes;
   const std::vector<std::string> swept = swept_entries(study);
   std::string refused; // all of them: a sweep is mended at once
   for (const StudyRun &run : study.runs)
@@ -77,6 +80,8 @@ std::vector<StudyRow> planned(const StudyInput &study, const StudyOptions &optio
           const Input input = load_input(run.input, run.overrides, registry, "override");
           static_cast<CachedRun &>(row) = cached_run(cache_of(options.directory), run.input.stem().string(), input.identity, run.threads, options.fresh);
           const Outputs outputs = input.scenario->outputs();
+          if (scenes.insert(input.scenario_name).second) // once each: it is the same mistake
+            check_units(study, outputs);
           for (const OutputPlace &place : outputs.places())
             for (const OutputDefinition &one : place.all)
               if (place.file == Outputs::results_file)

@@ -37,10 +37,12 @@ def quantity_of(columns):
 
 
 def with_gaps(table):
-    """A closed form is written as 0 where it does not apply; a line has a gap there."""
+    """A closed form, and how far the run is off it, are written as 0 where it does not apply; a line has a gap there."""
     applies = table.get("closed_form_applies")
-    return table if applies is None else {name: np.where(applies > 0.5, values, np.nan) if name.startswith("closed_") and name != "closed_form_applies"
-                                          else values for name, values in table.items()}
+    if applies is None:
+        return table
+    gone = [name for name in table if name.startswith(("closed_", "deviatoric_deviation")) and name != "closed_form_applies"]
+    return {name: np.where(applies > 0.5, values, np.nan) if name in gone else values for name, values in table.items()}
 
 
 def few_at_a_time(columns):

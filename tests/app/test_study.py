@@ -84,10 +84,11 @@ class Study(unittest.TestCase):
                                     ("wrong.csv", "time [s],force_lower [mPa]", (1, 1))):
             with open(os.path.join(self.directory, name), "w", encoding="utf-8") as file:
                 file.write(header + "\n" + "".join(f"{x * scale[0]!r},{(1 + x) * scale[1]!r}\n" for x in (0.0, 3e-7)))
-            said = self.study(2 if name == "wrong.csv" else 0, text.replace("FILE", name))
+            said = self.study(2 if name == "wrong.csv" else 0, text.replace("FILE", name), "--fresh")
             if name == "wrong.csv":
                 self.assertIn("'force_lower' has the unit [mPa]", said)
                 self.assertIn("the unit [N]", said)
+                self.assertNotIn("Running", said)
                 continue
             with open(os.path.join(self.directory, "runs", "s", "error_vs_time.csv"), newline="", encoding="utf-8") as file:
                 row = next(csv.DictReader(file))
