@@ -29,6 +29,13 @@ class Study(unittest.TestCase):
         self.assertIn("run 'drop 7'", said)
         self.assertEqual(os.listdir(self.directory), ["s.prm"])
 
+    def test_every_ready_made_study_is_accepted(self):
+        for folder, _, files in os.walk(os.path.join(INPUTS, "studies")):
+            for name in sorted(name for name in files if name.endswith(".prm")):
+                with self.subTest(study=name):
+                    done = subprocess.run([PROGRAM, "study", os.path.join(folder, name), "--list"], cwd=self.directory, capture_output=True, text=True)
+                    self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_a_wrong_column_is_told_after_the_first_run_of_many(self):
         said = self.study(2, f"set Input = {INPUTS}/wall_uniaxial.prm\nsubsection Run drop\nset Grid = Yield drop = 0 | 0.5 | 0.9\nend\n"
                              "subsection Measure m\nset Result = largest_erorr\nset Reference = 0\nend\n")
