@@ -140,7 +140,7 @@ BY_SCENE = {
     "cell_compression": [("Critical stretch", "1.0001", ["larger than the stretch of the turgid wall"]),
                          ("Cell/Yield drop", "0.9", ["0 with Dimension = 3"])],
     "cell_impact": [("Cell/Fluid particles", "25", ["kernel's radius"]), ("Speed", "0", ["a finite number from"])],
-    "cell_failure": [("Critical stretch", "0", ["needs one above 1"]),
+    "cell_failure": [("Critical stretch", "0", ["needs one above 1"]), ("Cell/Kernel", "fourth_order", ["a wall that can break", "needs wendland"]),
                      ("Cell/Fluid", "pressure", ["does not have one pressure"])],
     "tissue_bruise": CELL[:1] + [
         ("Wall/Critical stretch", "1.01", ["turgor alone stretches the walls to 1.03", "0 for walls that do not break"]),
