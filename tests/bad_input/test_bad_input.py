@@ -151,7 +151,7 @@ BY_SCENE = {
         ("RVE/Rule", "cauchy_born", ["need elastic_equilibrium"]),
         ("Impact/Depth", "2e-3", ["less than nine tenths of the tissue's width"]),
         ("Impact/Tool", "hammer", ["one of"]),
-        ("Tissue/Elements y", "1", ["the cylinder comes down between two nodes", "an even number"]),
+        ("Tissue/Elements y", "1", ["the cylinder would slip through between them", "of at least 2"]),
         ("Tissue/Right side", "clamped", ["it needs 'Right side = free'"]),
     ],
     "tissue_impact": [

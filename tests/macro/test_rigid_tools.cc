@@ -43,6 +43,19 @@ BOOST_AUTO_TEST_CASE(travel_by_hand)
   BOOST_TEST(std::abs(tool.travel(1.5 * std::numbers::pi + 1.) + 2.) < 1e-12);
 }
 
+BOOST_AUTO_TEST_CASE(a_cylinder_has_to_meet_a_node)
+{
+  TissueParameters<2> p = pressed("cylinder");
+  p.degree = 1;
+  p.elements = {6, 3}; // its lowest point is between two nodes, (1 - cos) of 1/6 of its radius above them: 0.014 of it
+  p.tool.depth = 0.013 * width;
+  BOOST_CHECK_EXCEPTION(p.check(), std::invalid_argument, [](const std::invalid_argument &problem) {
+    return std::string(problem.what()).find("comes down between two nodes") != std::string::npos;
+  });
+  p.tool.depth = 0.015 * width;
+  p.check();
+}
+
 BOOST_AUTO_TEST_CASE(penalty_by_hand)
 {
   TissueParameters<2> p = pressed();
