@@ -2,8 +2,8 @@
 
 #include "app/child_process.h"
 #include "app/json_file.h"
-#include "micro/io/checksum.h"
-#include "micro/io/number_text.h"
+#include "run/checksum.h"
+#include "run/number_text.h"
 
 namespace turgor
 {

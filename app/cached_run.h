@@ -3,8 +3,8 @@
 // Used by studies (`turgor study`) and by the validation (`turgor validate`).
 #pragma once
 
-#include "micro/io/resource_use.h"
-#include "micro/io/run_identity.h"
+#include "run/resource_use.h"
+#include "run/run_identity.h"
 
 #include <filesystem>
 #include <functional>

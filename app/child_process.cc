@@ -1,6 +1,6 @@
 #include "app/child_process.h"
 
-#include "micro/io/stop_flag.h"
+#include "run/stop_flag.h"
 
 #include <fcntl.h>
 #include <signal.h>

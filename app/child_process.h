@@ -1,7 +1,7 @@
 // A program started as a child and waited for, with what it cost (wait4).
 #pragma once
 
-#include "micro/io/resource_use.h"
+#include "run/resource_use.h"
 
 #include <csignal>
 #include <functional>

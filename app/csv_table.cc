@@ -1,8 +1,8 @@
 #include "app/csv_table.h"
 
 #include "app/nearest_name.h"
-#include "micro/io/csv_text.h"
-#include "micro/io/user_text.h"
+#include "run/csv_text.h"
+#include "run/user_text.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,7 +1,7 @@
 #include "app/declared_entries.h"
 
-#include "micro/io/input_entries.h"
-#include "micro/io/prm_text.h"
+#include "run/input_entries.h"
+#include "run/prm_text.h"
 
 #include <sstream>
 

@@ -1,7 +1,7 @@
 // A list of declared entries as text: the commented .prm that `turgor parameters` prints.
 #pragma once
 
-#include "micro/io/input_entries.h"
+#include "run/input_entries.h"
 
 #include <string>
 #include <vector>

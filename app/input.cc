@@ -6,10 +6,10 @@
 #include "app/nearest_name.h"
 #include "app/outputs_text.h"
 #include "app/scenario_list.h"
-#include "micro/io/input_entries.h"
-#include "micro/io/prm_text.h"
-#include "micro/io/checksum.h"
-#include "micro/io/run_context.h"
+#include "run/input_entries.h"
+#include "run/prm_text.h"
+#include "run/checksum.h"
+#include "run/run_context.h"
 
 #include <algorithm>
 

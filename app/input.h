@@ -2,8 +2,8 @@
 // entry, value, what is allowed, the nearest known name.
 #pragma once
 
-#include "micro/io/run_identity.h"
-#include "micro/scenarios/scenario.h"
+#include "run/run_identity.h"
+#include "run/scenario.h"
 
 #include <filesystem>
 #include <functional>

@@ -1,12 +1,12 @@
 #include "app/input_identity.h"
 
 #include "app/program_build.h"
-#include "micro/io/atomic_file.h"
-#include "micro/io/checksum.h"
-#include "micro/io/entry_marks.h"
-#include "micro/io/number_text.h"
-#include "micro/io/prm_text.h"
-#include "micro/io/word_or_file.h"
+#include "run/atomic_file.h"
+#include "run/checksum.h"
+#include "run/entry_marks.h"
+#include "run/number_text.h"
+#include "run/prm_text.h"
+#include "run/word_or_file.h"
 
 #include <algorithm>
 

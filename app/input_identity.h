@@ -3,8 +3,8 @@
 //   RunIdentity identity = identity_of(entries, find_files(entries, "my/input.prm"));
 #pragma once
 
-#include "micro/io/input_entries.h"
-#include "micro/io/run_identity.h"
+#include "run/input_entries.h"
+#include "run/run_identity.h"
 
 #include <filesystem>
 #include <vector>

@@ -1,8 +1,8 @@
 #include "app/input_mistakes.h"
 
 #include "app/nearest_name.h"
-#include "micro/io/number_advice.h"
-#include "micro/io/user_text.h"
+#include "run/number_advice.h"
+#include "run/user_text.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,9 +1,9 @@
 // The sentences for what is wrong with an entry of an input: where it stands, what is allowed, what was most likely meant.
 #pragma once
 
-#include "micro/io/input_entries.h"
-#include "micro/io/mistakes.h"
-#include "micro/io/prm_text.h"
+#include "run/input_entries.h"
+#include "run/mistakes.h"
+#include "run/prm_text.h"
 
 #include <string>
 #include <vector>

@@ -11,9 +11,9 @@
 #include "app/study_runner.h"
 #include "app/typed_command.h"
 #include "app/validate_command.h"
-#include "micro/io/number_text.h"
-#include "micro/io/stop_flag.h"
-#include "micro/io/run_context.h"
+#include "run/number_text.h"
+#include "run/stop_flag.h"
+#include "run/run_context.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,4 +1,4 @@
-// What runs leave, in words: the definitions of a scene (micro/io/output_list.h) below its entries, and those of all scenes as doc/outputs.md.
+// What runs leave, in words: the definitions of a scene (run/output_list.h) below its entries, and those of all scenes as doc/outputs.md.
 #pragma once
 
 #include "app/input.h"

@@ -1,9 +1,9 @@
 #include "app/plot_command.h"
 
 #include "app/child_process.h"
-#include "micro/io/manifest.h"
-#include "micro/io/run_context.h"
-#include "micro/io/stop_flag.h"
+#include "run/manifest.h"
+#include "run/run_context.h"
+#include "run/stop_flag.h"
 
 #include <iostream>
 #include <map>

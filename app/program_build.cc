@@ -1,9 +1,9 @@
 #include "app/program_build.h"
 
 #include "app/child_process.h"
-#include "micro/io/atomic_file.h"
-#include "micro/io/checksum.h"
-#include "micro/io/prm_text.h"
+#include "run/atomic_file.h"
+#include "run/checksum.h"
+#include "run/prm_text.h"
 #include "micro/terms/sph_sweeps.h"
 
 #include <elf.h>

@@ -1,9 +1,9 @@
 #include "app/ranks.h"
 
 #include "app/child_process.h"
-#include "micro/io/number_text.h"
-#include "micro/io/run_context.h"
-#include "micro/io/stop_flag.h"
+#include "run/number_text.h"
+#include "run/run_context.h"
+#include "run/stop_flag.h"
 
 #include <unistd.h>
 

@@ -5,12 +5,12 @@
 #include "app/ranks.h"
 #include "app/run_ending.h"
 #include "app/typed_command.h"
-#include "micro/io/field_output.h"
-#include "micro/io/manifest.h"
-#include "micro/io/number_text.h"
-#include "micro/io/resource_use.h"
-#include "micro/io/run_directory.h"
-#include "micro/io/stop_flag.h"
+#include "run/field_output.h"
+#include "run/manifest.h"
+#include "run/number_text.h"
+#include "run/resource_use.h"
+#include "run/run_directory.h"
+#include "run/stop_flag.h"
 
 #include <tbb/global_control.h>
 

@@ -1,9 +1,9 @@
 #include "app/run_ending.h"
 
 #include "app/ranks.h"
-#include "micro/io/number_text.h"
-#include "micro/io/output_failed.h"
-#include "micro/io/run_context.h"
+#include "run/number_text.h"
+#include "run/output_failed.h"
+#include "run/run_context.h"
 
 #include <filesystem>
 #include <new>

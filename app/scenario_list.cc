@@ -5,7 +5,7 @@
 namespace turgor
 {
 #define TURGOR_SCENARIO(name, factory) std::unique_ptr<Scenario> factory();
-#include "micro/scenarios/scenarios.def"
+#include "micro/scenes/scenarios.def"
 #include "rve/scenarios.def"
 #undef TURGOR_SCENARIO
 
@@ -15,7 +15,7 @@ std::vector<std::string> scenario_names()
 #define TURGOR_SCENARIO(name, factory) #name,
 #include "coupling/scenarios.def"
 #include "rve/scenarios.def"
-#include "micro/scenarios/scenarios.def"
+#include "micro/scenes/scenarios.def"
 #undef TURGOR_SCENARIO
   };
 }
@@ -25,7 +25,7 @@ std::unique_ptr<Scenario> make_scenario([[maybe_unused]] const std::string &want
 #define TURGOR_SCENARIO(name, factory) \
   if (wanted == #name)                 \
     return factory();
-#include "micro/scenarios/scenarios.def"
+#include "micro/scenes/scenarios.def"
 #include "rve/scenarios.def"
 #undef TURGOR_SCENARIO
 #define TURGOR_SCENARIO(name, factory) \

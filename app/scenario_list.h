@@ -1,7 +1,7 @@
 // All scenes this program knows, from the scenarios.def lists of micro, rve and coupling.
 #pragma once
 
-#include "micro/scenarios/scenario.h"
+#include "run/scenario.h"
 
 #include <memory>
 #include <string>

@@ -1,7 +1,7 @@
 #include "app/study_grid.h"
 
-#include "micro/io/run_context.h"
-#include "micro/io/user_text.h"
+#include "run/run_context.h"
+#include "run/user_text.h"
 
 #include <algorithm>
 

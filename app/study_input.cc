@@ -6,11 +6,11 @@
 #include "app/input.h"
 #include "app/nearest_name.h"
 #include "app/study_grid.h"
-#include "micro/io/input_entries.h"
-#include "micro/io/number_text.h"
-#include "micro/io/prm_text.h"
-#include "micro/io/run_context.h"
-#include "micro/io/user_text.h"
+#include "run/input_entries.h"
+#include "run/number_text.h"
+#include "run/prm_text.h"
+#include "run/run_context.h"
+#include "run/user_text.h"
 
 #include <algorithm>
 #include <deque>

@@ -8,8 +8,8 @@
 #include "app/polyline.h"
 #include "app/study_units.h"
 #include "app/units.h"
-#include "micro/io/number_text.h"
-#include "micro/io/user_text.h"
+#include "run/number_text.h"
+#include "run/user_text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,11 +9,11 @@
 #include "app/study_tables.h"
 #include "app/study_units.h"
 #include "app/typed_command.h"
-#include "micro/io/directory_lock.h"
-#include "micro/io/number_text.h"
-#include "micro/io/progress_bar.h"
-#include "micro/io/run_context.h"
-#include "micro/io/stop_flag.h"
+#include "run/directory_lock.h"
+#include "run/number_text.h"
+#include "run/progress_bar.h"
+#include "run/run_context.h"
+#include "run/stop_flag.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,9 +1,9 @@
 #include "app/study_tables.h"
 
 #include "app/csv_table.h"
-#include "micro/io/atomic_file.h"
-#include "micro/io/manifest.h"
-#include "micro/io/number_text.h"
+#include "run/atomic_file.h"
+#include "run/manifest.h"
+#include "run/number_text.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #include "app/study_units.h"
 
 #include "app/units.h"
-#include "micro/io/run_context.h"
+#include "run/run_context.h"
 
 #include <algorithm>
 #include <stdexcept>

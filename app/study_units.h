@@ -3,7 +3,7 @@
 
 #include "app/csv_table.h"
 #include "app/study_input.h"
-#include "micro/io/output_list.h"
+#include "run/output_list.h"
 
 namespace turgor
 {

@@ -4,7 +4,7 @@
 //   std::unique_ptr<Scenario> scene = make_tissue_scenario("tissue_gravity");
 #pragma once
 
-#include "micro/scenarios/scenario.h"
+#include "run/scenario.h"
 
 #include <memory>
 #include <string>

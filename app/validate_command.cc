@@ -6,13 +6,13 @@
 #include "app/run_command.h"
 #include "app/typed_command.h"
 #include "app/validation_table.h"
-#include "micro/io/atomic_file.h"
-#include "micro/io/checksum.h"
-#include "micro/io/directory_lock.h"
-#include "micro/io/number_text.h"
-#include "micro/io/progress_bar.h"
-#include "micro/io/run_context.h"
-#include "micro/io/stop_flag.h"
+#include "run/atomic_file.h"
+#include "run/checksum.h"
+#include "run/directory_lock.h"
+#include "run/number_text.h"
+#include "run/progress_bar.h"
+#include "run/run_context.h"
+#include "run/stop_flag.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,9 +2,9 @@
 
 #include "app/json_file.h"
 #include "app/nearest_name.h"
-#include "micro/io/number_text.h"
-#include "micro/io/run_context.h"
-#include "micro/io/user_text.h"
+#include "run/number_text.h"
+#include "run/run_context.h"
+#include "run/user_text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,11 +2,11 @@
 
 #include "app/csv_table.h"
 #include "app/json_file.h"
-#include "micro/io/atomic_file.h"
-#include "micro/io/csv_text.h"
-#include "micro/io/number_text.h"
-#include "micro/io/run_context.h"
-#include "micro/io/user_text.h"
+#include "run/atomic_file.h"
+#include "run/csv_text.h"
+#include "run/number_text.h"
+#include "run/run_context.h"
+#include "run/user_text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,7 @@
 //   product; iteration_ns_cell: of conjugate gradients to 1e-6.
 // friction_iterations: their number at 10^4 cells, by pair over medium friction and digits of the tolerance, all directions the same.
 // The time column is wall time.
-#include "micro/engine/counter_random.h"
+#include "micro/laws/counter_random.h"
 #include "micro/engine/gathered.h"
 #include "micro/engine/overdamped.h"
 #include "micro/engine/space_order.h"

@@ -1,8 +1,8 @@
 #include "coupling/bruise.h"
 
 #include "macro/binary.h"
-#include "micro/io/number_text.h"
-#include "micro/scenarios/judged.h"
+#include "run/number_text.h"
+#include "run/judged.h"
 
 #include <algorithm>
 

@@ -3,9 +3,9 @@
 #include "coupling/answer_table.h"
 #include "coupling/state_bytes.h"
 #include "coupling/tensor_conversion.h"
-#include "micro/io/number_text.h"
-#include "micro/io/run_context.h"
-#include "micro/io/stop_flag.h"
+#include "run/number_text.h"
+#include "run/run_context.h"
+#include "run/stop_flag.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>

@@ -1,9 +1,9 @@
 // deal.II tensors of the tissue <-> Eigen matrices of the RVEs, component by component,
 // so that the same bits arrive on the other side. Shapes: dim x dim, and dP/dF with
-// row and column index a*dim+b (micro/engine/tensor.h) <-> Tensor<4, dim>[a][b][c][d].
+// row and column index a*dim+b (micro/geometry/tensor.h) <-> Tensor<4, dim>[a][b][c][d].
 #pragma once
 
-#include "micro/engine/tensor.h"
+#include "micro/geometry/tensor.h"
 
 #include <deal.II/base/tensor.h>
 

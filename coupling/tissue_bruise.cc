@@ -2,8 +2,8 @@
 
 #include "coupling/bruise.h"
 #include "coupling/tissue_size.h"
-#include "micro/io/input_entries.h"
-#include "micro/io/number_text.h"
+#include "run/input_entries.h"
+#include "run/number_text.h"
 #include "rve/make_rve.h"
 
 namespace turgor

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "coupling/tissue_run.h"
-#include "micro/scenarios/scenario.h"
+#include "run/scenario.h"
 #include "rve/rve_parameters.h"
 
 namespace turgor

@@ -1,9 +1,9 @@
 #include "coupling/tissue_gravity.h"
 
 #include "coupling/tissue_size.h"
-#include "micro/io/input_entries.h"
-#include "micro/io/number_text.h"
-#include "micro/scenarios/judged.h"
+#include "run/input_entries.h"
+#include "run/number_text.h"
+#include "run/judged.h"
 #include "rve/make_rve.h"
 
 #include <cmath>

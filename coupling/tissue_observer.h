@@ -3,7 +3,7 @@
 
 #include "coupling/rve_law.h"
 #include "macro/tissue.h"
-#include "micro/io/run_context.h"
+#include "run/run_context.h"
 
 #include <array>
 #include <iosfwd>

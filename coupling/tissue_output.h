@@ -4,8 +4,8 @@
 
 #include "coupling/rve_law.h"
 #include "macro/tissue.h"
-#include "micro/io/field_file.h"
-#include "micro/io/run_context.h"
+#include "run/field_file.h"
+#include "run/run_context.h"
 
 #include <array>
 #include <vector>

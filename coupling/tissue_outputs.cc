@@ -3,7 +3,7 @@
 #include "coupling/tissue_bruise.h"
 #include "coupling/tissue_gravity.h"
 #include "coupling/tissue_statics.h"
-#include "micro/scenarios/shared_outputs.h"
+#include "micro/scenes/shared_outputs.h"
 
 namespace turgor
 {

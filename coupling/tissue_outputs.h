@@ -1,7 +1,7 @@
-// Definitions of outputs (micro/io/output_list.h) of the scenes of two scales; run_tissue() and what watches it write them.
+// Definitions of outputs (run/output_list.h) of the scenes of two scales; run_tissue() and what watches it write them.
 #pragma once
 
-#include "micro/io/output_list.h"
+#include "run/output_list.h"
 
 namespace turgor
 {

@@ -4,12 +4,12 @@
 #include "coupling/tissue_output.h"
 #include "macro/binary.h"
 #include "macro/tissue.h"
-#include "micro/io/cpu_clock.h"
-#include "micro/io/field_output.h"
-#include "micro/io/number_text.h"
-#include "micro/io/stop_flag.h"
-#include "micro/scenarios/judged.h"
-#include "micro/scenarios/stored_turgor.h"
+#include "run/cpu_clock.h"
+#include "run/field_output.h"
+#include "run/number_text.h"
+#include "run/stop_flag.h"
+#include "run/judged.h"
+#include "micro/scenes/stored_turgor.h"
 
 #include <algorithm>
 #include <chrono>

@@ -8,7 +8,7 @@
 #include "coupling/rve_law.h"
 #include "coupling/tissue_observer.h"
 #include "macro/tissue_parameters.h"
-#include "micro/io/run_context.h"
+#include "run/run_context.h"
 
 #include <memory>
 

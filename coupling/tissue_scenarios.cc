@@ -1,5 +1,5 @@
 // What the program finds in this module by name (app/tissue_module.h): the scenes of this folder.
-#include "micro/scenarios/scenario.h"
+#include "run/scenario.h"
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/multithread_info.h>

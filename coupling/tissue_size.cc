@@ -1,7 +1,7 @@
 #include "coupling/tissue_size.h"
 
-#include "micro/io/resource_use.h"
-#include "micro/io/run_context.h"
+#include "run/resource_use.h"
+#include "run/run_context.h"
 
 #include <sstream>
 

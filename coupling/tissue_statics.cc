@@ -4,10 +4,10 @@
 #include "coupling/tissue_output.h"
 #include "coupling/tissue_size.h"
 #include "macro/tissue.h"
-#include "micro/io/field_output.h"
-#include "micro/io/input_entries.h"
-#include "micro/io/number_text.h"
-#include "micro/scenarios/judged.h"
+#include "run/field_output.h"
+#include "run/input_entries.h"
+#include "run/number_text.h"
+#include "run/judged.h"
 #include "rve/make_rve.h"
 
 #include <algorithm>

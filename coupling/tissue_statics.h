@@ -9,7 +9,7 @@
 
 #include "macro/static_equilibrium.h"
 #include "macro/tissue_parameters.h"
-#include "micro/scenarios/scenario.h"
+#include "run/scenario.h"
 #include "rve/rve_parameters.h"
 
 namespace turgor

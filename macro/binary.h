@@ -1,7 +1,7 @@
 // Plain numbers and vectors of them to and from a checkpoint's stream, bit by bit.
 #pragma once
 
-#include "micro/io/number_text.h"
+#include "run/number_text.h"
 
 #include <cstdint>
 #include <istream>
@@ -12,7 +12,7 @@
 
 namespace turgor
 {
-/// Apart from the functions of the same name in micro/engine/binary.h, which let a vector change its size.
+/// Apart from the functions of the same name in run/binary.h, which let a vector change its size.
 inline namespace tissue_binary
 {
 template <typename T>

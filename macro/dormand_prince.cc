@@ -1,7 +1,7 @@
 #include "macro/dormand_prince.h"
 
 #include "macro/binary.h"
-#include "micro/io/number_text.h"
+#include "run/number_text.h"
 
 #include <arkode/arkode_arkstep.h>
 #include <nvector/nvector_serial.h>

@@ -1,7 +1,7 @@
 #include "macro/neo_hookean_law.h"
 
 #include "macro/binary.h"
-#include "micro/io/number_text.h"
+#include "run/number_text.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "macro/tissue_operator.h"
 
-#include "micro/io/number_text.h"
+#include "run/number_text.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,8 +1,8 @@
 #include "macro/tissue_parameters.h"
 
-#include "micro/io/input_entries.h"
-#include "micro/io/entry_marks.h"
-#include "micro/io/number_text.h"
+#include "run/input_entries.h"
+#include "run/entry_marks.h"
+#include "run/number_text.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,7 +1,7 @@
 #include "macro/tool_parameters.h"
 
-#include "micro/io/input_entries.h"
-#include "micro/io/number_text.h"
+#include "run/input_entries.h"
+#include "run/number_text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 //   const double bound = 1.2 * acoustic_bound(tangent);
 #pragma once
 
-#include "micro/engine/tensor.h"
+#include "micro/geometry/tensor.h"
 
 namespace turgor
 {

@@ -1,9 +1,9 @@
 #include "rve/deformation_path.h"
 
-#include "micro/engine/tensor_text.h"
-#include "micro/io/number_text.h"
-#include "micro/io/run_context.h"
-#include "micro/io/user_text.h"
+#include "micro/geometry/tensor_text.h"
+#include "run/number_text.h"
+#include "run/run_context.h"
+#include "run/user_text.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 // F_dot is the slope of the segment that ends at (or contains) the time. In: text. Out: F, F_dot (1/s).
 #pragma once
 
-#include "micro/engine/tensor.h"
+#include "micro/geometry/tensor.h"
 
 #include <string>
 #include <vector>

@@ -14,8 +14,8 @@
 #pragma once
 
 #include "micro/cells/parenchyma.h"
-#include "micro/terms/equation_of_state.h"
-#include "micro/terms/neo_hookean_wall.h"
+#include "micro/laws/equation_of_state.h"
+#include "micro/laws/neo_hookean_wall.h"
 
 namespace turgor
 {

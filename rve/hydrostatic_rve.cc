@@ -1,8 +1,8 @@
 #include "rve/hydrostatic_rve.h"
 
 #include "micro/cells/turgid_network.h"
-#include "micro/io/cpu_clock.h"
-#include "micro/io/number_text.h"
+#include "run/cpu_clock.h"
+#include "run/number_text.h"
 #include "rve/acoustic_bound.h"
 
 #include <algorithm>

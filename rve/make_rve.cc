@@ -1,6 +1,6 @@
 #include "rve/make_rve.h"
 
-#include "micro/io/run_context.h"
+#include "run/run_context.h"
 #include "rve/hydrostatic_rve.h"
 #include "rve/sph_rve.h"
 

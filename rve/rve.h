@@ -7,7 +7,7 @@
 // caller's commit replaces. Stress is the virial stress (thesis Eq. 3.17) in the current volume.
 #pragma once
 
-#include "micro/engine/tensor.h"
+#include "micro/geometry/tensor.h"
 
 #include <memory>
 #include <string>

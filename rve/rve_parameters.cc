@@ -1,7 +1,7 @@
 #include "rve/rve_parameters.h"
 
 #include "micro/cells/sph_cell_entries.h"
-#include "micro/io/input_entries.h"
+#include "run/input_entries.h"
 
 #include <sstream>
 #include <stdexcept>

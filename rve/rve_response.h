@@ -2,7 +2,7 @@
 // at one F given by hand, beside the flat-wall closed form. Writes stress.csv.
 #pragma once
 
-#include "micro/scenarios/scenario.h"
+#include "run/scenario.h"
 #include "rve/rve_parameters.h"
 
 namespace turgor

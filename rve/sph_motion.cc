@@ -1,8 +1,8 @@
 #include "rve/sph_motion.h"
 
 #include "micro/engine/kick_drift_kick.h"
-#include "micro/io/number_text.h"
-#include "micro/io/stop_flag.h"
+#include "run/number_text.h"
+#include "run/stop_flag.h"
 #include "micro/terms/sph_fluid.h"
 #include "rve/stretch_path.h"
 

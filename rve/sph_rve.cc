@@ -2,9 +2,9 @@
 
 #include "micro/cells/tissue_block.h"
 #include "micro/cells/turgid_reference.h"
-#include "micro/io/cpu_clock.h"
-#include "micro/io/number_text.h"
-#include "micro/io/stop_flag.h"
+#include "run/cpu_clock.h"
+#include "run/number_text.h"
+#include "run/stop_flag.h"
 #include "rve/acoustic_bound.h"
 #include "rve/sph_motion.h"
 

@@ -8,7 +8,7 @@
 // both are equal (a straight line between the two would inflate a sheared or stretched cell on its way).
 #pragma once
 
-#include "micro/engine/tensor.h"
+#include "micro/geometry/tensor.h"
 
 namespace turgor
 {

@@ -2,7 +2,7 @@
 //
 // Linked into every test program, and into turgor_disturbed, the program itself as golden tests run it. TURGOR_DISTURB=SEED (1, 2, ...)
 // switches it on; without it, or with 0, nothing is done. tests/disturbed.py runs whole suites so.
-#include "micro/engine/start_disturbance.h"
+#include "run/start_disturbance.h"
 
 #include <algorithm>
 #include <cmath>

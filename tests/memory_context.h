@@ -2,7 +2,7 @@
 // It can ask to stop at the n-th question, or while a named work is under way. Fields go to its directory, removed at the end.
 #pragma once
 
-#include "micro/io/run_context.h"
+#include "run/run_context.h"
 
 #include <unistd.h>
 

@@ -1,7 +1,7 @@
 // Entries of an aggregate of bricks, and what of them goes together.
 #include "micro/cells/brick_tissue.h"
 #include "micro/cells/turgid_limit.h"
-#include "micro/io/input_entries.h"
+#include "run/input_entries.h"
 
 #include <cmath>
 #include <sstream>

@@ -1,7 +1,7 @@
 // What is measured of an aggregate of bricks: areas, voids, angles, stretch.
 #include "micro/cells/brick_tissue.h"
 
-#include "micro/terms/wall_bending.h"
+#include "micro/laws/wall_bending.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "micro/cells/brick_tissue.h"
 
 #include "micro/cells/even_points.h"
-#include "micro/engine/counter_random.h"
-#include "micro/engine/start_disturbance.h"
+#include "micro/laws/counter_random.h"
+#include "run/start_disturbance.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "micro/cells/cell_population.h"
 
-#include "micro/engine/binary.h"
+#include "run/binary.h"
 #include "micro/engine/gathered.h"
 
 #include <algorithm>

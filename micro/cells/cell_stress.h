@@ -8,8 +8,8 @@
 // Out: virial V_i sigma_i (N m) of all cells, after add_forces of the contacts at the same positions.
 #pragma once
 
-#include "micro/engine/parallel.h"
-#include "micro/engine/tensor.h"
+#include "run/parallel.h"
+#include "micro/geometry/tensor.h"
 #include "micro/terms/sphere_contacts.h"
 
 #include <vector>

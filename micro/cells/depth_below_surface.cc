@@ -1,6 +1,6 @@
 #include "micro/cells/depth_below_surface.h"
 
-#include "micro/engine/bins.h"
+#include "micro/geometry/bins.h"
 
 #include <algorithm>
 

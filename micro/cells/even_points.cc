@@ -1,6 +1,6 @@
 #include "micro/cells/even_points.h"
 
-#include "micro/engine/bisection.h"
+#include "micro/solve/bisection.h"
 
 #include <algorithm>
 #include <cmath>

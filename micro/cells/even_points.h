@@ -7,7 +7,7 @@
 //   for (const Vector<2> &x : even_points(ring, 100)) ...      // strip by strip upwards, in a strip from left to right
 #pragma once
 
-#include "micro/engine/tensor.h"
+#include "micro/geometry/tensor.h"
 
 #include <vector>
 

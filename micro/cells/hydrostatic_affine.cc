@@ -1,7 +1,7 @@
 // HydrostaticNetwork, what an affine motion of all its nodes does: forces and curvature of the energy.
 #include "micro/cells/hydrostatic_network.h"
 #include "micro/cells/ring_geometry.h"
-#include "micro/terms/lamella_tie.h"
+#include "micro/laws/lamella_tie.h"
 
 #include <array>
 

@@ -1,9 +1,9 @@
 #include "micro/cells/hydrostatic_network.h"
 
 #include "micro/cells/ring_geometry.h"
-#include "micro/engine/start_disturbance.h"
-#include "micro/terms/lamella_tie.h"
-#include "micro/terms/wall_bending.h"
+#include "run/start_disturbance.h"
+#include "micro/laws/lamella_tie.h"
+#include "micro/laws/wall_bending.h"
 
 #include <algorithm>
 #include <cmath>

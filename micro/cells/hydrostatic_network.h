@@ -23,8 +23,8 @@
 
 #include "micro/cells/parenchyma.h"
 #include "micro/cells/wall_history.h"
-#include "micro/terms/hydrostatic_pressure.h"
-#include "micro/terms/neo_hookean_wall.h"
+#include "micro/laws/hydrostatic_pressure.h"
+#include "micro/laws/neo_hookean_wall.h"
 
 #include <optional>
 #include <vector>

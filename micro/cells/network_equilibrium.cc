@@ -1,6 +1,6 @@
 #include "micro/cells/network_equilibrium.h"
 
-#include "micro/io/number_text.h"
+#include "run/number_text.h"
 
 #include <algorithm>
 #include <cmath>

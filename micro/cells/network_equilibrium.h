@@ -18,7 +18,7 @@
 // Out: x and how it was reached. Never NaN: a failed search returns the best x and a sentence.
 #pragma once
 
-#include "micro/cells/block_ldlt.h"
+#include "micro/solve/block_ldlt.h"
 #include "micro/cells/hydrostatic_network.h"
 
 #include <functional>

@@ -1,7 +1,7 @@
 #include "micro/cells/parenchyma.h"
 
-#include "micro/io/input_entries.h"
-#include "micro/terms/neo_hookean_wall.h"
+#include "run/input_entries.h"
+#include "micro/laws/neo_hookean_wall.h"
 
 #include <cmath>
 #include <limits>

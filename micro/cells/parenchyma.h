@@ -8,8 +8,9 @@
 // 2 F(lambda_0) / (L z0) = turgor (two wall layers per period), F with its yielding where walls yield.
 #pragma once
 
-#include "micro/engine/tensor.h"
-#include "micro/terms/wall_yield.h"
+#include "micro/geometry/tensor.h"
+#include "micro/laws/lamella_tie.h"
+#include "micro/laws/wall_yield.h"
 
 #include <array>
 #include <cstdint>
@@ -35,18 +36,10 @@ struct ParenchymaParameters
   double fluid_density = 1000.;     ///< kg/m^3, rho_0
   double fluid_modulus = 6e6;       ///< Pa, K of the EOS (2.22); bulk modulus is 7 K
   double fluid_viscosity = 1e-3;    ///< Pa s
-  double cavitation_pressure = -100e3; ///< Pa gauge, where liquid gives way (see micro/terms/equation_of_state.h)
+  double cavitation_pressure = -100e3; ///< Pa gauge, where liquid gives way (see micro/laws/equation_of_state.h)
 
   /// Declares every entry above in the current subsection of prm.
   void add_parameters(InputEntries &prm);
-};
-
-/// A tie between node a and the image of node b displaced by lattice vectors H * shift:
-/// a zero-length linear spring, force on a = k (x_b + H shift - x_a).
-struct LamellaTie
-{
-  std::uint32_t a = 0, b = 0;
-  std::array<int, 2> shift{{0, 0}};
 };
 
 /// A closed, counter-clockwise ring of wall nodes [first, first + count).

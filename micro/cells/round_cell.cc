@@ -1,8 +1,8 @@
 #include "micro/cells/round_cell.h"
 
-#include "micro/cells/geodesic_sphere.h"
-#include "micro/engine/counter_random.h"
-#include "micro/engine/start_disturbance.h"
+#include "micro/geometry/geodesic_sphere.h"
+#include "micro/laws/counter_random.h"
+#include "run/start_disturbance.h"
 #include "micro/terms/thesis_fluid.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // The entries of a round cell: names, ranges, what they must not be together.
 #include "micro/cells/round_cell.h"
-#include "micro/io/input_entries.h"
+#include "run/input_entries.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,6 @@
 #include "micro/cells/sph_cell_entries.h"
 
-#include "micro/io/input_entries.h"
+#include "run/input_entries.h"
 
 #include <stdexcept>
 

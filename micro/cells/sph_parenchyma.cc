@@ -1,8 +1,8 @@
 #include "micro/cells/sph_parenchyma.h"
 
-#include "micro/engine/counter_random.h"
-#include "micro/engine/start_disturbance.h"
-#include "micro/io/input_entries.h"
+#include "micro/laws/counter_random.h"
+#include "run/start_disturbance.h"
+#include "run/input_entries.h"
 #include "micro/terms/lamella_ties.h"
 #include "micro/terms/ring_wall.h"
 #include "micro/terms/sph_fluid.h"

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "micro/cells/cell_population.h"
-#include "micro/engine/tensor.h"
+#include "micro/geometry/tensor.h"
 
 #include <cmath>
 #include <iosfwd>

@@ -8,8 +8,8 @@
 //   if (turgor >= turgid_limit(law, round_cell, 4. * period, depth).pressure) ...
 #pragma once
 
-#include "micro/engine/bisection.h"
-#include "micro/terms/neo_hookean_wall.h"
+#include "micro/solve/bisection.h"
+#include "micro/laws/neo_hookean_wall.h"
 
 #include <numbers>
 

@@ -1,7 +1,7 @@
 #include "micro/cells/turgid_reference.h"
 
 #include "micro/engine/kick_drift_kick.h"
-#include "micro/io/number_text.h"
+#include "run/number_text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -17,7 +17,7 @@
 // In: stretch (no unit). Out: N, J/m (energy per reference length of the bond).
 #pragma once
 
-#include "micro/terms/neo_hookean_wall.h"
+#include "micro/laws/neo_hookean_wall.h"
 
 #include <cstddef>
 #include <vector>

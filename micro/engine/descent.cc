@@ -1,6 +1,6 @@
 #include "micro/engine/descent.h"
 
-#include "micro/engine/binary.h"
+#include "run/binary.h"
 
 #include <algorithm>
 #include <cmath>

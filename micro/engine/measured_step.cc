@@ -1,6 +1,6 @@
 #include "micro/engine/measured_step.h"
 
-#include "micro/engine/counter_random.h"
+#include "micro/laws/counter_random.h"
 
 #include <Eigen/Eigenvalues>
 

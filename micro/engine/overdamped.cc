@@ -1,9 +1,9 @@
 #include "micro/engine/overdamped.h"
 
-#include "micro/engine/binary.h"
+#include "run/binary.h"
 #include "micro/engine/gathered.h"
-#include "micro/engine/parallel.h"
-#include "micro/engine/start_disturbance.h"
+#include "run/parallel.h"
+#include "run/start_disturbance.h"
 
 #include <algorithm>
 #include <cmath>

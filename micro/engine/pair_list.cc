@@ -1,6 +1,6 @@
 #include "micro/engine/pair_list.h"
 
-#include "micro/engine/parallel.h"
+#include "run/parallel.h"
 
 #include <algorithm>
 #include <atomic>

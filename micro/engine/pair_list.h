@@ -6,7 +6,7 @@
 // by half a skin together (moved + grown <= skin/2).
 #pragma once
 
-#include "micro/engine/bins.h"
+#include "micro/geometry/bins.h"
 #include "micro/engine/particles.h"
 
 #include <cstdint>

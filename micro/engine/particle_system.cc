@@ -1,7 +1,7 @@
 #include "micro/engine/particle_system.h"
 
-#include "micro/engine/binary.h"
-#include "micro/io/number_text.h"
+#include "run/binary.h"
+#include "run/number_text.h"
 
 #include <algorithm>
 

@@ -9,7 +9,7 @@
 // that a term or integrator declared when the scene was put together.
 #pragma once
 
-#include "micro/engine/tensor.h"
+#include "micro/geometry/tensor.h"
 
 #include <array>
 #include <cstdint>

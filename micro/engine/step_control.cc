@@ -1,6 +1,6 @@
 #include "micro/engine/step_control.h"
 
-#include "micro/engine/binary.h"
+#include "run/binary.h"
 #include "micro/engine/measured_step.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 // A law between groups (lamella) is evaluated from both sides.
 #pragma once
 
-#include "micro/engine/box.h"
+#include "micro/geometry/box.h"
 #include "micro/engine/particles.h"
 
 #include <cmath>

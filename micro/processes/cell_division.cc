@@ -1,6 +1,6 @@
 #include "micro/processes/cell_division.h"
 
-#include "micro/engine/counter_random.h"
+#include "micro/laws/counter_random.h"
 #include "micro/terms/wall_contact.h"
 
 #include <Eigen/Eigenvalues>

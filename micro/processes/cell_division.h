@@ -14,7 +14,7 @@
 #pragma once
 
 #include "micro/cells/surroundings.h"
-#include "micro/engine/tensor.h"
+#include "micro/geometry/tensor.h"
 #include "micro/terms/sphere_contacts.h"
 
 #include <memory>

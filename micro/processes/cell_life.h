@@ -12,11 +12,11 @@
 
 #include "micro/cells/cell_population.h"
 #include "micro/cells/surroundings.h"
-#include "micro/processes/cell_cycle.h"
-#include "micro/processes/cell_death.h"
+#include "micro/laws/cell_cycle.h"
+#include "micro/laws/cell_death.h"
 #include "micro/processes/cell_division.h"
-#include "micro/processes/cell_variability.h"
-#include "micro/processes/cell_volume.h"
+#include "micro/laws/cell_variability.h"
+#include "micro/laws/cell_volume.h"
 
 #include <functional>
 #include <memory>

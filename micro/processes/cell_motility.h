@@ -17,7 +17,7 @@
 #pragma once
 
 #include "micro/engine/particles.h"
-#include "micro/engine/random_normal.h"
+#include "micro/laws/random_normal.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include "micro/terms/cell_contact.h"
 
-#include "micro/engine/binary.h"
-#include "micro/engine/bins.h"
+#include "run/binary.h"
+#include "micro/geometry/bins.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "micro/engine/term.h"
-#include "micro/terms/equation_of_state.h"
+#include "micro/laws/equation_of_state.h"
 
 #include <string>
 #include <vector>

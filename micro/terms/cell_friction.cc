@@ -1,7 +1,7 @@
 #include "micro/terms/cell_friction.h"
 
-#include "micro/engine/parallel.h"
-#include "micro/io/number_text.h"
+#include "run/parallel.h"
+#include "run/number_text.h"
 
 #include <algorithm>
 #include <cmath>

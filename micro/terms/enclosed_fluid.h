@@ -8,10 +8,10 @@
 // A group holds wall nodes only. In: masses (kg) per group, depth (m, 2D). Out: forces (N), pressure (Pa), volume (m^3).
 #pragma once
 
-#include "micro/cells/triangle_mesh.h"
-#include "micro/engine/binary.h"
+#include "micro/geometry/triangle_mesh.h"
+#include "run/binary.h"
 #include "micro/engine/term.h"
-#include "micro/terms/equation_of_state.h"
+#include "micro/laws/equation_of_state.h"
 
 #include <algorithm>
 #include <memory>

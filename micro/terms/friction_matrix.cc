@@ -1,6 +1,6 @@
 #include "micro/terms/friction_matrix.h"
 
-#include "micro/engine/parallel.h"
+#include "run/parallel.h"
 
 #include <algorithm>
 #include <cmath>

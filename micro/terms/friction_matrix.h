@@ -13,7 +13,7 @@
 // starts from wants the same ones: both are made in one pass.
 #pragma once
 
-#include "micro/terms/eight_floats.h"
+#include "micro/solve/eight_floats.h"
 #include "micro/terms/pair_friction.h"
 
 #include <vector>

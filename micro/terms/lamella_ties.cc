@@ -1,6 +1,6 @@
 #include "micro/terms/lamella_ties.h"
 
-#include "micro/engine/binary.h"
+#include "run/binary.h"
 
 #include <algorithm>
 #include <cmath>

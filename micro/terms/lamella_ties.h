@@ -6,9 +6,8 @@
 // both sides, and the list of broken ties is the term's history.
 #pragma once
 
-#include "micro/cells/parenchyma.h"
 #include "micro/engine/term.h"
-#include "micro/terms/lamella_tie.h"
+#include "micro/laws/lamella_tie.h"
 
 #include <vector>
 

@@ -14,9 +14,9 @@
 // Lengths in m, G t0 in N/m, k_b in N m; forces depend on differences of positions only, so momentum and angular momentum hold.
 #pragma once
 
-#include "micro/cells/triangle_mesh.h"
+#include "micro/geometry/triangle_mesh.h"
 #include "micro/terms/bonded_wall.h"
-#include "micro/terms/wall_yield.h"
+#include "micro/laws/wall_yield.h"
 
 #include <memory>
 #include <vector>

@@ -6,8 +6,8 @@
 #pragma once
 
 #include "micro/terms/bonded_wall.h"
-#include "micro/terms/neo_hookean_wall.h"
-#include "micro/terms/wall_bending.h"
+#include "micro/laws/neo_hookean_wall.h"
+#include "micro/laws/wall_bending.h"
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 // For each triangle of a wall the fluid particles in its reach, with the quadrature that each needs.
-#include "micro/engine/bins.h"
+#include "micro/geometry/bins.h"
 #include "micro/terms/sph_lists.h"
 
 #include <Eigen/Geometry>

@@ -1,7 +1,7 @@
 #include "micro/terms/sph_fluid.h"
 
-#include "micro/engine/binary.h"
-#include "micro/io/number_text.h"
+#include "run/binary.h"
+#include "run/number_text.h"
 #include "micro/terms/sph_barrier.h"
 #include "micro/terms/sph_scratch.h"
 #include "micro/terms/sph_wall_view.h"

@@ -9,7 +9,7 @@
 // Fields: density (kg/m^3), pressure (Pa), wall_share (gamma).
 #pragma once
 
-#include "micro/cells/triangle_mesh.h"
+#include "micro/geometry/triangle_mesh.h"
 #include "micro/terms/cell_fluid.h"
 #include "micro/terms/list_origin.h"
 #include "micro/terms/sph_impulses.h"

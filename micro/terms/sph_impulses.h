@@ -8,8 +8,8 @@
 // the longest too (SphFluid::rates); shorter motions are not resolved anyway.
 #pragma once
 
-#include "micro/engine/binary.h"
-#include "micro/engine/tensor.h"
+#include "run/binary.h"
+#include "micro/geometry/tensor.h"
 
 #include <algorithm>
 #include <cmath>

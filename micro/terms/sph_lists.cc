@@ -1,6 +1,6 @@
 #include "micro/terms/sph_lists.h"
 
-#include "micro/engine/bins.h"
+#include "micro/geometry/bins.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 // quadrature only then. Faces that are gone (an opened wall) are left out.
 #pragma once
 
-#include "micro/cells/triangle_mesh.h"
+#include "micro/geometry/triangle_mesh.h"
 #include "micro/terms/list_origin.h"
 #include "micro/terms/sph_sweeps.h"
 

@@ -1,6 +1,6 @@
 #include "micro/terms/sph_sweeps.h"
 
-#include "micro/io/run_context.h"
+#include "run/run_context.h"
 
 #include <cstdlib>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 #include "micro/terms/sph_wall_layer.h"
 
-#include "micro/terms/sph_kernel.h"
+#include "micro/laws/sph_kernel.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,10 +1,10 @@
 #include "micro/terms/sphere_contacts.h"
 
-#include "micro/engine/binary.h"
-#include "micro/engine/parallel.h"
+#include "run/binary.h"
+#include "run/parallel.h"
 #include "micro/engine/step_too_long.h"
-#include "micro/io/number_text.h"
-#include "micro/terms/overlap_energy.h"
+#include "run/number_text.h"
+#include "micro/laws/overlap_energy.h"
 
 #include <algorithm>
 #include <atomic>

@@ -19,8 +19,8 @@
 #pragma once
 
 #include "micro/engine/pair_list.h"
-#include "micro/terms/local_stiffness.h"
-#include "micro/terms/sphere_contact.h"
+#include "micro/laws/local_stiffness.h"
+#include "micro/laws/sphere_contact.h"
 
 #include <iosfwd>
 #include <optional>

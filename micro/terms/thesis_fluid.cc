@@ -1,6 +1,6 @@
 #include "micro/terms/thesis_fluid.h"
 
-#include "micro/engine/binary.h"
+#include "run/binary.h"
 
 #include <algorithm>
 #include <cmath>

@@ -19,9 +19,9 @@
 #pragma once
 
 #include "micro/terms/cell_fluid.h"
-#include "micro/terms/lennard_jones_wall.h"
+#include "micro/laws/lennard_jones_wall.h"
 #include "micro/terms/list_origin.h"
-#include "micro/terms/sph_kernel.h"
+#include "micro/laws/sph_kernel.h"
 
 #include <array>
 #include <cstdint>

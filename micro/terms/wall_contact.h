@@ -10,9 +10,9 @@
 #pragma once
 
 #include "micro/engine/particles.h"
-#include "micro/terms/local_stiffness.h"
-#include "micro/terms/overlap_energy.h"
-#include "micro/terms/sphere_contact.h"
+#include "micro/laws/local_stiffness.h"
+#include "micro/laws/overlap_energy.h"
+#include "micro/laws/sphere_contact.h"
 
 #include <numbers>
 #include <optional>

@@ -3,7 +3,7 @@
 // A scene without failure has none of it.
 #pragma once
 
-#include "micro/engine/binary.h"
+#include "run/binary.h"
 
 #include <cstdint>
 #include <istream>

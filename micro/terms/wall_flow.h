@@ -3,7 +3,7 @@
 // it. A scene without plastic yielding has none of it.
 #pragma once
 
-#include "micro/engine/binary.h"
+#include "run/binary.h"
 
 #include <algorithm>
 #include <istream>

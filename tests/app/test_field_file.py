@@ -31,7 +31,7 @@ class FieldFileTest(unittest.TestCase):
     def setUpClass(cls):
         cls.temporary = tempfile.TemporaryDirectory()
         cls.directory = cls.temporary.name
-        subprocess.run([os.path.join(BUILD, "tests", "test_app"), "--run_test=field_file/frames_for_the_python_reader"],
+        subprocess.run([os.path.join(BUILD, "tests", "test_run"), "--run_test=field_file/frames_for_the_python_reader"],
                        env={**os.environ, "TURGOR_FIELD_DIRECTORY": cls.directory}, check=True,
                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 

@@ -3,8 +3,8 @@
 #include "app/input.h"
 #include "app/input_mistakes.h"
 #include "app/nearest_name.h"
-#include "micro/io/prm_text.h"
-#include "tests/app/temporary_directory.h"
+#include "run/prm_text.h"
+#include "tests/temporary_directory.h"
 #include "tests/app/tiny_scene.h"
 
 #include <boost/test/data/test_case.hpp>

@@ -1,7 +1,7 @@
 // The entries of an input: patterns, values, and the language, which is that of deal.II's ParameterHandler.
 #include "app/input.h"
-#include "micro/io/input_entries.h"
-#include "micro/io/prm_text.h"
+#include "run/input_entries.h"
+#include "run/prm_text.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,10 +1,10 @@
 // Definitions of results and columns: nothing undefined is written, and every definition of every scene is a sentence.
 #include "app/input.h"
 #include "app/outputs_text.h"
-#include "micro/io/input_entries.h"
-#include "micro/io/output_list.h"
-#include "micro/io/run_directory.h"
-#include "tests/app/temporary_directory.h"
+#include "run/input_entries.h"
+#include "run/output_list.h"
+#include "run/run_directory.h"
+#include "tests/temporary_directory.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,9 +1,9 @@
 // A whole run of the tiny scene: files, exit codes, resume.
 #include "app/run_command.h"
-#include "micro/io/manifest.h"
-#include "micro/io/output_files.h"
-#include "micro/io/run_context.h"
-#include "tests/app/temporary_directory.h"
+#include "run/manifest.h"
+#include "run/output_files.h"
+#include "run/run_context.h"
+#include "tests/temporary_directory.h"
 #include "tests/app/tiny_scene.h"
 
 #include <boost/test/unit_test.hpp>

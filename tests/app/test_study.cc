@@ -1,8 +1,8 @@
 // The study's file: grids, axes, measures, references, escapes; its mistakes.
 #include "app/csv_table.h"
 #include "app/study_input.h"
-#include "micro/io/run_context.h"
-#include "tests/app/temporary_directory.h"
+#include "run/run_context.h"
+#include "tests/temporary_directory.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -2,7 +2,7 @@
 #include "app/expression.h"
 #include "app/first_swing.h"
 #include "app/study_measure.h"
-#include "tests/app/temporary_directory.h"
+#include "tests/temporary_directory.h"
 
 #include <boost/test/unit_test.hpp>
 

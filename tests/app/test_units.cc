@@ -1,6 +1,6 @@
 // Units of a user's columns: the list that Python's are tested with as well.
 #include "app/units.h"
-#include "micro/io/csv_text.h"
+#include "run/csv_text.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,11 +1,11 @@
 // What a user typed is read as a whole or refused with a sentence: numbers, CSV files, text that is none.
 #include "app/csv_table.h"
-#include "micro/io/csv_text.h"
-#include "micro/io/number_text.h"
-#include "micro/io/prm_text.h"
-#include "micro/io/run_context.h"
-#include "micro/io/user_text.h"
-#include "tests/app/temporary_directory.h"
+#include "run/csv_text.h"
+#include "run/number_text.h"
+#include "run/prm_text.h"
+#include "run/run_context.h"
+#include "run/user_text.h"
+#include "tests/temporary_directory.h"
 
 #include <boost/test/unit_test.hpp>
 

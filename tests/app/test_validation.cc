@@ -1,7 +1,7 @@
 // The validation's table: values and verdicts by hand, the file's mistakes, the marks in the document.
 #include "app/validation_table.h"
-#include "micro/io/run_context.h"
-#include "tests/app/temporary_directory.h"
+#include "run/run_context.h"
+#include "tests/temporary_directory.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -3,11 +3,11 @@
 #pragma once
 
 #include "app/input.h"
-#include "micro/io/entry_marks.h"
-#include "micro/io/input_entries.h"
-#include "micro/io/run_context.h"
-#include "micro/io/stop_flag.h"
-#include "micro/io/word_or_file.h"
+#include "run/entry_marks.h"
+#include "run/input_entries.h"
+#include "run/run_context.h"
+#include "run/stop_flag.h"
+#include "run/word_or_file.h"
 
 #include <fstream>
 #include <istream>

@@ -1,6 +1,6 @@
 #include "coupling/rve_law.h"
-#include "micro/io/run_context.h"
-#include "micro/io/stop_flag.h"
+#include "run/run_context.h"
+#include "run/stop_flag.h"
 #include "tests/coupling/fake_rve.h"
 
 #include <boost/test/unit_test.hpp>

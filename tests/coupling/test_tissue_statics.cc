@@ -1,6 +1,6 @@
 // The static state of a small piece over two scales, from loads that rounding nearly drowns to large strain.
 #include "coupling/tissue_statics.h"
-#include "micro/io/input_entries.h"
+#include "run/input_entries.h"
 #include "tests/memory_context.h"
 
 #include <boost/test/unit_test.hpp>

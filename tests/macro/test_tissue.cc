@@ -1,4 +1,4 @@
-#include "micro/io/input_entries.h"
+#include "run/input_entries.h"
 #include "tests/macro/tissue_fixture.h"
 
 #include <boost/test/unit_test.hpp>

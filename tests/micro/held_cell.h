@@ -1,7 +1,7 @@
 // A 2D cell whose wall is held: fluid settled inside a given ring, for flows with a closed form; the viscous forces and their matrix.
 #pragma once
 
-#include "micro/engine/counter_random.h"
+#include "micro/laws/counter_random.h"
 #include "micro/engine/kick_drift_kick.h"
 #include "micro/engine/particle_system.h"
 #include "micro/terms/sph_fluid.h"

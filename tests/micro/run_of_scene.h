@@ -1,7 +1,7 @@
 // Runs a scene of growing cells in memory: its growth.csv and its results, at once or with a stop and a resumed run.
 #pragma once
 
-#include "micro/io/input_entries.h"
+#include "run/input_entries.h"
 #include "tests/memory_context.h"
 
 #include <boost/test/unit_test.hpp>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "micro/cells/sph_parenchyma.h"
-#include "micro/engine/counter_random.h"
+#include "micro/laws/counter_random.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // A small 2D cell for the tests of the fluid: a ring whose fluid stands on a square lattice, a little disturbed, and that can be opened.
 #pragma once
 
-#include "micro/engine/counter_random.h"
+#include "micro/laws/counter_random.h"
 #include "micro/engine/particle_system.h"
 #include "micro/terms/sph_fluid.h"
 

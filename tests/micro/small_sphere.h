@@ -1,7 +1,7 @@
 // A small 3D cell for the tests of the fluid: an icosahedron's faces divided, on a sphere, filled from a cubic lattice.
 #pragma once
 
-#include "micro/engine/counter_random.h"
+#include "micro/laws/counter_random.h"
 #include "micro/engine/particle_system.h"
 #include "micro/terms/sph_fluid.h"
 

@@ -1,5 +1,5 @@
 // The reference solver of a squeezed balloon against its own limits, before anything is compared with it.
-#include "micro/scenarios/balloon_model.h"
+#include "micro/scenes/reference/balloon_model.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,5 +1,5 @@
 // Contact between cells, and lamella that breaks: by hand, F = -dE/dx, momentum, lists.
-#include "micro/engine/counter_random.h"
+#include "micro/laws/counter_random.h"
 #include "micro/engine/particle_system.h"
 #include "micro/terms/cell_contact.h"
 #include "micro/terms/lamella_ties.h"

@@ -1,7 +1,7 @@
 // A population of spheres in over-damped motion: pair list against all pairs, contact forces and momentum, the friction matrix
 // against a dense solution, two cells by hand.
 #include "micro/cells/cell_stress.h"
-#include "micro/engine/counter_random.h"
+#include "micro/laws/counter_random.h"
 #include "micro/engine/overdamped.h"
 #include "micro/processes/cell_motility.h"
 #include "micro/terms/cell_friction.h"

@@ -1,9 +1,9 @@
 // Laws of the parenchyma cell: wall, fluid, hinge, tie, by hand and by differences.
-#include "micro/terms/equation_of_state.h"
-#include "micro/terms/hydrostatic_pressure.h"
-#include "micro/terms/lamella_tie.h"
-#include "micro/terms/neo_hookean_wall.h"
-#include "micro/terms/wall_bending.h"
+#include "micro/laws/equation_of_state.h"
+#include "micro/laws/hydrostatic_pressure.h"
+#include "micro/laws/lamella_tie.h"
+#include "micro/laws/neo_hookean_wall.h"
+#include "micro/laws/wall_bending.h"
 
 #include <boost/test/unit_test.hpp>
 

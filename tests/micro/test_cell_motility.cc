@@ -1,6 +1,6 @@
 // Random and persistent motion of cells alone: mean squared displacements, correlation, order of convergence in the step.
 #include "micro/processes/cell_motility.h"
-#include "micro/scenarios/cell_culture.h"
+#include "micro/scenes/spheroid/cell_culture.h"
 
 #include <boost/test/unit_test.hpp>
 

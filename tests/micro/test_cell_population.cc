@@ -1,6 +1,6 @@
 // A population whose number changes: contacts held by adhesion, velocities and fields follow their cells; save and load.
 #include "micro/cells/cell_population.h"
-#include "micro/engine/counter_random.h"
+#include "micro/laws/counter_random.h"
 #include "micro/engine/overdamped.h"
 
 #include <boost/test/unit_test.hpp>

@@ -2,8 +2,8 @@
 // division, variability.
 #include "micro/cells/cell_stress.h"
 #include "micro/processes/cell_life.h"
-#include "micro/terms/elastic_capsule.h"
-#include "micro/terms/rigid_walls.h"
+#include "micro/cells/elastic_capsule.h"
+#include "micro/cells/rigid_walls.h"
 
 #include <boost/test/unit_test.hpp>
 

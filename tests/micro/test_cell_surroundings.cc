@@ -1,12 +1,12 @@
 // Capsule, walls and dextran around cells: closed forms, F = -dE/dx, order of convergence in the step.
-#include "micro/cells/compact_cluster.h"
+#include "micro/geometry/compact_cluster.h"
 #include "micro/cells/depth_below_surface.h"
 #include "micro/cells/pressure_profile.h"
-#include "micro/engine/counter_random.h"
+#include "micro/laws/counter_random.h"
 #include "micro/engine/overdamped.h"
-#include "micro/terms/dextran_pressure.h"
-#include "micro/terms/elastic_capsule.h"
-#include "micro/terms/rigid_walls.h"
+#include "micro/cells/dextran_pressure.h"
+#include "micro/cells/elastic_capsule.h"
+#include "micro/cells/rigid_walls.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,6 +1,6 @@
 // The full run as a scene: asked to stop in each of its parts, and going on from there.
-#include "micro/io/input_entries.h"
-#include "micro/scenarios/full_micro.h"
+#include "run/input_entries.h"
+#include "micro/scenes/tissue/full_micro.h"
 #include "tests/memory_context.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,6 +1,6 @@
 // Frequencies of a short signal: three decaying cosines, alone and with noise, from two and a half periods of the lowest.
-#include "micro/engine/counter_random.h"
-#include "micro/scenarios/harmonics.h"
+#include "micro/laws/counter_random.h"
+#include "micro/scenes/reference/harmonics.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,6 +1,6 @@
 // The triangulated wall: the mesh of a sphere, forces as differences of the energy, what a net of springs is as a sheet.
-#include "micro/cells/geodesic_sphere.h"
-#include "micro/engine/counter_random.h"
+#include "micro/geometry/geodesic_sphere.h"
+#include "micro/laws/counter_random.h"
 #include "micro/engine/particle_system.h"
 #include "micro/terms/net_wall.h"
 

@@ -1,5 +1,5 @@
 // Block L D L^T against dense algebra.
-#include "micro/cells/block_ldlt.h"
+#include "micro/solve/block_ldlt.h"
 
 #include <Eigen/Dense>
 

@@ -1,6 +1,6 @@
 // Steps of over-damped motion against closed forms: the order of the three methods, the error of a step against what it is
 // allowed, the matrix of an implicit step against the slope of the forces.
-#include "micro/engine/counter_random.h"
+#include "micro/laws/counter_random.h"
 #include "micro/engine/overdamped.h"
 
 #include <boost/test/data/monomorphic.hpp>

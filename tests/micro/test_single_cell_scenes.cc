@@ -1,10 +1,10 @@
 // One round cell: what it is made of, Laplace's law, breathing, between plates; small, through the scenes themselves.
-#include "micro/cells/bring_to_turgor.h"
-#include "micro/io/input_entries.h"
-#include "micro/scenarios/laplace.h"
-#include "micro/scenarios/shell_oscillation.h"
-#include "micro/scenarios/squeezed_cell.h"
-#include "micro/scenarios/squeezed_ring.h"
+#include "micro/processes/bring_to_turgor.h"
+#include "run/input_entries.h"
+#include "micro/scenes/single_cell/laplace.h"
+#include "micro/scenes/single_cell/shell_oscillation.h"
+#include "micro/scenes/single_cell/squeezed_cell.h"
+#include "micro/scenes/reference/squeezed_ring.h"
 #include "tests/memory_context.h"
 
 #include <boost/test/unit_test.hpp>

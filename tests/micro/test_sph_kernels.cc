@@ -1,7 +1,7 @@
 // The kernel of fourth order: what its density shows of it, moments, transform; one energy; a long wave's density to fourth order;
 // the bound of its stiffest mode.
-#include "micro/cells/bring_to_turgor.h"
-#include "micro/cells/geodesic_sphere.h"
+#include "micro/processes/bring_to_turgor.h"
+#include "micro/geometry/geodesic_sphere.h"
 #include "micro/cells/round_cell.h"
 #include "tests/micro/slope_of_energy.h"
 

@@ -1,5 +1,5 @@
 // Contact of two spheres: Hertz and JKR against their closed forms, energies against forces, hysteresis.
-#include "micro/terms/sphere_contact.h"
+#include "micro/laws/sphere_contact.h"
 
 #include <boost/test/unit_test.hpp>
 

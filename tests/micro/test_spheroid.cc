@@ -1,8 +1,8 @@
 // Scenes of growing cells: growth against its closed form, the same bits on any number of threads and after a stop with divisions
 // and deaths on the way, the rim, the relaxation of a compressed spheroid, bad input.
-#include "micro/scenarios/monolayer.h"
-#include "micro/scenarios/spheroid_free.h"
-#include "micro/scenarios/spheroid_relaxation.h"
+#include "micro/scenes/spheroid/monolayer.h"
+#include "micro/scenes/spheroid/spheroid_free.h"
+#include "micro/scenes/spheroid/spheroid_relaxation.h"
 #include "tests/micro/run_of_scene.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,11 +1,11 @@
 // Spheroids in a capsule and under dextran: same bits on two threads and after a stop, balance of pressures, order in memory, bad input.
-#include "micro/cells/compact_cluster.h"
+#include "micro/geometry/compact_cluster.h"
 #include "micro/engine/gathered.h"
 #include "micro/engine/space_order.h"
-#include "micro/io/input_entries.h"
-#include "micro/io/number_text.h"
-#include "micro/scenarios/spheroid_capsule.h"
-#include "micro/scenarios/spheroid_dextran.h"
+#include "run/input_entries.h"
+#include "run/number_text.h"
+#include "micro/scenes/spheroid/spheroid_capsule.h"
+#include "micro/scenes/spheroid/spheroid_dextran.h"
 #include "tests/micro/run_of_scene.h"
 
 #include <boost/test/unit_test.hpp>

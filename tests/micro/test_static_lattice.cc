@@ -1,7 +1,7 @@
 // The static block of cells: balance of forces, frozen surfaces, the slab's closed form, water.
 #include "micro/cells/turgid_network.h"
-#include "micro/io/input_entries.h"
-#include "micro/scenarios/static_lattice.h"
+#include "run/input_entries.h"
+#include "micro/scenes/tissue/static_lattice.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,8 +1,8 @@
 // The thesis's fluid scheme: kernel, wall repulsion, continuity, forces, viscosities, history.
 #include "micro/engine/kick_drift_kick.h"
-#include "micro/io/input_entries.h"
-#include "micro/terms/lennard_jones_wall.h"
-#include "micro/terms/sph_kernel.h"
+#include "run/input_entries.h"
+#include "micro/laws/lennard_jones_wall.h"
+#include "micro/laws/sph_kernel.h"
 #include "micro/terms/thesis_fluid.h"
 #include "tests/micro/small_patch.h"
 

@@ -1,5 +1,5 @@
 // The thesis's fluid scheme in three dimensions: kernel, wall push, forces against the energy, momentum, who is outside.
-#include "micro/engine/counter_random.h"
+#include "micro/laws/counter_random.h"
 #include "micro/engine/particle_system.h"
 #include "micro/terms/thesis_fluid.h"
 

@@ -1,5 +1,5 @@
 // Aggregates at rest: the same state from both sides and by two systems, at any turgor; soft walls refused with advice that works.
-#include "micro/cells/tissue_inflation.h"
+#include "micro/processes/tissue_inflation.h"
 #include "micro/cells/turgid_limit.h"
 #include "micro/processes/osmosis.h"
 #include "tests/micro/slope_of_energy.h"

@@ -1,10 +1,10 @@
 // Aggregates of cells: geometry by hand, the honeycomb, the scenes between plates, stop and resume, failure, bad input.
 #include "micro/cells/brick_tissue.h"
-#include "micro/io/input_entries.h"
-#include "micro/io/stop_flag.h"
-#include "micro/scenarios/tissue_loading.h"
-#include "micro/scenarios/tissue_measures.h"
-#include "micro/scenarios/wall_uniaxial.h"
+#include "run/input_entries.h"
+#include "run/stop_flag.h"
+#include "micro/scenes/tissue/tissue_loading.h"
+#include "micro/scenes/tissue/tissue_measures.h"
+#include "micro/scenes/single_cell/wall_uniaxial.h"
 #include "tests/memory_context.h"
 
 #include <boost/test/unit_test.hpp>

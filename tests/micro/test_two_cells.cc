@@ -1,7 +1,7 @@
 // The scene of two cells: pull-off found by the over-damped engine, hysteresis, bad input.
-#include "micro/engine/bisection.h"
-#include "micro/io/input_entries.h"
-#include "micro/scenarios/two_cells.h"
+#include "micro/solve/bisection.h"
+#include "run/input_entries.h"
+#include "micro/scenes/instruments/two_cells.h"
 #include "tests/memory_context.h"
 
 #include <boost/test/unit_test.hpp>

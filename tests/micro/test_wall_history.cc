@@ -1,7 +1,7 @@
 // Yielding and failure of the cell wall: the law of Eq. 3.8, rings with broken and flown bonds, the two processes.
 #include "micro/processes/failure.h"
 #include "micro/processes/wall_yielding.h"
-#include "micro/terms/neo_hookean_wall.h"
+#include "micro/laws/neo_hookean_wall.h"
 #include "micro/terms/ring_wall.h"
 
 #include <boost/test/unit_test.hpp>

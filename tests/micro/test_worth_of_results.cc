@@ -1,11 +1,11 @@
 // What scenes say of the worth of their own results: nothing where all is well, a note above a stated share, a failure where they mean
 // nothing. Particles outside whole walls, and a pressure that is not that of the cell's area.
-#include "micro/io/input_entries.h"
-#include "micro/scenarios/cell_endurance.h"
-#include "micro/scenarios/judged.h"
-#include "micro/scenarios/spheroid_dextran.h"
-#include "micro/scenarios/spheroid_free.h"
-#include "micro/scenarios/tissue_loading.h"
+#include "run/input_entries.h"
+#include "micro/scenes/instruments/cell_endurance.h"
+#include "run/judged.h"
+#include "micro/scenes/spheroid/spheroid_dextran.h"
+#include "micro/scenes/spheroid/spheroid_free.h"
+#include "micro/scenes/tissue/tissue_loading.h"
 #include "tests/memory_context.h"
 
 #include <boost/test/unit_test.hpp>

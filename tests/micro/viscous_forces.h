@@ -1,7 +1,7 @@
 // The viscous forces of a cell for any velocity, 2D and 3D, and what they add up to.
 #pragma once
 
-#include "micro/engine/counter_random.h"
+#include "micro/laws/counter_random.h"
 #include "micro/engine/particle_system.h"
 #include "micro/terms/sph_fluid.h"
 

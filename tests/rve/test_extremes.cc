@@ -5,8 +5,8 @@
 //   ninja -C build test_rve
 //   build/tests/test_rve --run_test=extremes/table          also extremes/table/constrained_runs etc. alone;
 //                                                           extremes/boundary, extremes/perturbed_starts
-#include "micro/engine/counter_random.h"
-#include "micro/io/number_text.h"
+#include "micro/laws/counter_random.h"
+#include "run/number_text.h"
 #include "rve/hydrostatic_rve.h"
 #include "rve/sph_rve.h"
 #include "tests/rve/matrix.h"

@@ -1,6 +1,6 @@
 // The user's entries: path of F, factory, and the scene against the closed form.
-#include "micro/io/input_entries.h"
-#include "micro/io/run_context.h"
+#include "run/input_entries.h"
+#include "run/run_context.h"
 #include "rve/deformation_path.h"
 #include "rve/make_rve.h"
 #include "rve/rve_response.h"

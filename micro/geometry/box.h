@@ -1,0 +1,43 @@
+// The periodic box: lattice vectors (columns of H, m) that move with the velocity
+// gradient, H_dot = F_dot H0. The only place that knows about periodicity. Particles keep
+// unwrapped coordinates (a cell stays in one piece); a law across the boundary names its
+// image by integers.
+#pragma once
+
+#include "micro/geometry/tensor.h"
+
+#include <array>
+#include <cmath>
+
+namespace turgor
+{
+template <int dim>
+struct Box
+{
+  std::array<bool, dim> periodic{};                 ///< all false: open
+  Tensor2<dim> H = Tensor2<dim>::Identity();        ///< m
+  Tensor2<dim> H_dot = Tensor2<dim>::Zero();        ///< m/s
+
+  double volume() const { return H.determinant(); } ///< m^dim
+
+  Vector<dim> image(const std::array<int, dim> &shift) const
+  {
+    Vector<dim> result = Vector<dim>::Zero();
+    for (int d = 0; d < dim; ++d)
+      if (shift[d] != 0)
+        result += double(shift[d]) * H.col(d);
+    return result;
+  }
+
+  /// r (m) brought to the nearest image in the periodic directions (exact for
+  /// |r| below half the smallest lattice plane distance).
+  Vector<dim> minimum_image(Vector<dim> r) const
+  {
+    const Vector<dim> fraction = H.inverse() * r;
+    for (int d = 0; d < dim; ++d)
+      if (periodic[d])
+        r -= std::round(fraction[d]) * H.col(d);
+    return r;
+  }
+};
+} // namespace turgor

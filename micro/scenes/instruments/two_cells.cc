@@ -1,0 +1,178 @@
+#include "micro/scenes/instruments/two_cells.h"
+
+#include "micro/solve/bisection.h"
+#include "run/input_entries.h"
+#include "run/number_text.h"
+#include "run/stop_flag.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace turgor
+{
+namespace
+{
+constexpr double pi = std::numbers::pi;
+}
+
+std::string TwoCells::description() const
+{
+  return "Two centre-based cells brought together and drawn apart: contact law, hysteresis, pull-off force.";
+}
+
+void TwoCells::declare_parameters(InputEntries &prm)
+{
+  using namespace Patterns;
+  prm.add_parameter("Law", law, "Contact law of the cells: hertz without adhesion (Eq. 2.5), extended_hertz (2.7) or jkr (2.8, 2.9) with it. Units: none.",
+                    Selection("hertz|extended_hertz|jkr"));
+  prm.add_parameter("Radius", radius, "Radius of each of the two cells. Units: m.", Double(1e-9, 1.));
+  prm.add_parameter("Modulus", modulus, "Young's modulus of each of the two cells. Units: Pa.", Double(1e-3, 1e12));
+  prm.add_parameter("Poisson ratio", poisson, "Poisson ratio of each of the two cells. Units: none.", Double(0., 0.5));
+  prm.add_parameter("Adhesion", adhesion, "Energy of adhesion W per area of contact; without effect with Law = hertz. Units: J/m^2.", Double(0., 1e3));
+  prm.add_parameter("Medium friction", gamma, "Force over velocity of one cell in the medium. Units: N s/m.",
+                    Double(1e-12, 1e12));
+  prm.add_parameter("Cell friction", friction, "Friction between the cells along and across their line: force over velocity and area of contact; changes no result but time. Units: N s/m^3.",
+                    Double(0., 1e20));
+  prm.add_parameter("Deepest overlap", deepest, "Overlap at which the approach turns: sum of the radii minus the distance of the centres, over Radius. Units: none.", Double(1e-6, 1.));
+  prm.add_parameter("Samples", samples, "Rows of approach.csv on the way in, and as many on the way out. Units: none.", Integer(10, 1000000));
+  prm.add_parameter("Accuracy", accuracy, "Relative accuracy to which the pull-off force is searched by bisection. Units: none.", Double(1e-12, 0.1));
+}
+
+void TwoCells::check() const
+{
+  if (law == "jkr" && !(adhesion > 0.))
+    throw InputError("Adhesion is 0, but Law = jkr needs it positive (J/m^2): without adhesion JKR is Law = hertz.");
+  if (adhesion > 0.1 * modulus * radius)
+    throw InputError("Adhesion is " + number_text(adhesion) + " J/m^2, but it has to be at most a tenth of Modulus times Radius ("
+                     + number_text(0.1 * modulus * radius) + "): the contact would be as wide as the cells.");
+}
+
+ContactLaw TwoCells::contact_law() const
+{
+  if (law == "hertz")
+    return HertzContact();
+  if (law == "jkr")
+    return JkrContact{adhesion};
+  return ExtendedHertzContact{adhesion};
+}
+
+Particles<3> TwoCells::pair(const double overlap) const
+{
+  Particles<3> p;
+  p.resize(2);
+  p.groups = {{0, 0, 2}};
+  p.declare("radius");
+  p.declare("modulus");
+  p.field("radius") = {radius, radius};
+  p.field("modulus").assign(2, modulus / (1. - poisson * poisson));
+  p.x[0] = {0., 2. * radius - overlap};
+  return p;
+}
+
+double TwoCells::pull_off_closed_form() const
+{
+  const double R = 0.5 * radius;
+  return law == "jkr" ? 1.5 * pi * adhesion * R : law == "hertz" ? 0. : pi * adhesion * R;
+}
+
+bool TwoCells::holds(const double force) const
+{
+  Particles<3> p = pair(0.05 * radius); // in contact
+  SphereContacts contacts(contact_law(), 0.2 * radius);
+  Friction solver({.normal = friction, .tangential = friction, .tolerance = 1e-12});
+  const std::vector<double> medium(2, gamma);
+  const auto pull = [&](Particles<3> &q) {
+    q.f[0][0] -= force;
+    q.f[0][1] += force;
+  };
+  Overdamped motion({.method = OverdampedMethod::heun, .tolerance = 1e-5, .first_step = 1e-3, .least_step = 1e-15},
+                    contacts, solver, pull, 1);
+  // It holds once the net force apart is a hundredth of the accuracy asked for, or turns: between there and the start it was nothing.
+  // It is free where there is no contact any more. The net force itself: beside the friction between
+  // the cells that of the medium may be nothing, so that velocity times Medium friction says nothing.
+  for (int step = 0; step < 1000000; ++step)
+    {
+      motion.step(p, medium, HUGE_VAL);
+      stop_here("during the search for the pull-off force");
+      for (auto &f : p.f)
+        f = {0., 0.};
+      contacts.add_forces(p, 1, true);
+      if (contacts.contacts().empty() || !(contacts.contacts()[0].area > 0.))
+        return false;
+      pull(p);
+      if (p.f[0][1] < 0.01 * accuracy * force)
+        return true;
+    }
+  throw RunFailed("the pair neither came to rest nor separated within a million steps: use a larger Accuracy.");
+}
+
+void TwoCells::run(RunContext &context)
+{
+  context.active({SphereContacts::name(contact_law()), friction > 0. ? "cell_friction" : "medium_friction"},
+                 pair(0.).field_names());
+  const auto table = context.series("approach", {{"overlap", "m"}, {"force", "N"}, {"area", "m^2"}, {"energy", "J"}});
+  Particles<3> p = pair(0.);
+  SphereContacts contacts(contact_law(), 0.2 * radius);
+  const double top = deepest * radius, R = 0.5 * radius, E = 0.5 * modulus / (1. - poisson * poisson);
+  const double bottom = law == "jkr" ? 1.2 * JkrContact{adhesion}.release(R, E) : -0.05 * top;
+  double imbalance = 0., largest = 0., work = 0., before = 0., overlap_before = bottom, hertz_error = 0., least = 0.;
+  const auto measure = [&](const double overlap) {
+    p.x[0][1] = 2. * radius - overlap;
+    for (auto &f : p.f)
+      f = {0., 0.};
+    contacts.add_forces(p, 1);
+    const PairContact c = contacts.contacts().empty() ? PairContact() : contacts.contacts()[0];
+    const double force = p.f[0][1];
+    imbalance = std::max(imbalance, std::abs(p.f[0][0] + p.f[0][1]));
+    largest = std::max(largest, std::abs(force));
+    least = std::min(least, force);
+    work += 0.5 * (force + before) * (overlap - overlap_before);
+    before = force;
+    overlap_before = overlap;
+    if (law == "hertz" && overlap > 0.)
+      hertz_error = std::max(hertz_error, std::abs(force / (4. / 3. * E * std::sqrt(R) * std::pow(overlap, 1.5)) - 1.));
+    table->add_row({overlap, force, c.area, c.energy});
+  };
+  for (unsigned int k = 0; k <= samples; ++k)
+    measure(bottom + (top - bottom) * k / samples);
+  for (unsigned int k = 1; k <= samples; ++k)
+    measure(top + (bottom - top) * k / samples);
+
+  context.result("largest_force", largest, "N");
+  context.result("momentum_imbalance", imbalance / largest, "1");
+  context.result("hysteresis_work", work, "J");
+  if (law == "hertz")
+    {
+      context.result("hertz_force_error", hertz_error, "1");
+      return;
+    }
+  const double expected = pull_off_closed_form();
+  context.result("largest_pull_of_the_curve", -least, "N");
+  const int halvings = std::max(1, int(std::ceil(std::log2(1. / accuracy))));
+  int asked = 0;
+  double pull_off = 0.;
+  try
+    {
+      pull_off = bisect(
+        0.5 * expected, 1.5 * expected,
+        [&](const double force) {
+          context.progress(std::min(1., ++asked / (halvings + 2.)), "pull-off force by bisection");
+          return holds(force);
+        },
+        "the pull-off force (N)", halvings);
+    }
+  catch (const RunStopped &)
+    {
+      throw;
+    }
+  catch (const std::runtime_error &error)
+    {
+      throw RunFailed(error.what());
+    }
+  context.result("pull_off", pull_off, "N");
+  context.result("pull_off_closed_form", expected, "N");
+  context.result("pull_off_error", pull_off / expected - 1., "1");
+}
+
+std::unique_ptr<Scenario> make_two_cells() { return std::make_unique<TwoCells>(); }
+} // namespace turgor

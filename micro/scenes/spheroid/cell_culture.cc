@@ -1,0 +1,199 @@
+#include "micro/scenes/spheroid/cell_culture.h"
+
+#include "run/binary.h"
+#include "micro/engine/space_order.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace turgor
+{
+namespace
+{
+/// m; the pair list looks farther than adhesion holds on.
+double skin_of(const CultureParameters &p)
+{
+  const double R = 0.5 * p.life.birth_radius * std::cbrt(2.), E = 0.5 * p.life.modulus / (1. - p.life.poisson * p.life.poisson);
+  const double hold = p.law == "jkr" ? -JkrContact{p.adhesion}.release(R, 0.6 * E) : 0.; // the softest pairs hold longest
+  return std::max(0.2 * p.life.birth_radius, 1.1 * hold);
+}
+} // namespace
+
+ContactLaw contact_law(const CultureParameters &parameters)
+{
+  if (parameters.law == "hertz")
+    return HertzContact();
+  if (parameters.law == "jkr")
+    return JkrContact{parameters.adhesion};
+  return ExtendedHertzContact{parameters.adhesion};
+}
+
+CellCulture::CellCulture(const CultureParameters &parameters_, std::vector<std::unique_ptr<Surroundings>> surroundings_,
+                         const unsigned int threads_)
+  : life(parameters_.life)
+  , surroundings(std::move(surroundings_))
+  , parameters(parameters_)
+  , threads(threads_)
+  , contacts(contact_law(parameters_), skin_of(parameters_), parameters_.stiffness, parameters_.compression)
+  , friction(parameters_.friction)
+  , motion(
+      parameters_.motion, contacts, friction,
+      [this](Particles<3> &particles) {
+        for (const auto &around : surroundings)
+          around->add_forces(particles);
+        if (migrates())
+          add_migration_forces(particles, parameters.migration, [this](const std::size_t i) { return cells.alive(i); });
+      },
+      threads_)
+  , h(parameters_.interval > 0. ? parameters_.interval :
+                                  3. * parameters_.growth_tolerance * parameters_.life.cycle_time / std::numbers::ln2)
+{
+  life.declare_fields(cells.particles);
+  motion.outer_stiffness = [this](const Particles<3> &particles, std::vector<double> &stiffness) {
+    for (const auto &around : surroundings)
+      around->add_stiffness(particles, stiffness);
+  };
+  if (parameters.motility > 0.)
+    motion.random_forces = [this](Particles<3> &particles, const double step, const std::uint64_t number) {
+      set_motility_forces(particles, cells.id, gamma, parameters.motility, step, parameters.life.variability.seed, number, directions());
+    };
+  if (migrates())
+    declare_polarity(cells.particles);
+}
+
+std::vector<std::string> CellCulture::term_names() const
+{
+  std::vector<std::string> names = {SphereContacts::name(contact_law(parameters)), "medium_friction"};
+  if (parameters.friction.normal > 0. || parameters.friction.tangential > 0.)
+    names.push_back("cell_friction");
+  if (parameters.stiffness)
+    names.push_back("local_stiffness");
+  if (parameters.motility > 0.)
+    names.push_back("motility");
+  if (migrates())
+    names.push_back("migration");
+  for (const auto &around : surroundings)
+    names.push_back(around->name());
+  return names;
+}
+
+void CellCulture::contact_forces()
+{
+  for (auto &f : cells.particles.f)
+    std::fill(f.begin(), f.end(), 0.);
+  contacts.add_forces(cells.particles, threads);
+  for (const auto &around : surroundings)
+    around->add_forces(cells.particles);
+}
+
+const std::vector<double> &CellCulture::pressures()
+{
+  contact_forces();
+  return life.measure_pressures(cells, contacts, surroundings, threads);
+}
+
+void CellCulture::set_friction()
+{
+  const std::vector<double> &R = cells.particles.field("radius");
+  gamma.resize(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    gamma[i] = 4. * std::numbers::pi * R[i] * R[i] * parameters.medium_friction;
+  for (const auto &around : surroundings)
+    {
+      around->add_forces(cells.particles); // who touches it now; the forces themselves come with the next step
+      around->add_friction(cells.particles, gamma);
+    }
+}
+
+void CellCulture::gather_others(const std::vector<std::uint32_t> &source)
+{
+  contacts.gather(source);
+  motion.gather(source);
+  for (const auto &around : surroundings)
+    around->gather(source);
+}
+
+void CellCulture::sort()
+{
+  if (10 * cells.size() < 11 * sorted_size)
+    return;
+  sorted_size = cells.size();
+  const std::vector<std::uint32_t> source = space_order(cells.particles, 2. * parameters.life.birth_radius);
+  cells.gather(source);
+  gather_others(source);
+}
+
+void CellCulture::begin_interval()
+{
+  sort();
+  contact_forces();
+  life.advance(cells, contacts, surroundings, until - t, threads,
+               [this](const std::vector<std::uint32_t> &source) { gather_others(source); });
+  for (const auto &around : surroundings)
+    around->update(cells, t);
+  set_friction();
+  const std::uint64_t seed = parameters.life.variability.seed;
+  if (migrates() && steps == 0)
+    advance_polarity(cells.particles, cells.id, parameters.migration, HUGE_VAL, seed, ~std::uint64_t(0), directions());
+}
+
+bool CellCulture::advance(const double end, const std::function<bool()> &stop)
+{
+  if (!(t < until))
+    {
+      until = std::min(end, t + h);
+      begin_interval();
+    }
+  const double longest = migrates() ? 0.25 * parameters.migration.persistence : HUGE_VAL;
+  while (t < until)
+    {
+      const double dt = motion.step(cells.particles, gamma, std::min(until - t, longest));
+      if (migrates())
+        advance_polarity(cells.particles, cells.id, parameters.migration, dt, parameters.life.variability.seed, steps, directions());
+      for (const auto &around : surroundings)
+        around->advance(cells.particles, dt);
+      t = until - t > dt ? t + dt : until;
+      ++steps;
+      if (stop && t < until && stop())
+        return false;
+    }
+  return true;
+}
+
+void CellCulture::save(std::ostream &out) const
+{
+  write_binary(out, t);
+  write_binary(out, until);
+  write_binary(out, gamma);
+  write_binary(out, steps);
+  write_binary(out, sorted_size);
+  for (const std::uint64_t number : {life.divisions, life.deaths, life.removed})
+    write_binary(out, number);
+  write_binary(out, life.grown);
+  write_binary(out, life.drained);
+  cells.save(out);
+  contacts.save(out);
+  motion.save(out);
+  for (const auto &around : surroundings)
+    around->save(out);
+}
+
+void CellCulture::load(std::istream &in)
+{
+  read_binary(in, t);
+  read_binary(in, until);
+  read_binary(in, gamma);
+  read_binary(in, steps);
+  read_binary(in, sorted_size);
+  for (std::uint64_t *number : {&life.divisions, &life.deaths, &life.removed})
+    read_binary(in, *number);
+  read_binary(in, life.grown);
+  read_binary(in, life.drained);
+  cells.load(in);
+  contacts.load(in, cells.particles);
+  motion.load(in);
+  for (const auto &around : surroundings)
+    around->load(in);
+}
+} // namespace turgor

@@ -1,0 +1,40 @@
+#include "micro/scenes/spheroid/monolayer.h"
+
+#include "run/run_context.h"
+
+namespace turgor
+{
+Monolayer::Monolayer()
+{
+  flat = true;
+  first_cells = 4;
+  phases = "spread";
+  duration = 10. * 61200.; // cycles
+  samples = 300;
+  frames = 8;
+  entries.stiffness = "closest"; // without it the soft contacts let cells pile up in the plane
+  entries.inhibition = "hill";
+  entries.step_coarsely();
+  entries.numbers.growth_tolerance = 2e-3;
+  entries.numbers.friction.tolerance = 1e-5;
+  entries.numbers.medium_friction = 5e9; // of the substrate
+  entries.numbers.motility = 0.;
+  entries.direction = "random_in_plane";
+  entries.in_plane = true;
+}
+
+std::string Monolayer::description() const
+{
+  return "Centre-based cells that grow and divide on a flat substrate.";
+}
+
+void Monolayer::check_more() const
+{
+  const Vector<3> axis = entries.parameters().life.division.axis;
+  if (entries.direction != "random_in_plane" && !(entries.direction == "given" && axis[2] == 0.))
+    throw InputError("Division/Direction is " + entries.direction
+                     + ", but cells of a monolayer divide in its plane: random_in_plane, or given with an Axis x, y, 0.");
+}
+
+std::unique_ptr<Scenario> make_monolayer() { return std::make_unique<Monolayer>(); }
+} // namespace turgor

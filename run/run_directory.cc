@@ -1,0 +1,353 @@
+#include "run/run_directory.h"
+
+#include "run/atomic_file.h"
+#include "run/manifest.h"
+#include "run/number_text.h"
+#include "run/output_failed.h"
+#include "run/series_file.h"
+#include "run/series_handles.h"
+#include "run/stop_flag.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <ctime>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <limits>
+#include <sstream>
+#include <streambuf>
+
+namespace turgor
+{
+namespace
+{
+class Swallow : public std::streambuf
+{
+protected:
+  int_type overflow(const int_type character) override { return traits_type::not_eof(character); }
+  std::streamsize xsputn(const char *, const std::streamsize count) override { return count; }
+};
+
+std::string date_and_time()
+{
+  const std::time_t now = std::time(nullptr);
+  std::tm local = {};
+  char text[40];
+  return {text, std::strftime(text, sizeof(text), "%Y-%m-%dT%H:%M:%S%z", ::localtime_r(&now, &local))};
+}
+
+constexpr const char *fixed_names[] = {"summary.json", "input.prm", CheckpointStore::file_names[0], CheckpointStore::file_names[1]};
+} // namespace
+
+RunDirectory::RunDirectory(RunSettings settings_)
+  : settings(std::move(settings_)),
+    checkpoints(settings.directory, settings.identity),
+    date(date_and_time()),
+    bar(settings.writer && !settings.quiet)
+{
+  std::string refusal;
+  if (settings.writer)
+    try
+      {
+        files.emplace(settings.directory);
+        require_replaceable();
+      }
+    catch (const InputError &problem)
+      {
+        refusal = problem.what();
+      }
+  if (settings.agree(!refusal.empty())) // no rank goes on alone
+    throw InputError(refusal);
+  if (!settings.resume)
+    return;
+  finished_already = has_finished_as(earlier_summary(settings.directory), settings.identity);
+  if (finished_already)
+    return;
+  std::string damage;
+  resumed = checkpoints.read_newest(settings.overwrite, &damage);
+  if (!damage.empty())
+    say(damage + (resumed ? " The other generation is used." : ""));
+  if (resumed)
+    {
+      const auto json = nlohmann::json::parse(resumed->record);
+      for (const auto &[name, length] : json.at("series").items())
+        resumed_lengths[name] = length.get<std::uint64_t>();
+      record.load(json);
+      meter.carry({json.at("wall_time_s"), json.at("cpu_time_s"), json.at("peak_memory_bytes")});
+      const std::string instructions = json.value("instruction_set", "");
+      if (instructions != settings.build.instruction_set)
+        say("The checkpoint was written with the instruction set " + instructions + ", this processor goes on with " +
+            settings.build.instruction_set + ": the last bits will differ.");
+    }
+  else
+    {
+      refuse_to_replace_input();
+      say("There is no checkpoint in " + settings.directory.string() + "; the run starts at the beginning.");
+    }
+}
+
+bool RunDirectory::input_is_its_copy() const
+{
+  std::error_code ignored; // one of the two is not there
+  return !settings.input_file.empty() && std::filesystem::equivalent(settings.input_file, settings.directory / "input.prm", ignored);
+}
+
+void RunDirectory::refuse_to_replace_input() const
+{
+  if (input_is_its_copy())
+    throw InputError("The input file " + settings.input_file.string() + " would be replaced by the copy of it that a run leaves in its "
+                     "output directory. Choose another output directory with -o DIR.");
+}
+
+/// By its summary or, where it was killed and has none, by its copy of the input.
+bool RunDirectory::holds_another_input(const nlohmann::json &summary) const
+{
+  if (summary.contains("input_hash"))
+    return summary.value("input_hash", "") != settings.identity.input_hash();
+  std::ifstream copy(settings.directory / "input.prm", std::ios::binary);
+  const std::string text(std::istreambuf_iterator<char>(copy), {});
+  return copy && !input_is_its_copy() && is_made(settings.directory, "input.prm") && text != settings.input_text;
+}
+
+/// Throws InputError when something is in the way that this run must not replace.
+void RunDirectory::require_replaceable()
+{
+  const std::filesystem::path &directory = settings.directory;
+  if (!settings.resume)
+    refuse_to_replace_input();
+  for (const std::string name : fixed_names)
+    if (name != "input.prm" || !input_is_its_copy())
+      require_claimable(directory, name);
+  const nlohmann::json summary = earlier_summary(directory);
+  const std::string status = summary.value("status", "");
+  if (settings.overwrite)
+    return;
+  if (!settings.resume && status == "stopped" && checkpoints.exists())
+    throw InputError(directory.string() + " holds a run that was stopped and can go on: add --resume. To begin anew, choose another directory with "
+                     "-o DIR, or replace it with --overwrite.");
+  if (settings.resume && status != "finished" && !checkpoints.exists() && holds_another_input(summary))
+    throw InputError(directory.string() + " holds a run of another input (" + (directory / "input.prm").string() +
+                     " shows it) that has no checkpoint to go on from. Choose another directory with -o DIR, or replace it with --overwrite.");
+  if (status != "finished")
+    return;
+  if (!settings.resume && summary.value("input_hash", "") != settings.identity.input_hash())
+    throw InputError(directory.string() + " holds a finished run of another input (" + (directory / "input.prm").string() +
+                     " shows it). Choose another directory with -o DIR, or replace it with --overwrite.");
+  if (settings.resume && !checkpoints.exists() && !has_finished_as(summary, settings.identity)) // else the checkpoint says whether it can go on
+    throw InputError(directory.string() + " holds a finished run of another input, end or program without a checkpoint to go on from. Choose another directory with -o DIR, or replace it with --overwrite.");
+}
+
+RunDirectory::~RunDirectory()
+{
+  bar.finish();
+}
+
+void RunDirectory::prepare() const
+{
+  if (prepared || !settings.writer)
+    return;
+  prepared = true;
+  const auto &directory = settings.directory;
+  std::error_code problem;
+  std::filesystem::create_directories(directory, problem);
+  if (problem)
+    throw OutputFailed("cannot make " + directory.string() + ": " + problem.message() + ".");
+  if (!resumed)
+    if (const std::size_t count = files->begin(); count > 0 && !settings.quiet)
+      {
+        bar.clear();
+        std::cout << "The " << count << " files of an earlier run in " << directory.string()
+                  << " are replaced as soon as this one has results." << std::endl;
+      }
+  const bool keeps_input = input_is_its_copy();
+  for (const std::string name : fixed_names)
+    if (!keeps_input || name != "input.prm")
+      claim(directory, name);
+  if (!std::filesystem::remove(directory / "summary.json", problem) && problem) // a run that is killed must not leave an older one's
+    throw OutputFailed("cannot replace " + (directory / "summary.json").string() + ": " + problem.message() + ".");
+  if (!keeps_input)
+    write_atomically(directory / "input.prm", settings.input_text);
+  for (const RunIdentity::NamedFile &file : settings.identity.files)
+    {
+      claim(directory, "input_files");
+      std::filesystem::create_directories(directory / "input_files");
+      const std::string copy = "input_files/" + file.name;
+      claim(directory, copy);
+      write_atomically(directory / copy, file.bytes);
+    }
+}
+
+bool RunDirectory::withdraw()
+{
+  if (has_results())
+    return false;
+  if (prepared)
+    files->withdraw();
+  return true;
+}
+
+const std::filesystem::path &RunDirectory::directory() const
+{
+  prepare();
+  return settings.directory;
+}
+
+void RunDirectory::require_defined(const std::string &file, const std::string &name, const std::string &unit) const
+{
+  if (settings.outputs)
+    try
+      {
+        settings.outputs->require(file, name, unit);
+      }
+    catch (const std::logic_error &why)
+      {
+        throw std::logic_error("Scene " + settings.scenario + ", " + why.what());
+      }
+}
+
+void RunDirectory::result(const std::string &name, const double value, const std::string &unit)
+{
+  require_defined(Outputs::results_file, name, unit);
+  record.result(name, value, unit);
+}
+
+std::unique_ptr<Series> RunDirectory::series(const std::string &name, const std::vector<Column> &columns)
+{
+  const std::string file_name = name + ".csv";
+  for (const Column &column : columns)
+    require_defined(file_name, column.name, column.unit);
+  if (!settings.writer)
+    return std::make_unique<UnwrittenSeries>(name, columns);
+  if (open_series.count(name) == 0)
+    require_claimable(settings.directory, file_name);
+  prepare();
+  const auto there = open_series.find(name);
+  std::shared_ptr<SeriesFile> file = there != open_series.end() ? there->second : nullptr;
+  if (file && file->header() != SeriesFile::header_of(columns))
+    throw std::logic_error("Series " + name + " was opened twice with other columns.");
+  if (!file)
+    {
+      claim(settings.directory, file_name);
+      const auto path = settings.directory / file_name;
+      const auto length = resumed_lengths.find(name);
+      file = length != resumed_lengths.end() ? std::make_shared<SeriesFile>(path, name, columns, length->second) :
+                                               std::make_shared<SeriesFile>(path, name, columns);
+      open_series[name] = file; // only a file that could be opened
+    }
+  return std::make_unique<SeriesHandle>(file, *files);
+}
+
+void RunDirectory::progress(const double fraction, const std::string &what)
+{
+  bar.update(fraction, what);
+}
+
+void RunDirectory::say(const std::string &line)
+{
+  if (!settings.writer || settings.quiet)
+    return;
+  bar.clear();
+  std::cout << line << std::endl;
+}
+
+bool RunDirectory::stop_requested() const
+{
+  return settings.agree(stop_was_requested());
+}
+
+void RunDirectory::save_checkpoint(const std::function<void(std::ostream &)> &write)
+{
+  if (!settings.writer)
+    {
+      Swallow nowhere;
+      std::ostream out(&nowhere);
+      write(out);
+      return;
+    }
+  std::ostringstream payload(std::ios::binary);
+  write(payload);
+  if (!payload)
+    throw RunFailed("The checkpoint could not be put together: the state does not fit into memory.");
+  prepare();
+  nlohmann::json series_lengths = nlohmann::json::object();
+  for (const auto &[name, length] : resumed_lengths)
+    series_lengths[name] = length; // a table finished before the checkpoint and not opened again
+  for (const auto &[name, file] : open_series)
+    series_lengths[name] = file->synchronise();
+  const ResourceUse use = meter.now();
+  nlohmann::json json = {{"series", series_lengths},
+                         {"wall_time_s", use.wall_time},
+                         {"cpu_time_s", use.cpu_time},
+                         {"peak_memory_bytes", use.peak_memory},
+                         {"instruction_set", settings.build.instruction_set}};
+  record.save(json);
+  checkpoints.write(json, payload.view());
+  saved = true;
+  files->keep();
+}
+
+bool RunDirectory::load_checkpoint(const std::function<void(std::istream &)> &read)
+{
+  if (!resumed)
+    return false;
+  std::istringstream in(resumed->payload, std::ios::binary);
+  in.exceptions(std::ios::failbit | std::ios::badbit);
+  try
+    {
+      read(in);
+    }
+  catch (const std::ios::failure &)
+    {
+      throw InputError("The checkpoint in " + settings.directory.string() +
+                       " holds less than this program reads; it was written by another build. Run without --resume to "
+                       "start again.");
+    }
+  say("Resumed from checkpoint " + number_text(resumed->generation) + " in " + settings.directory.string() + ".");
+  return true;
+}
+
+std::filesystem::path RunDirectory::finish(const std::string &status, const std::string &message)
+{
+  bar.finish();
+  if (!settings.writer)
+    return settings.directory;
+  prepare();
+  std::string trouble;
+  for (const auto &[name, file] : open_series)
+    try
+      {
+        file->synchronise();
+      }
+    catch (const OutputFailed &why)
+      {
+        trouble += (trouble.empty() ? "" : " ") + std::string(why.what());
+      }
+  const ResourceUse use = meter.now();
+  nlohmann::ordered_json summary;
+  summary["scenario"] = settings.scenario;
+  summary["version"] = settings.build.version;
+  summary["status"] = trouble.empty() ? status : "failed";
+  if (!message.empty() || !trouble.empty())
+    summary["message"] = message.empty() || message == trouble ? trouble : trouble.empty() ? message : message + " " + trouble;
+  summary["date"] = date;
+  summary["wall_time_s"] = use.wall_time;
+  summary["cpu_time_s"] = use.cpu_time;
+  summary["peak_memory_bytes"] = use.peak_memory;
+  summary["threads"] = settings.threads;
+  summary["ranks"] = settings.ranks;
+  summary["build"] = {{"hash", settings.identity.program}, {"commit", settings.build.commit}, {"compiler", settings.build.compiler}};
+  summary["instruction_set"] = settings.build.instruction_set;
+  write_identity(summary, settings.identity);
+  record.write(summary);
+  write_atomically(settings.directory / "summary.json", summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  if (!trouble.empty())
+    throw OutputFailed(trouble);
+  if (!files)
+    return settings.directory; // see take_over()
+  if (status == "finished" || resumed)
+    files->keep();
+  return files->give_up();
+}
+} // namespace turgor
