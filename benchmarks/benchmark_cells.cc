@@ -16,6 +16,7 @@
 #include "micro/engine/gathered.h"
 #include "micro/engine/overdamped.h"
 #include "micro/engine/space_order.h"
+#include "micro/terms/sphere_motion.h"
 
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
@@ -68,12 +69,12 @@ void pair_mechanics(benchmark::State &state)
   SphereContacts contacts(HertzContact(), 0.2 * R_0);
   Friction friction({});
   // 5 s steps: about 1 % of a radius a step in the beginning, and unrest goes on by the moving radii below
-  Overdamped motion({.method = OverdampedMethod::euler, .tolerance = 1e9, .first_step = 5., .longest_step = 5.}, contacts, friction,
-                    {}, threads);
-  const std::vector<double> gamma(n, 0.3);
+  SphereMotion motion(contacts, friction, threads);
+  Overdamped<3> stepper({.method = OverdampedMethod::euler, .tolerance = 1e9, .first_step = 5., .longest_step = 5.}, motion, threads);
+  motion.gamma.assign(n, 0.3);
   std::size_t step = 0;
   const auto advance = [&] {
-    motion.step(cells, gamma, 5.);
+    stepper.step(cells, 5.);
     for (std::size_t i = step % 7; i < n; i += 7) // growth and shrinking keep cells moving
       cells.field("radius")[i] = R_0 * (1. + 0.1 * (random_uniform(2, i + n * step) - 0.5));
     ++step;

@@ -2,7 +2,7 @@
 
 #include "run/binary.h"
 #include "micro/solve/bisection.h"
-#include "micro/engine/step_too_long.h"
+#include "micro/solve/step_too_long.h"
 #include "run/number_text.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "micro/cells/rigid_walls.h"
 
 #include "run/binary.h"
-#include "micro/engine/step_too_long.h"
+#include "micro/solve/step_too_long.h"
 #include "run/number_text.h"
 
 #include <stdexcept>

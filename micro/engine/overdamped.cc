@@ -2,6 +2,7 @@
 
 #include "run/binary.h"
 #include "micro/engine/gathered.h"
+#include "micro/solve/step_too_long.h"
 #include "run/parallel.h"
 #include "run/start_disturbance.h"
 
@@ -14,71 +15,50 @@ namespace turgor
 {
 namespace
 {
-/// So little is done to a cell here that a few thousand are worth no second thread.
-Chunks cells_of(const std::size_t n) { return Chunks(n, 4096); }
+/// So little is done to a body here that a few thousand are worth no second thread.
+Chunks bodies_of(const std::size_t n) { return Chunks(n, 4096); }
 } // namespace
 
-Overdamped::Overdamped(const OverdampedParameters &parameters_, SphereContacts &contacts_, Friction &friction_,
-                       std::function<void(Particles<3> &)> outer_, const unsigned int threads_)
+template <int dim>
+Overdamped<dim>::Overdamped(const OverdampedParameters &parameters_, Motion<dim> &motion_, const unsigned int threads_)
   : parameters(parameters_)
-  , contacts(contacts_)
-  , friction(friction_)
-  , outer(std::move(outer_))
+  , motion(motion_)
   , threads(threads_)
   , dt(parameters_.first_step)
 {}
 
-void Overdamped::evaluate(Particles<3> &particles, const std::vector<double> &gamma, const double implicit_step,
-                          const bool trial)
+template <int dim>
+void Overdamped<dim>::evaluate(Particles<dim> &particles, const double implicit_step, const bool trial)
 {
-  fill_zero(particles.f);
-  contacts.add_forces(particles, threads, trial);
-  if (outer)
-    outer(particles);
-  if (implicit_step > 0. && outer_stiffness)
-    {
-      drag.assign(gamma.size(), 0.);
-      outer_stiffness(particles, drag);
-      for_chunks(threads, cells_of(gamma.size()), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-          drag[i] = gamma[i] + implicit_step * drag[i];
-      });
-      friction.velocities(particles, contacts, drag, implicit_step, threads);
-    }
-  else
-    friction.velocities(particles, contacts, gamma, implicit_step, threads);
+  motion.forces(particles, trial);
+  motion.velocities(particles, implicit_step);
 }
 
-void Overdamped::fill_zero(Components &values) const
+template <int dim>
+void Overdamped<dim>::copy(const Components &from, Components &to) const
 {
-  for_chunks(threads, cells_of(values[0].size()), [&](std::size_t begin, std::size_t end) {
-    for (auto &value : values)
-      std::fill(value.begin() + std::ptrdiff_t(begin), value.begin() + std::ptrdiff_t(end), 0.);
-  });
-}
-
-void Overdamped::copy(const Components &from, Components &to) const
-{
-  for (int d = 0; d < 3; ++d)
+  for (int d = 0; d < dim; ++d)
     to[d].resize(from[d].size());
-  for_chunks(threads, cells_of(from[0].size()), [&](std::size_t begin, std::size_t end) {
-    for (int d = 0; d < 3; ++d)
+  for_chunks(threads, bodies_of(from[0].size()), [&](std::size_t begin, std::size_t end) {
+    for (int d = 0; d < dim; ++d)
       std::copy(from[d].begin() + std::ptrdiff_t(begin), from[d].begin() + std::ptrdiff_t(end), to[d].begin() + std::ptrdiff_t(begin));
   });
 }
 
-void Overdamped::move(Components &x, const Components &from, const double h, const Components &v) const
+template <int dim>
+void Overdamped<dim>::move(Components &x, const Components &from, const double h, const Components &v) const
 {
-  for_chunks(threads, cells_of(x[0].size()), [&](std::size_t begin, std::size_t end) {
-    for (int d = 0; d < 3; ++d)
+  for_chunks(threads, bodies_of(x[0].size()), [&](std::size_t begin, std::size_t end) {
+    for (int d = 0; d < dim; ++d)
       for (std::size_t i = begin; i < end; ++i)
         x[d][i] = from[d][i] + h * v[d][i];
   });
 }
 
-Overdamped::Change Overdamped::change_of(const Components &v)
+template <int dim>
+typename Overdamped<dim>::Change Overdamped<dim>::change_of(const Components &v)
 {
-  const Chunks chunks = cells_of(v[0].size());
+  const Chunks chunks = bodies_of(v[0].size());
   worst_of.resize(chunks.count());
   Change result;
   result.total = sum_chunks(threads, chunks, parts, [&](std::size_t begin, std::size_t end) {
@@ -86,7 +66,7 @@ Overdamped::Change Overdamped::change_of(const Components &v)
     for (std::size_t i = begin; i < end; ++i)
       {
         double change = 0.;
-        for (int d = 0; d < 3; ++d)
+        for (int d = 0; d < dim; ++d)
           change += (v[d][i] - v_before[d][i]) * (v[d][i] - v_before[d][i]);
         worst = std::max(worst, change);
         total += change;
@@ -99,23 +79,16 @@ Overdamped::Change Overdamped::change_of(const Components &v)
   return result;
 }
 
-double Overdamped::step(Particles<3> &particles, const std::vector<double> &gamma, const double limit)
+template <int dim>
+double Overdamped<dim>::step(Particles<dim> &particles, const double limit)
 {
   const std::size_t n = particles.size();
   if (v_before[0].empty())
     begin_at(particles.x);
-  const std::vector<double> &radius = particles.field("radius");
-  const double mean_radius = sum_chunks(threads, cells_of(n), parts, [&](std::size_t begin, std::size_t end) {
-                               double sum = 0.;
-                               for (std::size_t i = begin; i < end; ++i)
-                                 sum += radius[i];
-                               return sum;
-                             })
-                             / double(std::max<std::size_t>(n, 1));
-  const double allowed = parameters.tolerance * mean_radius;
+  const double allowed = parameters.tolerance * motion.length(particles);
   const bool heun = parameters.method == OverdampedMethod::heun, implicit = parameters.method == OverdampedMethod::implicit;
   if (!implicit)
-    evaluate(particles, gamma, 0., false);
+    evaluate(particles, 0., false);
   copy(particles.x, x_before);
   if (heun || v_before[0].empty())
     copy(particles.v, v_before);
@@ -125,11 +98,11 @@ double Overdamped::step(Particles<3> &particles, const std::vector<double> &gamm
       try
         {
           if (implicit)
-            evaluate(particles, gamma, h, false);
+            evaluate(particles, h, false);
           if (heun)
             {
               move(particles.x, x_before, h, v_before);
-              evaluate(particles, gamma, 0., true);
+              evaluate(particles, 0., true);
             }
         }
       catch (const StepTooLong &error)
@@ -151,8 +124,8 @@ double Overdamped::step(Particles<3> &particles, const std::vector<double> &gamm
       const double factor = error > 0. ? std::clamp(0.9 * std::sqrt(allowed / error), 0.2, 2.) : 2.;
       if (finite && error <= allowed)
         {
-          for_chunks(threads, cells_of(n), [&](std::size_t begin, std::size_t end) {
-            for (int d = 0; d < 3; ++d)
+          for_chunks(threads, bodies_of(n), [&](std::size_t begin, std::size_t end) {
+            for (int d = 0; d < dim; ++d)
               for (std::size_t i = begin; i < end; ++i)
                 {
                   const double v = heun ? 0.5 * (particles.v[d][i] + v_before[d][i]) : particles.v[d][i];
@@ -162,14 +135,7 @@ double Overdamped::step(Particles<3> &particles, const std::vector<double> &gamm
           });
           if (h >= dt || factor < 1.) // a step cut short by the limit says nothing against the long one
             dt = h * factor;
-          if (random_forces)
-            {
-              random_forces(particles, h, accepted);
-              fill_zero(particles.v);
-              friction.velocities_again(particles, contacts, threads);
-              move(particles.x, particles.x, h, particles.v);
-              copy(v_before, particles.v);
-            }
+          move_at_random(particles, h);
           ++accepted;
           last_step = h;
           if (jumped)
@@ -190,7 +156,22 @@ double Overdamped::step(Particles<3> &particles, const std::vector<double> &gamm
     }
 }
 
-void Overdamped::gather(const std::vector<std::uint32_t> &source)
+template <int dim>
+void Overdamped<dim>::move_at_random(Particles<dim> &particles, const double h)
+{
+  if (!motion.random_forces(particles, h, accepted))
+    return;
+  for_chunks(threads, bodies_of(particles.size()), [&](std::size_t begin, std::size_t end) {
+    for (auto &v : particles.v)
+      std::fill(v.begin() + std::ptrdiff_t(begin), v.begin() + std::ptrdiff_t(end), 0.);
+  });
+  motion.again(particles);
+  move(particles.x, particles.x, h, particles.v);
+  copy(v_before, particles.v);
+}
+
+template <int dim>
+void Overdamped<dim>::gather(const std::vector<std::uint32_t> &source)
 {
   jumped = true;
   dt = std::min(dt, 2. * after_jump);
@@ -199,7 +180,8 @@ void Overdamped::gather(const std::vector<std::uint32_t> &source)
       v = gathered(v, source);
 }
 
-void Overdamped::save(std::ostream &out) const
+template <int dim>
+void Overdamped<dim>::save(std::ostream &out) const
 {
   write_binary(out, dt);
   write_binary(out, last_step);
@@ -211,7 +193,8 @@ void Overdamped::save(std::ostream &out) const
     write_binary(out, v);
 }
 
-void Overdamped::load(std::istream &in)
+template <int dim>
+void Overdamped<dim>::load(std::istream &in)
 {
   read_binary(in, dt);
   read_binary(in, last_step);
@@ -222,4 +205,7 @@ void Overdamped::load(std::istream &in)
   for (auto &v : v_before)
     read_binary(in, v);
 }
+
+template class Overdamped<2>;
+template class Overdamped<3>;
 } // namespace turgor

@@ -1,16 +1,15 @@
-// Over-damped motion of a population of cells, x_dot = v with Gamma v = F(x) (thesis Eq. 2.3): three ways to step, the
-// step chosen by an error tolerance.
+// Over-damped motion, x_dot = v with Gamma v = F(x) (thesis Eq. 2.3), of whatever a Motion (motion.h) says: three ways to step, the step
+// chosen by an error tolerance.
 //
 //   euler     x += dt v(x)                                           first order, one solve
 //   heun      x += dt/2 (v(x) + v(x + dt v))                         second order, two solves
 //   implicit  x += dt w, (Gamma + dt K) w = F, K = -dF/dx            first order, one solve, no limit of stability
 //
-// Forces from outside that stiffen with the way add h times their stiffness to the drag of implicit steps (isotropic). Random forces
-// (motility) move the cells after the step by themselves, x += h Gamma^-1 F_random(h), with the matrix of its last solution: weakly of
-// first order, and no business of the error below.
+// Random forces (motility) move the bodies after the step by themselves, x += h Gamma^-1 F_random(h), with the matrix of its last solution:
+// weakly of first order, and no business of the error below.
 //
-// Error of a step: half its length times the change of velocity over it, dt/2 |dv|, the largest of all cells, against tolerance times
-// the mean radius; with mean_error the root mean square instead, the largest at most a quarter of the radius: in a large population some
+// Error of a step: half its length times the change of velocity over it, dt/2 |dv|, the largest of all bodies, against tolerance times
+// the motion's length; with mean_error the root mean square instead, the largest at most a quarter of that length: in a large population some
 // cells always divide or touch for the first time, and the largest error would keep all steps as short as theirs. dv is
 //   euler      (v - v_before) dt/dt_before    v_before: velocity of the last step, one dt_before earlier
 //   heun       v(x + dt v) - v(x)             of Euler's step, its own first stage; its own error is of third order
@@ -20,12 +19,10 @@
 // or gone (or changed places), forces may jump: the first step then is at most twice the one that was accepted after the last such jump.
 #pragma once
 
-#include "micro/terms/cell_friction.h"
+#include "micro/engine/motion.h"
 
 #include <cmath>
-#include <functional>
 #include <iosfwd>
-#include <string>
 
 namespace turgor
 {
@@ -39,30 +36,23 @@ enum class OverdampedMethod
 struct OverdampedParameters
 {
   OverdampedMethod method = OverdampedMethod::heun;
-  double tolerance = 1e-3;   ///< of a step, over the mean radius
+  double tolerance = 1e-3;   ///< of a step, over the motion's length
   double first_step = 1.;    ///< s
   double least_step = 1e-9;  ///< s; shorter: the step fails with a sentence
   double longest_step = 1e9; ///< s
-  bool mean_error = false;   ///< root mean square of all cells, not the largest
+  bool mean_error = false;   ///< root mean square of all bodies, not the largest
 };
 
+template <int dim>
 class Overdamped
 {
 public:
-  /// outer: adds forces from outside (N) to particles.f; gamma: N s/m, per cell, filled in by the caller.
-  Overdamped(const OverdampedParameters &parameters, SphereContacts &contacts, Friction &friction,
-             std::function<void(Particles<3> &)> outer, unsigned int threads);
+  Overdamped(const OverdampedParameters &parameters, Motion<dim> &motion, unsigned int threads);
 
-  /// stiffness (N/m) += that of the outer forces, per cell, at the positions of their last evaluation.
-  std::function<void(const Particles<3> &, std::vector<double> &)> outer_stiffness;
-  /// particles.f = the random forces (N) of step number `step` of length h (s).
-  std::function<void(Particles<3> &, double h, std::uint64_t step)> random_forces;
+  /// One accepted step of at most `limit` (s); its length. Throws std::runtime_error when the step would become shorter than the least one.
+  double step(Particles<dim> &particles, double limit);
 
-  /// One accepted step of at most `limit` (s); its length. gamma: N s/m. Throws std::runtime_error when the step would
-  /// become shorter than the least one.
-  double step(Particles<3> &particles, const std::vector<double> &gamma, double limit);
-
-  /// The cells have other places, cell k is what source[k] was.
+  /// The bodies have other places, body k is what source[k] was.
   void gather(const std::vector<std::uint32_t> &source);
 
   std::uint64_t rejected() const { return rejections; }
@@ -72,30 +62,30 @@ public:
   void load(std::istream &in);
 
 private:
-  using Components = Particles<3>::Components;
-  void evaluate(Particles<3> &particles, const std::vector<double> &gamma, double implicit_step, bool trial);
-  void fill_zero(Components &values) const;
+  using Components = typename Particles<dim>::Components;
+  void evaluate(Particles<dim> &particles, double implicit_step, bool trial);
   void copy(const Components &from, Components &to) const;
   /// x = from + h v
   void move(Components &x, const Components &from, double h, const Components &v) const;
-  struct Change ///< |v - v_before|^2 of a cell: the largest, and the sum, which is not finite where one is not
+  struct Change ///< |v - v_before|^2 of a body: the largest, and the sum, which is not finite where one is not
   {
     double worst = 0., total = 0.;
   };
   Change change_of(const Components &v);
+  void move_at_random(Particles<dim> &particles, double h);
 
   OverdampedParameters parameters;
-  SphereContacts &contacts;
-  Friction &friction;
-  std::function<void(Particles<3> &)> outer;
+  Motion<dim> &motion;
   unsigned int threads;
   double dt;
   double last_step = 0.;        ///< s, between v_before and now; 0 before the first step
   double after_jump = HUGE_VAL; ///< s, the first step accepted after cells have divided or gone
   bool jumped = false;
   std::uint64_t rejections = 0, accepted = 0;
-  std::vector<double> drag; ///< N s/m, gamma and what implicit steps add
-  std::vector<double> parts, worst_of; ///< of chunks of cells
+  std::vector<double> parts, worst_of; ///< of chunks of bodies
   Components x_before, v_before; ///< v_before: empty before the first step
 };
+
+extern template class Overdamped<2>;
+extern template class Overdamped<3>;
 } // namespace turgor

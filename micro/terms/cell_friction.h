@@ -19,7 +19,7 @@
 // list, sums in the order of chunks: same bits on any number of threads.
 #pragma once
 
-#include "micro/engine/step_too_long.h"
+#include "micro/solve/step_too_long.h"
 #include "micro/terms/friction_matrix.h"
 
 #include <vector>
@@ -31,12 +31,6 @@ struct FrictionParameters
   double normal = 0., tangential = 0.; ///< N s/m^3
   double tolerance = 1e-6;             ///< residual over the forces, both in the norm of all cells
   unsigned int max_iterations = 2000;
-};
-
-/// The friction matrix was not solved: an implicit step is too long for the stiffness of its contacts, or there is too little friction.
-struct NotSolved : StepTooLong
-{
-  using StepTooLong::StepTooLong;
 };
 
 class Friction

@@ -2,7 +2,7 @@
 
 #include "run/binary.h"
 #include "run/parallel.h"
-#include "micro/engine/step_too_long.h"
+#include "micro/solve/step_too_long.h"
 #include "run/number_text.h"
 #include "micro/laws/overlap_energy.h"
 

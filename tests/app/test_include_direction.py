@@ -33,8 +33,6 @@ ALLOWED = {
     "app": PROCESSES + ["rve", "macro", "coupling", "micro/scenes"],
 }
 TOPS = {"run", "micro", "rve", "macro", "coupling", "app", "tests", "benchmarks"}
-# Arrows that still run back up, each with what will turn it.
-KNOWN = {"micro/engine/overdamped.h includes micro/terms/cell_friction.h"}
 
 
 def folder_of(path):
@@ -63,16 +61,11 @@ def includes(tree):
 def wrong_folders(tree):
     wrong = []
     for path, number, included, _ in includes(tree):
-        if included.split("/")[0] in TOPS and f"{path} includes {included}" not in KNOWN:
+        if included.split("/")[0] in TOPS:
             folder, other = folder_of(path), folder_of(included)
             if folder is None or other is None or (other != folder and other not in ALLOWED[folder]):
                 wrong.append(f"{path}:{number} includes {included}")
     return wrong
-
-
-def known_that_are_gone(tree):
-    found = {f"{path} includes {included}" for path, _, included, _ in includes(tree)}
-    return sorted(KNOWN - found)
 
 
 def wrong_paths(tree):
@@ -98,9 +91,6 @@ def wrong_numbers(tree):
 class IncludeDirection(unittest.TestCase):
     def test_folders(self):
         self.assertEqual(wrong_folders(SOURCE), [])
-
-    def test_no_exception_is_kept_that_is_not_needed(self):
-        self.assertEqual(known_that_are_gone(SOURCE), [])
 
     def test_quoted_paths_begin_at_the_root(self):
         self.assertEqual(wrong_paths(SOURCE), [])

@@ -4,7 +4,7 @@
 #include "micro/laws/counter_random.h"
 #include "micro/engine/overdamped.h"
 #include "micro/processes/cell_motility.h"
-#include "micro/terms/cell_friction.h"
+#include "micro/terms/sphere_motion.h"
 
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>
@@ -380,13 +380,15 @@ BOOST_AUTO_TEST_CASE(motility_in_the_engine)
           const std::vector<double> gamma(n, 0.3);
           SphereContacts contacts(HertzContact(), 1e-6);
           Friction friction({.normal = 5e10, .tangential = 5e10});
-          Overdamped motion({.method = method, .first_step = 50., .longest_step = 100.}, contacts, friction, {}, threads);
-          motion.random_forces = [&](Particles<3> &q, const double h, const std::uint64_t step) {
+          SphereMotion motion(contacts, friction, threads);
+          Overdamped<3> stepper({.method = method, .first_step = 50., .longest_step = 100.}, motion, threads);
+          motion.gamma = gamma;
+          motion.random = [&](Particles<3> &q, const double h, const std::uint64_t step) {
             set_motility_forces(q, id, gamma, D, h, 4, step);
           };
           double t = 0.;
           while (t < 1000.)
-            t += motion.step(p, gamma, 1000. - t);
+            t += stepper.step(p, 1000. - t);
           double sum = 0.;
           for (std::uint32_t i = 0; i < n; ++i)
             sum += (p.position(i) - Vector<3>(1e-3 * i, 0., 0.)).squaredNorm() / n;
@@ -415,14 +417,16 @@ BOOST_AUTO_TEST_CASE(steps_of_a_large_population_have_the_same_bits_on_two_threa
             const std::vector<double> gamma(n, 0.3);
             SphereContacts contacts(HertzContact(), 1e-6);
             Friction friction({.normal = 5e9, .tangential = 2e9});
-            Overdamped motion({.method = method, .first_step = 100., .mean_error = mean}, contacts, friction, {}, threads);
-            motion.random_forces = [&](Particles<3> &q, const double h, const std::uint64_t step) {
+            SphereMotion motion(contacts, friction, threads);
+            Overdamped<3> stepper({.method = method, .first_step = 100., .mean_error = mean}, motion, threads);
+            motion.gamma = gamma;
+            motion.random = [&](Particles<3> &q, const double h, const std::uint64_t step) {
               set_motility_forces(q, id, gamma, 1e-16, h, 4, step);
             };
             for (int k = 0; k < 3; ++k)
-              motion.step(p, gamma, 1e3);
-            BOOST_TEST(motion.rejected() > 0u);
-            next[threads - 1] = motion.next_step();
+              stepper.step(p, 1e3);
+            BOOST_TEST(stepper.rejected() > 0u);
+            next[threads - 1] = stepper.next_step();
             ends[threads - 1] = p;
           }
         BOOST_CHECK(ends[0].x == ends[1].x);
@@ -446,11 +450,12 @@ BOOST_AUTO_TEST_CASE(steps_by_the_mean_error_are_longer_and_end_alike)
       p.x[0][1] = 0.3 * radius_0;
       SphereContacts contacts(HertzContact(), 1e-6);
       Friction friction({.normal = 5e10, .tangential = 5e10});
-      Overdamped motion({.method = OverdampedMethod::implicit, .tolerance = 5e-3, .mean_error = mean}, contacts, friction, {}, 1);
-      const std::vector<double> gamma(n, 0.3);
+      SphereMotion motion(contacts, friction, 1);
+      Overdamped<3> stepper({.method = OverdampedMethod::implicit, .tolerance = 5e-3, .mean_error = mean}, motion, 1);
+      motion.gamma.assign(n, 0.3);
       steps[mean] = 0;
       for (double t = 0.; t < 20000.; ++steps[mean])
-        t += motion.step(p, gamma, 20000. - t);
+        t += stepper.step(p, 20000. - t);
       ends[mean] = p.x[0][1] - p.x[0][0];
     }
   BOOST_TEST(steps[1] < steps[0]);

@@ -2,6 +2,7 @@
 #include "micro/cells/cell_population.h"
 #include "micro/laws/counter_random.h"
 #include "micro/engine/overdamped.h"
+#include "micro/terms/sphere_motion.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -118,20 +119,21 @@ BOOST_AUTO_TEST_CASE(the_engine_goes_on_with_other_cells)
       cells.add(Vector<3>(x, 0., 0.), radius_0, 400.);
     SphereContacts contacts(HertzContact(), 0.2 * radius_0);
     Friction friction({.normal = 0., .tangential = 0.});
-    Overdamped motion({.method = OverdampedMethod::euler, .tolerance = 1., .first_step = 1., .longest_step = 1.}, contacts,
-                      friction, nullptr, 1);
-    const std::vector<double> gamma(cells.size(), 0.1);
-    motion.step(cells.particles, gamma, 1.);
+    SphereMotion motion(contacts, friction, 1);
+    Overdamped<3> stepper({.method = OverdampedMethod::euler, .tolerance = 1., .first_step = 1., .longest_step = 1.}, motion, 1);
+    motion.gamma.assign(cells.size(), 0.1);
+    stepper.step(cells.particles, 1.);
     std::size_t last = cells.size() - 1;
     if (with_others)
       {
         cells.gather({2, 3});
         contacts.gather({2, 3});
-        motion.gather({2, 3});
+        stepper.gather({2, 3});
+        motion.gamma.resize(2);
         last = 1;
       }
     for (int k = 0; k < 5; ++k)
-      motion.step(cells.particles, std::vector<double>(2, 0.1), 1.);
+      stepper.step(cells.particles, 1.);
     return cells.particles.x[0][last];
   };
   BOOST_TEST(step_of(true) == step_of(false), boost::test_tools::tolerance(1e-9));

@@ -4,6 +4,7 @@
 #include "micro/cells/pressure_profile.h"
 #include "micro/laws/counter_random.h"
 #include "micro/engine/overdamped.h"
+#include "micro/terms/sphere_motion.h"
 #include "micro/cells/dextran_pressure.h"
 #include "micro/cells/elastic_capsule.h"
 #include "micro/cells/rigid_walls.h"
@@ -418,16 +419,16 @@ BOOST_AUTO_TEST_CASE(a_step_behind_a_wall_is_taken_back)
   RigidWalls wall({RigidWall{}}, WallMaterial{});
   SphereContacts contacts(HertzContact(), 1.);
   Friction friction(FrictionParameters{});
-  Overdamped motion({.method = OverdampedMethod::heun, .tolerance = 0.02, .first_step = 4.}, contacts, friction,
-                    [&](Particles<3> &particles) {
-                      particles.f[2][0] -= 8.;
-                      wall.add_forces(particles);
-                    },
-                    1);
-  const std::vector<double> gamma(1, 1.);
+  SphereMotion motion(contacts, friction, 1);
+  motion.gamma = {1.};
+  motion.outer = [&](Particles<3> &particles) {
+    particles.f[2][0] -= 8.;
+    wall.add_forces(particles);
+  };
+  Overdamped<3> stepper({.method = OverdampedMethod::heun, .tolerance = 0.02, .first_step = 4.}, motion, 1);
   for (double t = 0.; t < 50.;)
-    t += motion.step(one.particles, gamma, 50. - t);
-  BOOST_TEST(motion.rejected() > 0u);
+    t += stepper.step(one.particles, 50. - t);
+  BOOST_TEST(stepper.rejected() > 0u);
   BOOST_TEST(one.particles.x[2][0] == 3., boost::test_tools::tolerance(1e-2)); // R = 4, delta = 1
 }
 

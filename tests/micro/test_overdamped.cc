@@ -2,6 +2,7 @@
 // allowed, the matrix of an implicit step against the slope of the forces.
 #include "micro/laws/counter_random.h"
 #include "micro/engine/overdamped.h"
+#include "micro/terms/sphere_motion.h"
 
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>
@@ -27,13 +28,14 @@ struct SpherePair
   SphereContacts contacts{HertzContact(), 1e-6};
   const double between; ///< N s/m^3, f
   Friction friction{{.normal = between, .tangential = between, .tolerance = 1e-12}};
-  Overdamped motion;
-  const std::vector<double> gamma{gamma_0, gamma_0};
+  SphereMotion motion{contacts, friction, 1};
+  Overdamped<3> stepper;
 
   SpherePair(const OverdampedParameters &parameters, const double between_)
     : between(between_)
-    , motion(parameters, contacts, friction, {}, 1)
+    , stepper(parameters, motion, 1)
   {
+    motion.gamma = {gamma_0, gamma_0};
     p.resize(2);
     p.groups = {{0, 0, 2}};
     p.declare("radius");
@@ -85,7 +87,7 @@ BOOST_DATA_TEST_CASE(order_in_the_step, methods, method)
       SpherePair pair({.method = method, .tolerance = 1e9, .first_step = h, .longest_step = h}, 2e10);
       const int steps = int(std::lround(end / h));
       for (int k = 0; k < steps; ++k)
-        BOOST_TEST(pair.motion.step(pair.p, pair.gamma, 1e9) == h);
+        BOOST_TEST(pair.stepper.step(pair.p, 1e9) == h);
       error[fine] = std::abs(pair.overlap() - pair.exact(delta_0, end)) / delta_0;
     }
   const double order = method == OverdampedMethod::heun ? 2. : 1.;
@@ -109,7 +111,7 @@ BOOST_DATA_TEST_CASE(error_of_a_step_is_what_is_allowed, methods, method)
         int counted = 0;
         for (double t = 0.; t < 600.;)
           {
-            const double from = pair.overlap(), h = pair.motion.step(pair.p, pair.gamma, 1e9);
+            const double from = pair.overlap(), h = pair.stepper.step(pair.p, 1e9);
             t += h;
             // of one cell; half of what the distance errs
             const double exact = pair.exact(from, h), error = 0.5 * std::abs(pair.overlap() - exact) / (tolerance * R),

@@ -105,21 +105,21 @@ CellSteps::Outcome CellSteps::relax(const OverdampedMethod method, const double 
   SphereContacts contacts(HertzContact(), 0.2 * radius);
   Friction friction({.normal = pair_friction / less_friction, .tangential = pair_friction / less_friction, .tolerance = 1e-7,
                      .max_iterations = 5000});
-  Overdamped motion({.method = method,
-                     .tolerance = step > 0. ? 1e12 : tolerance,
-                     .first_step = step > 0. ? step : 1e-6,
-                     .least_step = 1e-12,
-                     .longest_step = step > 0. ? step : 1e9},
-                    contacts, friction, {}, threads);
-  std::vector<double> gamma;
+  SphereMotion motion(contacts, friction, threads);
+  Overdamped<3> stepper({.method = method,
+                         .tolerance = step > 0. ? 1e12 : tolerance,
+                         .first_step = step > 0. ? step : 1e-6,
+                         .least_step = 1e-12,
+                         .longest_step = step > 0. ? step : 1e9},
+                        motion, threads);
   for (const double R : result.cells.field("radius"))
-    gamma.push_back(4. * std::numbers::pi * R * R * medium_friction / less_friction);
+    motion.gamma.push_back(4. * std::numbers::pi * R * R * medium_friction / less_friction);
   const double begin = process_cpu_seconds();
   try
     {
       for (double t = 0.; t < duration * (1. - 1e-12); ++result.steps)
         {
-          t += motion.step(result.cells, gamma, duration - t);
+          t += stepper.step(result.cells, duration - t);
           stop_here("during one of the runs");
         }
       result.ended = true;

@@ -80,26 +80,23 @@ bool TwoCells::holds(const double force) const
   Particles<3> p = pair(0.05 * radius); // in contact
   SphereContacts contacts(contact_law(), 0.2 * radius);
   Friction solver({.normal = friction, .tangential = friction, .tolerance = 1e-12});
-  const std::vector<double> medium(2, gamma);
-  const auto pull = [&](Particles<3> &q) {
+  SphereMotion motion(contacts, solver, 1);
+  motion.gamma.assign(2, gamma);
+  motion.outer = [&](Particles<3> &q) {
     q.f[0][0] -= force;
     q.f[0][1] += force;
   };
-  Overdamped motion({.method = OverdampedMethod::heun, .tolerance = 1e-5, .first_step = 1e-3, .least_step = 1e-15},
-                    contacts, solver, pull, 1);
+  Overdamped<3> stepper({.method = OverdampedMethod::heun, .tolerance = 1e-5, .first_step = 1e-3, .least_step = 1e-15}, motion, 1);
   // It holds once the net force apart is a hundredth of the accuracy asked for, or turns: between there and the start it was nothing.
   // It is free where there is no contact any more. The net force itself: beside the friction between
   // the cells that of the medium may be nothing, so that velocity times Medium friction says nothing.
   for (int step = 0; step < 1000000; ++step)
     {
-      motion.step(p, medium, HUGE_VAL);
+      stepper.step(p, HUGE_VAL);
       stop_here("during the search for the pull-off force");
-      for (auto &f : p.f)
-        f = {0., 0.};
-      contacts.add_forces(p, 1, true);
+      motion.forces(p, true);
       if (contacts.contacts().empty() || !(contacts.contacts()[0].area > 0.))
         return false;
-      pull(p);
       if (p.f[0][1] < 0.01 * accuracy * force)
         return true;
     }

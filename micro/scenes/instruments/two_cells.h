@@ -8,6 +8,7 @@
 #pragma once
 
 #include "micro/engine/overdamped.h"
+#include "micro/terms/sphere_motion.h"
 #include "run/run_context.h"
 #include "run/scenario.h"
 

@@ -37,26 +37,25 @@ CellCulture::CellCulture(const CultureParameters &parameters_, std::vector<std::
   , threads(threads_)
   , contacts(contact_law(parameters_), skin_of(parameters_), parameters_.stiffness, parameters_.compression)
   , friction(parameters_.friction)
-  , motion(
-      parameters_.motion, contacts, friction,
-      [this](Particles<3> &particles) {
-        for (const auto &around : surroundings)
-          around->add_forces(particles);
-        if (migrates())
-          add_migration_forces(particles, parameters.migration, [this](const std::size_t i) { return cells.alive(i); });
-      },
-      threads_)
+  , motion(contacts, friction, threads_)
+  , stepper(parameters_.motion, motion, threads_)
   , h(parameters_.interval > 0. ? parameters_.interval :
                                   3. * parameters_.growth_tolerance * parameters_.life.cycle_time / std::numbers::ln2)
 {
   life.declare_fields(cells.particles);
+  motion.outer = [this](Particles<3> &particles) {
+    for (const auto &around : surroundings)
+      around->add_forces(particles);
+    if (migrates())
+      add_migration_forces(particles, parameters.migration, [this](const std::size_t i) { return cells.alive(i); });
+  };
   motion.outer_stiffness = [this](const Particles<3> &particles, std::vector<double> &stiffness) {
     for (const auto &around : surroundings)
       around->add_stiffness(particles, stiffness);
   };
   if (parameters.motility > 0.)
-    motion.random_forces = [this](Particles<3> &particles, const double step, const std::uint64_t number) {
-      set_motility_forces(particles, cells.id, gamma, parameters.motility, step, parameters.life.variability.seed, number, directions());
+    motion.random = [this](Particles<3> &particles, const double step, const std::uint64_t number) {
+      set_motility_forces(particles, cells.id, motion.gamma, parameters.motility, step, parameters.life.variability.seed, number, directions());
     };
   if (migrates())
     declare_polarity(cells.particles);
@@ -96,6 +95,7 @@ const std::vector<double> &CellCulture::pressures()
 void CellCulture::set_friction()
 {
   const std::vector<double> &R = cells.particles.field("radius");
+  std::vector<double> &gamma = motion.gamma;
   gamma.resize(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
     gamma[i] = 4. * std::numbers::pi * R[i] * R[i] * parameters.medium_friction;
@@ -109,7 +109,7 @@ void CellCulture::set_friction()
 void CellCulture::gather_others(const std::vector<std::uint32_t> &source)
 {
   contacts.gather(source);
-  motion.gather(source);
+  stepper.gather(source);
   for (const auto &around : surroundings)
     around->gather(source);
 }
@@ -148,7 +148,7 @@ bool CellCulture::advance(const double end, const std::function<bool()> &stop)
   const double longest = migrates() ? 0.25 * parameters.migration.persistence : HUGE_VAL;
   while (t < until)
     {
-      const double dt = motion.step(cells.particles, gamma, std::min(until - t, longest));
+      const double dt = stepper.step(cells.particles, std::min(until - t, longest));
       if (migrates())
         advance_polarity(cells.particles, cells.id, parameters.migration, dt, parameters.life.variability.seed, steps, directions());
       for (const auto &around : surroundings)
@@ -165,7 +165,7 @@ void CellCulture::save(std::ostream &out) const
 {
   write_binary(out, t);
   write_binary(out, until);
-  write_binary(out, gamma);
+  write_binary(out, motion.gamma);
   write_binary(out, steps);
   write_binary(out, sorted_size);
   for (const std::uint64_t number : {life.divisions, life.deaths, life.removed})
@@ -174,7 +174,7 @@ void CellCulture::save(std::ostream &out) const
   write_binary(out, life.drained);
   cells.save(out);
   contacts.save(out);
-  motion.save(out);
+  stepper.save(out);
   for (const auto &around : surroundings)
     around->save(out);
 }
@@ -183,7 +183,7 @@ void CellCulture::load(std::istream &in)
 {
   read_binary(in, t);
   read_binary(in, until);
-  read_binary(in, gamma);
+  read_binary(in, motion.gamma);
   read_binary(in, steps);
   read_binary(in, sorted_size);
   for (std::uint64_t *number : {&life.divisions, &life.deaths, &life.removed})
@@ -192,7 +192,7 @@ void CellCulture::load(std::istream &in)
   read_binary(in, life.drained);
   cells.load(in);
   contacts.load(in, cells.particles);
-  motion.load(in);
+  stepper.load(in);
   for (const auto &around : surroundings)
     around->load(in);
 }

@@ -16,6 +16,7 @@
 #include "micro/engine/overdamped.h"
 #include "micro/processes/cell_life.h"
 #include "micro/processes/cell_motility.h"
+#include "micro/terms/sphere_motion.h"
 
 #include <functional>
 #include <memory>
@@ -67,9 +68,9 @@ public:
 
   std::vector<std::string> term_names() const;
   const SphereContacts &contact() const { return contacts; }
-  std::uint64_t rejected() const { return motion.rejected(); }
+  std::uint64_t rejected() const { return stepper.rejected(); }
   std::uint64_t solver_iterations() const { return friction.total_iterations(); }
-  double next_step() const { return motion.next_step(); }
+  double next_step() const { return stepper.next_step(); }
 
   void save(std::ostream &out) const;
   void load(std::istream &in);
@@ -88,8 +89,8 @@ private:
   unsigned int threads;
   SphereContacts contacts;
   Friction friction;
-  Overdamped motion;
-  std::vector<double> gamma;
+  SphereMotion motion;
+  Overdamped<3> stepper;
   double t = 0., h;
   double until = 0.; ///< s, end of the interval that was begun
   std::uint64_t sorted_size = 0; ///< cells when they were last sorted

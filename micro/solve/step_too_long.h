@@ -11,4 +11,10 @@ struct StepTooLong : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
+
+/// The matrix of motion was not solved: an implicit step is too long for the stiffness of its contacts, or there is too little friction.
+struct NotSolved : StepTooLong
+{
+  using StepTooLong::StepTooLong;
+};
 } // namespace turgor

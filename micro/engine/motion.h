@@ -1,0 +1,35 @@
+// What the over-damped stepper (overdamped.h) steps: bodies without inertia, whose velocities follow from the forces on them,
+//
+//   Gamma v = F(x)        or, linearly implicit with a step h:   (Gamma + h K) v = F,   K = -dF/dx
+//
+// Forces go to particles.f (N), velocities to particles.v (m/s); what the forces are and how the matrix is solved, the stepper does not know.
+#pragma once
+
+#include "micro/engine/particles.h"
+
+namespace turgor
+{
+template <int dim>
+class Motion
+{
+public:
+  virtual ~Motion() = default;
+
+  /// f = all forces at the present positions. trial: positions that may be taken back; nothing that has a history follows them.
+  /// May throw StepTooLong.
+  virtual void forces(Particles<dim> &particles, bool trial) = 0;
+
+  /// v from f, where forces() was last asked; v holds where the search for it starts. h: s of an implicit step, 0: Gamma alone.
+  /// Throws NotSolved.
+  virtual void velocities(Particles<dim> &particles, double h) = 0;
+
+  /// v once more by the matrix of the last velocities(), for other forces in f.
+  virtual void again(Particles<dim> &particles) = 0;
+
+  /// f = the random forces of step number `step`, of length h (s); false: there are none.
+  virtual bool random_forces(Particles<dim> &, double /*h*/, std::uint64_t /*step*/) { return false; }
+
+  /// m; what a step's error is measured by: the mean radius of cells.
+  virtual double length(const Particles<dim> &particles) const = 0;
+};
+} // namespace turgor
