@@ -20,7 +20,7 @@ namespace
 void declare_all(InputEntries &prm, Scenario &scenario, const std::string &name, const ScenarioRegistry &registry)
 {
   std::string list;
-  for (const std::string &known : registry.names)
+  for (const std::string &known : registry.names())
     list += (list.empty() ? "" : "|") + known;
   prm.declare_entry("Scenario", name, Patterns::Selection(list), "The scene to run; `turgor list` describes them.");
   scenario.declare_parameters(prm);
@@ -40,10 +40,11 @@ PrmSetting scenario_setting(const PrmText &text, const std::string &file, const 
           throw InputError(setting.where + ": there is no entry '" + setting.name + "' in the top level. Did you mean 'Scenario'?");
       if (std::any_of(text.sections.begin(), text.sections.end(), [](const PrmSection &section) { return section.path.front().starts_with("Run "); }))
         throw InputError(file + " is a study, not a scene: ./turgor study " + file + " --list looks at it, without --list it is run.");
-      throw InputError(file + ": the entry 'Scenario' is missing; write 'set Scenario = NAME'." + suggestion("", registry.names));
+      throw InputError(file + ": the entry 'Scenario' is missing; write 'set Scenario = NAME'." + suggestion("", registry.names()));
     }
-  if (std::find(registry.names.begin(), registry.names.end(), found->value) == registry.names.end())
-    throw InputError(found->where + ": there is no scenario '" + found->value + "'." + suggestion(found->value, registry.names));
+  const std::vector<std::string> names = registry.names();
+  if (std::find(names.begin(), names.end(), found->value) == names.end())
+    throw InputError(found->where + ": there is no scenario '" + found->value + "'." + suggestion(found->value, names));
   return *found;
 }
 
@@ -72,9 +73,23 @@ void take_former_names(PrmText &text, const InputEntries &prm, std::vector<std::
 }
 } // namespace
 
+std::vector<std::string> ScenarioRegistry::names() const
+{
+  std::vector<std::string> all;
+  for (const ScenarioLine &scenario : scenarios)
+    all.push_back(scenario.name);
+  return all;
+}
+
+std::string ScenarioRegistry::description(const std::string &name) const
+{
+  const auto found = std::find_if(scenarios.begin(), scenarios.end(), [&](const ScenarioLine &scenario) { return scenario.name == name; });
+  return found != scenarios.end() ? found->description : "";
+}
+
 ScenarioRegistry product_registry()
 {
-  return {scenario_names(), make_scenario};
+  return {scenario_lines(), make_scenario};
 }
 
 namespace
@@ -155,10 +170,10 @@ std::string parameters_text(const std::string &scenario_name, const ScenarioRegi
 {
   const std::unique_ptr<Scenario> scenario = registry.make(scenario_name);
   if (!scenario)
-    throw InputError("There is no scenario '" + scenario_name + "'." + suggestion(scenario_name, registry.names));
+    throw InputError("There is no scenario '" + scenario_name + "'." + suggestion(scenario_name, registry.names()));
   InputEntries prm;
   declare_all(prm, *scenario, scenario_name, registry);
-  return "# " + scenario->description() + "\n" + prm_of(prm.entries(), true, true) + outputs_as_comments(scenario->outputs());
+  return "# " + registry.description(scenario_name) + "\n" + prm_of(prm.entries(), true, true) + outputs_as_comments(scenario->outputs());
 }
 
 std::string unit_of_entry(const std::string &scenario_name, const std::string &path, const ScenarioRegistry &registry)

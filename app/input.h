@@ -3,6 +3,7 @@
 #pragma once
 
 #include "run/run_identity.h"
+#include "app/scenario_list.h"
 #include "run/scenario.h"
 
 #include <filesystem>
@@ -30,8 +31,11 @@ using ScenarioMaker = std::function<std::unique_ptr<Scenario>(const std::string 
 
 struct ScenarioRegistry
 {
-  std::vector<std::string> names;
+  std::vector<ScenarioLine> scenarios;
   ScenarioMaker make;
+
+  std::vector<std::string> names() const;
+  std::string description(const std::string &name) const; ///< empty for an unknown one
 };
 
 ScenarioRegistry product_registry();

@@ -38,8 +38,8 @@ void open_standard_streams()
 
 int list_command(const ScenarioRegistry &registry)
 {
-  for (const std::string &name : registry.names)
-    std::cout << name << "\n    " << registry.make(name)->description() << "\n";
+  for (const ScenarioLine &scenario : registry.scenarios)
+    std::cout << scenario.name << "\n    " << scenario.description << "\n";
   return 0;
 }
 

@@ -58,7 +58,7 @@ std::string outputs_document(const ScenarioRegistry &registry)
 {
   std::vector<Line> lines; // in the order of the scenes
   std::map<Line, std::vector<std::string>> scenes_of;
-  for (const std::string &name : registry.names)
+  for (const std::string &name : registry.names())
     {
       const Outputs outputs = registry.make(name)->outputs();
       for (const OutputPlace &place : outputs.places())

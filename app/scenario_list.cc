@@ -4,15 +4,15 @@
 
 namespace turgor
 {
-#define TURGOR_SCENARIO(name, factory) std::unique_ptr<Scenario> factory();
+#define TURGOR_SCENARIO(name, factory, description) std::unique_ptr<Scenario> factory();
 #include "micro/scenes/scenarios.def"
 #include "rve/scenarios.def"
 #undef TURGOR_SCENARIO
 
-std::vector<std::string> scenario_names()
+std::vector<ScenarioLine> scenario_lines()
 {
   return {
-#define TURGOR_SCENARIO(name, factory) #name,
+#define TURGOR_SCENARIO(name, factory, description) {#name, description},
 #include "coupling/scenarios.def"
 #include "rve/scenarios.def"
 #include "micro/scenes/scenarios.def"
@@ -22,13 +22,13 @@ std::vector<std::string> scenario_names()
 
 std::unique_ptr<Scenario> make_scenario([[maybe_unused]] const std::string &wanted)
 {
-#define TURGOR_SCENARIO(name, factory) \
+#define TURGOR_SCENARIO(name, factory, description) \
   if (wanted == #name)                 \
     return factory();
 #include "micro/scenes/scenarios.def"
 #include "rve/scenarios.def"
 #undef TURGOR_SCENARIO
-#define TURGOR_SCENARIO(name, factory) \
+#define TURGOR_SCENARIO(name, factory, description) \
   if (wanted == #name)                 \
     return make_tissue_scenario(#name);
 #include "coupling/scenarios.def"

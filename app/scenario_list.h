@@ -9,7 +9,13 @@
 
 namespace turgor
 {
-std::vector<std::string> scenario_names();
+struct ScenarioLine
+{
+  std::string name, description; ///< one or two sentences
+};
+
+/// In the order in which they are listed. Makes none, so that the part with finite elements is not loaded.
+std::vector<ScenarioLine> scenario_lines();
 
 /// Null for an unknown name.
 std::unique_ptr<Scenario> make_scenario(const std::string &name);

@@ -25,12 +25,6 @@ TissueBruise::TissueBruise()
   rve_parameters.walls.leak_time = 1e-4;
 }
 
-std::string TissueBruise::description() const
-{
-  return "A block of plant tissue is hit by a rigid plate or cylinder at 5 m/s and bruised: finite elements whose stress comes from RVEs "
-         "of cells with walls that yield and break (thesis 3.2, 3.3.3).";
-}
-
 void TissueBruise::declare_parameters(InputEntries &prm)
 {
   prm.enter_subsection("Impact");

@@ -13,7 +13,6 @@ class TissueBruise : public Scenario
 {
 public:
   TissueBruise();
-  std::string description() const override;
   void declare_parameters(InputEntries &prm) override;
   Outputs outputs() const override;
   void check() const override;

@@ -16,12 +16,6 @@ TissueGravity::TissueGravity()
   rve_parameters.cell.fluid_viscosity = 1.; // at water's nothing damps within a period
 }
 
-std::string TissueGravity::description() const
-{
-  return "A square piece of plant tissue, clamped at its left side, bends under a body force (thesis 3.4.3). "
-         "Two scales: finite elements whose stress comes from RVEs of cells.";
-}
-
 void TissueGravity::declare_parameters(InputEntries &prm)
 {
   prm.enter_subsection("Tissue gravity");

@@ -17,7 +17,6 @@ class TissueGravity : public Scenario
 {
 public:
   TissueGravity();
-  std::string description() const override;
   void declare_parameters(InputEntries &prm) override;
   Outputs outputs() const override;
   void check() const override;

@@ -10,7 +10,7 @@
 
 namespace turgor
 {
-#define TURGOR_SCENARIO(name, factory) std::unique_ptr<Scenario> factory();
+#define TURGOR_SCENARIO(name, factory, description) std::unique_ptr<Scenario> factory();
 #include "coupling/scenarios.def"
 #undef TURGOR_SCENARIO
 
@@ -33,7 +33,7 @@ void prepare_deal_ii()
 extern "C" turgor::Scenario *turgor_make_tissue_scenario(const char *wanted)
 {
   turgor::prepare_deal_ii();
-#define TURGOR_SCENARIO(name, factory)      \
+#define TURGOR_SCENARIO(name, factory, description)      \
   if (std::string_view(wanted) == #name)    \
     return turgor::factory().release();
 #include "coupling/scenarios.def"

@@ -22,12 +22,6 @@ constexpr double most_share_of_load = 1e-6; // of the load, that cells may be ou
 constexpr double means_nothing = 0.1;       // relative residual, where rounding is all that is left
 } // namespace
 
-std::string TissueStatics::description() const
-{
-  return "The static state of a clamped block of tissue under a body force, by Newton's method over two scales: what "
-         "tissue_gravity swings about.";
-}
-
 void TissueStatics::declare_parameters(InputEntries &prm)
 {
   prm.enter_subsection("Tissue statics");

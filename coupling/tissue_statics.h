@@ -17,7 +17,6 @@ namespace turgor
 class TissueStatics : public Scenario
 {
 public:
-  std::string description() const override;
   void declare_parameters(InputEntries &prm) override;
   Outputs outputs() const override;
   void check() const override;

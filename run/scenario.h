@@ -1,5 +1,5 @@
 // A scene the user can run: `set Scenario = name`. One file per scene and one line in
-// that folder's scenarios.def: TURGOR_SCENARIO(name, factory) where
+// that folder's scenarios.def: TURGOR_SCENARIO(name, factory, description) where
 // std::unique_ptr<turgor::Scenario> factory();
 #pragma once
 
@@ -17,9 +17,6 @@ class Scenario
 {
 public:
   virtual ~Scenario() = default;
-
-  /// One or two sentences for `turgor list`.
-  virtual std::string description() const = 0;
 
   /// Declares all entries (add_parameter: pattern, default, "Units: ..." in the text).
   virtual void declare_parameters(InputEntries &prm) = 0;

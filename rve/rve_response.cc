@@ -84,12 +84,6 @@ std::string why_off(const bool bending)
 }
 } // namespace
 
-std::string RveResponse::description() const
-{
-  return "The stress of one RVE along a prescribed path of F(t), or at one F given by hand, beside the closed "
-         "form of flat walls.";
-}
-
 void RveResponse::declare_parameters(InputEntries &prm)
 {
   using namespace Patterns;

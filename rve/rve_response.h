@@ -10,7 +10,6 @@ namespace turgor
 class RveResponse : public Scenario
 {
 public:
-  std::string description() const override;
   void declare_parameters(InputEntries &prm) override;
   Outputs outputs() const override;
   void check() const override;

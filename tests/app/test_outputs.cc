@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(every_definition_is_a_sentence)
 {
   const ScenarioRegistry registry = product_registry();
   std::map<std::string, std::pair<std::string, std::string>> units; // of a name, and where
-  for (const std::string &scene : registry.names)
+  for (const std::string &scene : registry.names())
     {
       const Outputs outputs = registry.make(scene)->outputs();
       BOOST_TEST(!outputs.empty());
@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(every_definition_is_a_sentence)
 BOOST_AUTO_TEST_CASE(every_entry_is_defined)
 {
   const ScenarioRegistry registry = product_registry();
-  for (const std::string &scene : registry.names)
+  for (const std::string &scene : registry.names())
     {
       const std::unique_ptr<Scenario> made = registry.make(scene);
       InputEntries entries;

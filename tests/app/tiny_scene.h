@@ -21,8 +21,6 @@ class TinyScene : public Scenario
 public:
   static inline int stop_at_step = -1; ///< what a person at the keyboard would do
 
-  std::string description() const override { return "Decay of one number."; }
-
   void declare_parameters(InputEntries &prm) override
   {
     using namespace Patterns;
@@ -105,7 +103,7 @@ private:
 
 inline ScenarioRegistry tiny_registry()
 {
-  return {{"tiny"}, [](const std::string &name) -> std::unique_ptr<Scenario> {
+  return {{{"tiny", "Decay of one number."}}, [](const std::string &name) -> std::unique_ptr<Scenario> {
             return name == "tiny" ? std::make_unique<TinyScene>() : nullptr;
           }};
 }

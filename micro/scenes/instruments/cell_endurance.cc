@@ -65,12 +65,6 @@ struct CellEndurance::Sample
   Vector<2> momentum;                                  ///< kg m/s
 };
 
-std::string CellEndurance::description() const
-{
-  return "One periodic SPH cell for a million micro steps at F = I or constant F_dot: drift of pressure, momentum and "
-         "energy.";
-}
-
 void CellEndurance::declare_parameters(InputEntries &prm)
 {
   using namespace Patterns;

@@ -18,11 +18,6 @@ constexpr std::array<OverdampedMethod, 3> methods{OverdampedMethod::euler, Overd
 constexpr std::array<const char *, 3> method_names{"euler", "heun", "implicit"};
 } // namespace
 
-std::string CellSteps::description() const
-{
-  return "Longest stable step of explicit and implicit stepping of centre-based cells, and their error against run time.";
-}
-
 void CellSteps::declare_parameters(InputEntries &prm)
 {
   using namespace Patterns;

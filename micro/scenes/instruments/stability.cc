@@ -36,12 +36,6 @@ bool finite(const ParticleSystem<2> &system)
 }
 } // namespace
 
-std::string Stability::description() const
-{
-  return "The largest stable time step of one periodic SPH cell, deformed, disturbed or in a collision, against the step "
-         "that the program chooses.";
-}
-
 void Stability::declare_parameters(InputEntries &prm)
 {
   using namespace Patterns;

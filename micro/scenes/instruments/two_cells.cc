@@ -15,11 +15,6 @@ namespace
 constexpr double pi = std::numbers::pi;
 }
 
-std::string TwoCells::description() const
-{
-  return "Two centre-based cells brought together and drawn apart: contact law, hysteresis, pull-off force.";
-}
-
 void TwoCells::declare_parameters(InputEntries &prm)
 {
   using namespace Patterns;

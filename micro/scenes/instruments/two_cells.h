@@ -19,7 +19,6 @@ namespace turgor
 class TwoCells final : public Scenario
 {
 public:
-  std::string description() const override;
   void declare_parameters(InputEntries &prm) override;
   Outputs outputs() const override;
   void check() const override;

@@ -24,11 +24,6 @@ public:
     damping = 2e5;
     cell.wall_density = 32500.; // 25 times the wall's: steps five times as long
   }
-  std::string description() const override
-  {
-    return "A cell squeezed slowly between two plates, 2D or 3D: force against deformation, and the balloon model's (3D).";
-  }
-
 protected:
   Outputs more_outputs() const override { return cell_compression_outputs(); }
 

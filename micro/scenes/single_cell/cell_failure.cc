@@ -21,11 +21,6 @@ public:
     deformation = 0.56;
   }
 
-  std::string description() const override
-  {
-    return "A cell squeezed slowly or struck until its wall breaks: where the crack starts, and how much fluid escapes.";
-  }
-
   void check() const override
   {
     SqueezedCell::check();

@@ -14,11 +14,6 @@ namespace
 class CellImpact final : public SqueezedCell
 {
 public:
-  std::string description() const override
-  {
-    return "A plate comes down on a cell at impact speed: where the cell deforms, and the force that reaches the other side.";
-  }
-
 protected:
   Outputs more_outputs() const override { return cell_impact_outputs(); }
 

@@ -11,11 +11,6 @@
 
 namespace turgor
 {
-std::string Laplace::description() const
-{
-  return "A round cell, 2D or 3D, inflated by osmosis: tension of the wall against pressure times radius (Laplace).";
-}
-
 void Laplace::declare_parameters(InputEntries &prm)
 {
   using namespace Patterns;

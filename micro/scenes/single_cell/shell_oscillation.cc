@@ -37,11 +37,6 @@ double amplitude(const std::vector<double> &time, const std::vector<double> &sig
 }
 } // namespace
 
-std::string ShellOscillation::description() const
-{
-  return "Breathing modes of a thin spherical shell, empty or filled with liquid, against their closed forms.";
-}
-
 void ShellOscillation::declare_parameters(InputEntries &prm)
 {
   using namespace Patterns;

@@ -58,8 +58,6 @@ private:
 };
 } // namespace
 
-std::string WallUniaxial::description() const { return "A cell wall pulled and let go, for several parameters of its yielding."; }
-
 void WallUniaxial::declare_parameters(InputEntries &prm)
 {
   using namespace Patterns;

@@ -15,7 +15,6 @@ namespace turgor
 class WallUniaxial final : public Scenario
 {
 public:
-  std::string description() const override;
   void declare_parameters(InputEntries &prm) override;
   Outputs outputs() const override;
   void check() const override;

@@ -23,11 +23,6 @@ Monolayer::Monolayer()
   entries.in_plane = true;
 }
 
-std::string Monolayer::description() const
-{
-  return "Centre-based cells that grow and divide on a flat substrate.";
-}
-
 void Monolayer::check_more() const
 {
   const Vector<3> axis = entries.parameters().life.division.axis;

@@ -13,7 +13,6 @@ class Monolayer final : public SpheroidFree
 {
 public:
   Monolayer();
-  std::string description() const override;
 
 protected:
   void check_more() const override;

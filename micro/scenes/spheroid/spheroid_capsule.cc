@@ -39,11 +39,6 @@ SpheroidCapsule::SpheroidCapsule()
   entries.numbers.motility = 1e-16;
 }
 
-std::string SpheroidCapsule::description() const
-{
-  return "A tumour spheroid that grows against an elastic capsule: transition, residual growth, density, necrotic core.";
-}
-
 void SpheroidCapsule::declare_more(InputEntries &prm)
 {
   using namespace Patterns;

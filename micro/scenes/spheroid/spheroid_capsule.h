@@ -19,7 +19,6 @@ class SpheroidCapsule : public SpheroidScene
 {
 public:
   SpheroidCapsule();
-  std::string description() const override;
 
 protected:
   Outputs more_outputs() const override;

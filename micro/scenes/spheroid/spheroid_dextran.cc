@@ -26,11 +26,6 @@ SpheroidDextran::SpheroidDextran()
   entries.numbers.motility = 1e-16;
 }
 
-std::string SpheroidDextran::description() const
-{
-  return "A tumour spheroid under the osmotic pressure of a dextran solution: five cell lines and their controls.";
-}
-
 void SpheroidDextran::declare_more(InputEntries &prm)
 {
   using namespace Patterns;

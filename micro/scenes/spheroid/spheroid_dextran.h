@@ -15,7 +15,6 @@ class SpheroidDextran : public SpheroidScene
 {
 public:
   SpheroidDextran();
-  std::string description() const override;
 
 protected:
   Outputs more_outputs() const override;

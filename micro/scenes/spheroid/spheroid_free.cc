@@ -38,11 +38,6 @@ SpheroidFree::SpheroidFree()
   entries.numbers.motility = 1e-16;
 }
 
-std::string SpheroidFree::description() const
-{
-  return "A tumour spheroid from a few centre-based cells in free suspension: growth, division, a viable rim.";
-}
-
 void SpheroidFree::report(RunContext &context, const GrowthTable &table, CellCulture &culture) const
 {
   const double T = entries.numbers.life.cycle_time, end = culture.time();

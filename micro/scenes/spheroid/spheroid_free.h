@@ -18,7 +18,6 @@ class SpheroidFree : public SpheroidScene
 {
 public:
   SpheroidFree();
-  std::string description() const override;
 
 protected:
   Outputs more_outputs() const override;

@@ -18,11 +18,6 @@ SpheroidRelaxation::SpheroidRelaxation()
   frames = 4;
 }
 
-std::string SpheroidRelaxation::description() const
-{
-  return "A compressed spheroid let go: the time in which its size recovers.";
-}
-
 void SpheroidRelaxation::declare_more(InputEntries &prm)
 {
   using namespace Patterns;

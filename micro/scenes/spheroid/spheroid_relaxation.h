@@ -15,7 +15,6 @@ class SpheroidRelaxation final : public SpheroidScene
 {
 public:
   SpheroidRelaxation();
-  std::string description() const override;
 
 protected:
   Outputs more_outputs() const override;

@@ -46,12 +46,6 @@ struct FullMicro::Progress
   }
 };
 
-std::string FullMicro::description() const
-{
-  return "All cells of a clamped piece of tissue as one particle system under a body force: the full run that FE^2 is "
-         "compared with.";
-}
-
 void FullMicro::declare_parameters(InputEntries &prm)
 {
   using namespace Patterns;

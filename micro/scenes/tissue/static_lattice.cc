@@ -200,12 +200,6 @@ Vector<2> LatticeBlock::dead_force() const
   return sum;
 }
 
-std::string StaticLattice::description() const
-{
-  return "The static state of a clamped piece of tissue with every cell wall in it, fluid at rest: tells the surface "
-         "effect and the error of homogenisation apart.";
-}
-
 void StaticLattice::declare_parameters(InputEntries &prm)
 {
   using namespace Patterns;

@@ -73,7 +73,6 @@ private:
 class StaticLattice final : public Scenario
 {
 public:
-  std::string description() const override;
   void declare_parameters(InputEntries &prm) override;
   Outputs outputs() const override;
   void check() const override;

@@ -31,7 +31,6 @@ class TissueLoading final : public Scenario
 public:
   explicit TissueLoading(const TissueLoadingDefaults &defaults);
 
-  std::string description() const override { return text; }
   void declare_parameters(InputEntries &prm) override;
   Outputs outputs() const override;
   void check() const override;
