@@ -372,11 +372,8 @@ RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor
       answer.condition = condition(scratch.history);
       answer.trial.history = scratch.history.pack();
     }
-  else
-    {
-      network.evaluate(x, H, NetworkOrder::energy, scratch.evaluation);
-      answer.energy = (scratch.evaluation.energy - reference_energy) / reference_volume;
-    }
+  else if (answer.diagnostics.converged)
+    answer.energy = (network.energy(x, H, *e) - reference_energy) / reference_volume;
   answer.trial.F = F;
   answer.trial.F_dot = F_dot;
   if (answer.diagnostics.converged && !(answer.sigma.allFinite() && std::isfinite(answer.energy)))

@@ -54,8 +54,9 @@ struct NetworkEvaluation
   NetworkVirial virial;
   std::vector<double> pressure, volume, stiffness; ///< per cell: Pa, m^3, d2E/dV2 in Pa/m^3
   // per edge i of a ring (node i to node i + 1)
-  std::vector<double> ex, ey;                  ///< m
+  std::vector<double> ex, ey, stretch;         ///< m, m, length over rest length
   std::vector<double> inverse_length, tension, slope; ///< 1/m, N, dF/d|e| in N/m
+  std::vector<double> angle;                   ///< rad, of the hinge at node i beyond that at rest; only with bending
   std::vector<double> moment;                  ///< N m, of the hinge at node i
   std::vector<double> hinge;                   ///< N m, stiffness of the hinge at node i; empty: all alike
   std::vector<double> tx, ty;                  ///< N, dE/de
@@ -92,6 +93,9 @@ public:
   void evaluate(const std::vector<double> &x, const Tensor2<2> &H, NetworkOrder order, NetworkEvaluation &out,
                 const WallHistory *history = nullptr) const;
 
+  /// E, from what an evaluation of any order has measured at x.
+  double energy(const std::vector<double> &x, const Tensor2<2> &H, const NetworkEvaluation &at, const WallHistory *history = nullptr) const;
+
   /// Forces dE/dx (N) that an affine motion u = L x (no unit), H -> H + L H makes, and the second
   /// derivatives of E (J) along pairs of such motions. From an evaluation of order hessian.
   void affine_response(const std::vector<double> &x, const Tensor2<2> &H, const NetworkEvaluation &at,
@@ -126,6 +130,14 @@ public:
   double force_scale() const { return scale; }                         ///< N, turgor * spacing * depth
 
 private:
+  bool cracked(const WallHistory *history) const { return history && !history->broken.empty(); }
+  /// Edges, hinges and volumes at x.
+  void measure(const std::vector<double> &x, NetworkEvaluation &out, const WallHistory *history) const;
+  /// Tension and direction of the edges.
+  void stretch_edges(NetworkEvaluation &out, const WallHistory *history) const;
+  /// dE/de of the edges of a cell and, if asked, the second derivatives; adds to gradient and virial.
+  void pull(std::size_t cell, bool with_hessian, NetworkEvaluation &out) const;
+  void add_ties(const std::vector<double> &x, const Tensor2<2> &H, NetworkEvaluation &out) const;
   double body_energy(const std::vector<double> &x, double area, std::size_t cell,
                      std::vector<double> *gradient) const;
   struct CellPressure

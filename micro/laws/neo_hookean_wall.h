@@ -74,6 +74,23 @@ public:
     return g * f;
   }
 
+  /// Both of many edges: the same bits, several at once.
+  void forces(const std::size_t count, const double *__restrict lambda, double *__restrict f, double *__restrict slope) const
+  {
+    for (std::size_t i = 0; i < count; ++i)
+      {
+        f[i] = scale * unit_force(lambda[i], slope[i]);
+        slope[i] *= scale;
+      }
+    if (yield.active())
+      for (std::size_t i = 0; i < count; ++i)
+        {
+          const double g = yield.share(lambda[i]);
+          slope[i] = g * slope[i] + yield.derivative(lambda[i]) * f[i];
+          f[i] *= g;
+        }
+  }
+
   const WallYield &yielding() const { return yield; }
 
   /// The same wall without yielding.
@@ -91,18 +108,40 @@ public:
       return HUGE_VAL;
     if (yield.active() && lambda > 1.)
       return yielding_energy(lambda);
-    int k = static_cast<int>(std::lround(panels_per_unit * std::log(lambda)));
-    if (k > n_side)
-      k = n_side;
-    else if (k < -n_side)
-      k = -n_side;
-    double w = knot_energy[n_side + k], from = knot(k);
+    const int k = knots().nearest(lambda, 0);
+    double w = knot_energy[n_side + k], from = knots().at[n_side + k];
     // Beyond the table only: walk in panels of the same ratio.
     for (; lambda > 1.04 * from; from *= 1.04)
       w += panel(from, 1.04 * from);
     for (; lambda < from / 1.04; from /= 1.04)
       w += panel(from, from / 1.04);
     return scale * (w + panel(from, lambda));
+  }
+
+  /// energy() of many edges: the same bits, several at once where the table reaches.
+  void energies(const std::size_t count, const double *__restrict lambda, double *__restrict w) const
+  {
+    constexpr std::size_t most = 64;
+    double from[most], base[most];
+    const Knots &table = knots();
+    for (std::size_t first = 0; first < count; first += most)
+      {
+        const std::size_t n = std::min(most, count - first);
+        const auto by_table = [&](const double at) { return at > table.least() && at < table.largest() && !(yield.active() && at > 1.); };
+        bool all = true;
+        for (std::size_t i = 0, k = n_side; i < n; ++i)
+          {
+            k = static_cast<std::size_t>(n_side + table.nearest(lambda[first + i], static_cast<int>(k) - n_side));
+            from[i] = table.at[k];
+            base[i] = knot_energy[k];
+            all = all && by_table(lambda[first + i]);
+          }
+        for (std::size_t i = 0; i < n; ++i)
+          w[first + i] = scale * (base[i] + panel(from[i], lambda[first + i]));
+        for (std::size_t i = 0; i < n && !all; ++i)
+          if (!by_table(lambda[first + i]))
+            w[first + i] = energy(lambda[first + i]);
+      }
   }
 
   /// The stretch at which the wall carries `tension` (N); with yielding the first one above 1. Throws
@@ -184,6 +223,35 @@ private:
   }
 
   static double knot(const double k) { return std::exp(k / panels_per_unit); }
+
+  /// The same for all walls: stretch at the knots, and where one is nearer than the one before.
+  struct Knots
+  {
+    double at[2 * n_side + 1], border[2 * n_side + 2];
+    Knots()
+    {
+      for (int k = -n_side; k <= n_side; ++k)
+        at[n_side + k] = knot(k);
+      for (int k = -n_side; k <= n_side + 1; ++k)
+        border[n_side + k] = knot(k - 0.5);
+    }
+    double least() const { return border[0]; }
+    double largest() const { return border[2 * n_side + 1]; }
+    /// In -n_side ... n_side, found from k: one step and less where neighbours are stretched alike.
+    int nearest(const double lambda, int k) const
+    {
+      while (k < n_side && lambda >= border[n_side + k + 1])
+        ++k;
+      while (k > -n_side && lambda < border[n_side + k])
+        --k;
+      return k;
+    }
+  };
+  static const Knots &knots()
+  {
+    static const Knots table;
+    return table;
+  }
 
   // Between knots a and b in four panels, so that the table itself adds no error.
   double fine(const int a, const int b) const

@@ -83,6 +83,26 @@ BOOST_AUTO_TEST_CASE(wall_energy_is_consistent)
                boost::test_tools::tolerance(1e-13));
 }
 
+BOOST_AUTO_TEST_CASE(many_edges_at_once_give_the_same_bits)
+{
+  std::vector<double> lambda = {0., -1., 1.};
+  for (double at = 0.02; at < 60.; at *= 1.013)
+    lambda.push_back(at);
+  for (const WallYield &yield : {WallYield(), WallYield{15., 0.9}})
+    {
+      const NeoHookeanWall wall(100., 50e-6, 0.5, yield);
+      std::vector<double> energy(lambda.size()), force(lambda.size()), slope(lambda.size());
+      wall.energies(lambda.size(), lambda.data(), energy.data());
+      wall.forces(lambda.size(), lambda.data(), force.data(), slope.data());
+      for (std::size_t i = 0; i < lambda.size(); ++i)
+        {
+          BOOST_TEST(energy[i] == wall.energy(lambda[i]));
+          double alone = 0.;
+          BOOST_TEST((lambda[i] == 0. || (force[i] == wall.force(lambda[i], alone) && slope[i] == alone)));
+        }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(fluid_by_hand)
 {
   const EquationOfState fluid(1000., 6e6, -100e3);

@@ -71,6 +71,14 @@ std::vector<double> mapped(const Tensor2<2> &F, const std::vector<double> &x)
 
 BOOST_AUTO_TEST_SUITE(network)
 
+BOOST_AUTO_TEST_CASE(energy_of_what_forces_have_measured)
+{
+  const HydrostaticNetwork network(make_parenchyma(small_cell(), 2, 1, true, true), liquid_mass(small_cell()));
+  const std::vector<double> x = mapped(sheared(), shaken(network, 0.1));
+  const Tensor2<2> H = sheared() * network.patch().lattice;
+  BOOST_TEST(network.energy(x, H, forces(network, x, H)) == energy(network, x, H));
+}
+
 BOOST_AUTO_TEST_CASE(force_is_minus_energy_slope)
 {
   for (const bool loaded : {false, true})
