@@ -1,6 +1,6 @@
 #include "coupling/bruise.h"
 
-#include "macro/binary.h"
+#include "run/archive.h"
 #include "run/number_text.h"
 #include "run/judged.h"
 
@@ -165,9 +165,11 @@ void Bruise::results(RunContext &context, const Tissue<2> &tissue, const RveLaw<
   context.result("dissipated_by_failure", s.by_failure, "J/m");
 }
 
-void Bruise::save(std::ostream &out) const { write_binary(out, memory); }
-
-void Bruise::load(std::istream &in) { read_binary(in, memory); }
+void Bruise::archive(Archive &a)
+{
+  a.section("bruise");
+  a(memory);
+}
 
 std::vector<std::array<double, 2>> Bruise::places() const
 {

@@ -1,8 +1,8 @@
 #include "coupling/rve_law.h"
 
 #include "coupling/answer_table.h"
-#include "coupling/state_bytes.h"
 #include "coupling/tensor_conversion.h"
+#include "run/archive.h"
 #include "run/number_text.h"
 #include "run/run_context.h"
 #include "run/stop_flag.h"
@@ -15,9 +15,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <istream>
 #include <limits>
-#include <ostream>
 #include <sstream>
 #include <stdexcept>
 
@@ -77,7 +75,7 @@ struct RveLaw<dim>::Impl
   void count(const AnswerTable<dim> &table);
   void rebalance();
   /// Bytes of the committed states of those of the points that are this rank's; nothing for the others.
-  std::vector<std::string> packed(const std::vector<std::size_t> &points) const;
+  std::vector<std::string> packed(const std::vector<std::size_t> &points);
 };
 
 // One RVE. Returns an empty text, or why it failed.
@@ -140,16 +138,12 @@ void RveLaw<dim>::Impl::count(const AnswerTable<dim> &table)
 }
 
 template <int dim>
-std::vector<std::string> RveLaw<dim>::Impl::packed(const std::vector<std::size_t> &which) const
+std::vector<std::string> RveLaw<dim>::Impl::packed(const std::vector<std::size_t> &which)
 {
   std::vector<std::string> texts(points.size());
   for (const std::size_t p : which)
     if (shares.owners().at(p) == shares.rank())
-    {
-      ByteWriter writer;
-      writer.put_state(committed[p]);
-      texts[p] = std::move(writer.bytes);
-    }
+      texts[p] = archived(committed[p]);
   return texts;
 }
 
@@ -166,7 +160,7 @@ void RveLaw<dim>::Impl::rebalance()
   shares.reassign(better, luggage);
   std::vector<RveState<dim>> arrived(points.size());
   for (const std::size_t p : shares.mine())
-    arrived[p] = ByteReader(luggage[p]).get_state<dim>();
+    restore(luggage[p], arrived[p]);
   committed = std::move(arrived);
   trial.assign(points.size(), RveState<dim>());
   ++statistics.rebalances;
@@ -295,65 +289,23 @@ double RveLaw<dim>::viscosity_bound() const
 }
 
 template <int dim>
-void RveLaw<dim>::save(std::ostream &out) const
-{
-  const Impl &m = *impl;
-  std::vector<std::string> texts = m.packed(m.shares.mine());
-  m.shares.gather_texts(texts);
-  ByteWriter head;
-  head.put(static_cast<std::uint64_t>(texts.size()));
-  head.put(m.statistics);
-  head.put(m.pressure.data(), m.pressure.size());
-  for (const Tensor2<dim> &sigma : m.sigma)
-    head.put(sigma.data(), dim * dim);
-  head.put(m.condition.data(), m.condition.size());
-  for (const std::string &t : texts)
-  {
-    head.put(static_cast<std::uint64_t>(t.size()));
-    head.bytes += t;
-  }
-  const auto length = static_cast<std::uint64_t>(head.bytes.size());
-  out.write(reinterpret_cast<const char *>(&length), sizeof(length));
-  out.write(head.bytes.data(), static_cast<std::streamsize>(length));
-}
-
-template <int dim>
-void RveLaw<dim>::load(std::istream &in)
+void RveLaw<dim>::archive(Archive &a)
 {
   Impl &m = *impl;
-  const auto damaged = [] { return std::runtime_error("The states of the RVEs in the checkpoint are damaged."); };
-  std::uint64_t length = 0;
-  if (!in.read(reinterpret_cast<char *>(&length), sizeof(length)) || length > (std::uint64_t{1} << 40))
-    throw damaged();
-  std::string bytes(length, '\0');
-  if (!in.read(bytes.data(), static_cast<std::streamsize>(length)))
-    throw damaged();
-  ByteReader reader(bytes);
-  const auto n = reader.get<std::uint64_t>();
-  if (n != m.points.size())
-    throw std::runtime_error("The checkpoint holds " + number_text(n) + " RVEs, the tissue has " +
-                             number_text(m.points.size()) + ".");
-  m.statistics = reader.get<RveLawStatistics>();
-  reader.get(m.pressure.data(), n);
-  for (Tensor2<dim> &sigma : m.sigma)
-    reader.get(sigma.data(), dim * dim);
-  reader.get(m.condition.data(), m.condition.size());
-  for (std::size_t p = 0; p < n; ++p)
+  a.section("RVEs");
+  a.fixed(m.pressure, m.sigma, m.condition);
+  a(m.statistics);
+  std::vector<std::string> texts(m.points.size());
+  if (!a.loading())
   {
-    const auto size = reader.get<std::uint64_t>();
-    if (size > bytes.size())
-      throw damaged();
-    std::string text(size, '\0');
-    reader.get(text.data(), size);
-    if (m.shares.owners()[p] != m.shares.rank())
-      continue;
-    ByteReader one(text);
-    m.committed[p] = one.get_state<dim>();
-    if (!one.at_end())
-      throw damaged();
+    texts = m.packed(m.shares.mine());
+    m.shares.gather_texts(texts);
   }
-  if (!reader.at_end())
-    throw damaged();
+  a.fixed(texts);
+  if (!a.loading())
+    return;
+  for (const std::size_t p : m.shares.mine())
+    restore(texts[p], m.committed[p]);
   m.last = Impl::Last::none;
 }
 
@@ -390,12 +342,12 @@ const std::vector<RveCondition> &RveLaw<dim>::condition() const
 template <int dim>
 std::vector<RveState<dim>> RveLaw<dim>::states(const std::vector<std::size_t> &points) const
 {
-  const Impl &m = *impl;
+  Impl &m = *impl;
   std::vector<std::string> texts = m.packed(points);
   m.shares.gather_texts(texts);
   std::vector<RveState<dim>> result;
   for (const std::size_t p : points)
-    result.push_back(ByteReader(texts[p]).get_state<dim>());
+    restore(texts[p], result.emplace_back());
   return result;
 }
 

@@ -10,7 +10,7 @@
 // over threads; a point's answer depends on its own state and input only, sums run in the
 // order of the points: the same bits on any number of threads and ranks.
 //
-// With ranks, evaluate(), commit(), save(), load() and states() are collective.
+// With ranks, evaluate(), commit(), archive() and states() are collective.
 #pragma once
 
 #include "coupling/point_shares.h"
@@ -68,8 +68,7 @@ public:
   double viscosity_bound() const override;
 
   /// All points in order, whoever owns them: the bytes do not depend on the ranks.
-  void save(std::ostream &out) const override;
-  void load(std::istream &in) override;
+  void archive(Archive &a) override;
 
   const RveLawStatistics &statistics() const;
   const PointShares &shares() const;

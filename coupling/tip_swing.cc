@@ -1,7 +1,7 @@
 #include "coupling/tip_swing.h"
 
 #include "coupling/tissue_output.h"
-#include "macro/binary.h"
+#include "run/archive.h"
 
 namespace turgor
 {
@@ -39,9 +39,11 @@ void TipSwing::results(RunContext &context, const Tissue<2> &tissue, const RveLa
   }
 }
 
-void TipSwing::save(std::ostream &out) const { write_binary(out, swing); }
-
-void TipSwing::load(std::istream &in) { read_binary(in, swing); }
+void TipSwing::archive(Archive &a)
+{
+  a.section("tip swing");
+  a(swing);
+}
 
 std::vector<std::array<double, 2>> TipSwing::places() const
 {

@@ -20,8 +20,7 @@ public:
   void open(RunContext &context, const Tissue<2> &tissue) override;
   void row(const Tissue<2> &tissue, const RveLaw<2> &law) override;
   void results(RunContext &context, const Tissue<2> &tissue, const RveLaw<2> &law) override;
-  void save(std::ostream &out) const override;
-  void load(std::istream &in) override;
+  void archive(Archive &a) override;
   std::vector<std::array<double, 2>> places() const override;
 
 private:

@@ -6,11 +6,12 @@
 #include "run/run_context.h"
 
 #include <array>
-#include <iosfwd>
 #include <vector>
 
 namespace turgor
 {
+class Archive;
+
 class TissueObserver
 {
 public:
@@ -26,8 +27,7 @@ public:
   virtual void results(RunContext &context, const Tissue<2> &tissue, const RveLaw<2> &law) = 0;
 
   /// What it must remember over a checkpoint.
-  virtual void save(std::ostream &out) const = 0;
-  virtual void load(std::istream &in) = 0;
+  virtual void archive(Archive &a) = 0;
 
   /// Where RVEs are drawn, the most telling first: shares of width and height.
   virtual std::vector<std::array<double, 2>> places() const = 0;

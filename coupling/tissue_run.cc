@@ -2,7 +2,7 @@
 
 #include "coupling/tip_swing.h"
 #include "coupling/tissue_output.h"
-#include "macro/binary.h"
+#include "run/archive.h"
 #include "macro/tissue.h"
 #include "run/cpu_clock.h"
 #include "run/field_output.h"
@@ -82,6 +82,11 @@ private:
   const Clock::time_point started = Clock::now();
   const double cpu_at_start = process_cpu_seconds();
 
+  void archive(Archive &a, Memory &m)
+  {
+    a.section("run");
+    a(m, observer, tissue);
+  }
   void checkpoint();
   void row();
   void frame();
@@ -115,11 +120,7 @@ void Run::checkpoint()
   Memory now = memory;
   now.cpu_seconds += law.shares().sum(process_cpu_seconds() - cpu_at_start);
   now.wall_seconds += seconds_since(started);
-  context.save_checkpoint([&](std::ostream &out) {
-    write_binary(out, now);
-    observer.save(out);
-    tissue.save(out);
-  });
+  context.save_checkpoint([&](Archive &a) { archive(a, now); });
 }
 
 void Run::row()
@@ -233,11 +234,7 @@ void Run::results()
 void Run::go()
 {
   // Before any table is opened: a checkpoint that does not fit leaves everything as it is.
-  const bool resumed = context.load_checkpoint([&](std::istream &in) {
-    read_binary(in, memory);
-    observer.load(in);
-    tissue.load(in);
-  });
+  const bool resumed = context.load_checkpoint([&](Archive &a) { archive(a, memory); });
   observer.open(context, tissue);
   std::vector<Column> energy_columns = {{"time", "s"},
                                               {"kinetic", "J/m"},

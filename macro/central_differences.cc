@@ -1,6 +1,6 @@
 #include "macro/central_differences.h"
 
-#include "macro/binary.h"
+#include "run/archive.h"
 
 #include <algorithm>
 #include <cmath>
@@ -158,19 +158,10 @@ void CentralDifferences<dim>::step(double limit)
 }
 
 template <int dim>
-void CentralDifferences<dim>::save(std::ostream &out) const
+void CentralDifferences<dim>::archive(Archive &a)
 {
-  Integrator<dim>::save(out);
-  write_binary(out, halvings);
-  write_binary(out, successes);
-}
-
-template <int dim>
-void CentralDifferences<dim>::load(std::istream &in)
-{
-  Integrator<dim>::load(in);
-  read_binary(in, halvings);
-  read_binary(in, successes);
+  Integrator<dim>::archive(a);
+  a(halvings, successes);
 }
 
 template class CentralDifferences<2>;

@@ -39,8 +39,7 @@ public:
 
   void step(double limit) override;
   double stable_step() const override;
-  void save(std::ostream &out) const override;
-  void load(std::istream &in) override;
+  void archive(Archive &a) override;
 
   /// Largest stable step (s) for frequency omega and damping c (1/s).
   static double limit_of_stability(double omega, double c);

@@ -1,6 +1,6 @@
 #include "macro/dormand_prince.h"
 
-#include "macro/binary.h"
+#include "run/archive.h"
 #include "run/number_text.h"
 
 #include <arkode/arkode_arkstep.h>
@@ -240,17 +240,10 @@ void DormandPrince<dim>::step(double limit)
 }
 
 template <int dim>
-void DormandPrince<dim>::save(std::ostream &out) const
+void DormandPrince<dim>::archive(Archive &list)
 {
-  Integrator<dim>::save(out);
-  write_binary(out, next_step);
-}
-
-template <int dim>
-void DormandPrince<dim>::load(std::istream &in)
-{
-  Integrator<dim>::load(in);
-  read_binary(in, next_step);
+  Integrator<dim>::archive(list);
+  list(next_step);
 }
 
 template class DormandPrince<2>;

@@ -29,8 +29,7 @@ public:
 
   void step(double limit) override;
   double stable_step() const override;
-  void save(std::ostream &out) const override;
-  void load(std::istream &in) override;
+  void archive(Archive &a) override;
 
   /// Called by ARKStep: 0 done, 1 recoverable, -1 not.
   int right_hand_side(double t, const double *y, double *y_dot) noexcept;

@@ -1,6 +1,6 @@
 #include "macro/integrator.h"
 
-#include "macro/binary.h"
+#include "run/archive.h"
 #include "macro/central_differences.h"
 #include "macro/dormand_prince.h"
 
@@ -8,71 +8,13 @@
 
 namespace turgor
 {
-namespace
-{
 template <int dim>
-std::vector<double> flat(const std::vector<dealii::Tensor<2, dim>> &tensors)
+void TissueState<dim>::archive(Archive &list)
 {
-  std::vector<double> result;
-  for (const auto &tensor : tensors)
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int j = 0; j < dim; ++j)
-        result.push_back(tensor[i][j]);
-  return result;
-}
-
-template <int dim>
-void unflatten(const std::vector<double> &values, std::vector<dealii::Tensor<2, dim>> &tensors)
-{
-  std::size_t k = 0;
-  for (auto &tensor : tensors)
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int j = 0; j < dim; ++j)
-        tensor[i][j] = values[k++];
-}
-} // namespace
-
-template <int dim>
-void TissueState<dim>::save(std::ostream &out) const
-{
-  write_binary(out, time);
-  for (const auto *vector : {&u, &v, &a})
-    write_binary(out, *vector);
-  write_binary(out, flat<dim>(F));
-  write_binary(out, flat<dim>(P));
-  write_binary(out, static_cast<char>(!viscous.empty()));
-  if (!viscous.empty())
-    write_binary(out, flat<dim>(viscous));
-  write_binary(out, static_cast<char>(!energy.empty()));
-  if (!energy.empty())
-    write_binary(out, energy);
-}
-
-template <int dim>
-void TissueState<dim>::load(std::istream &in)
-{
-  read_binary(in, time);
-  for (auto *vector : {&u, &v, &a})
-    read_binary(in, *vector);
-  std::vector<double> values(F.size() * dim * dim);
-  for (auto *tensors : {&F, &P})
-    {
-      read_binary(in, values);
-      unflatten<dim>(values, *tensors);
-    }
-  char with_viscous = 0;
-  read_binary(in, with_viscous);
-  viscous.resize(with_viscous ? F.size() : 0);
-  if (with_viscous)
-    {
-      read_binary(in, values);
-      unflatten<dim>(values, viscous);
-    }
-  char with_energy = 0;
-  read_binary(in, with_energy);
-  energy.resize(with_energy ? F.size() : 0);
-  if (with_energy)
-    read_binary(in, energy);
+  list.section("tissue");
+  list(time);
+  list.fixed(u, v, a, F, P);
+  list(viscous, energy);
 }
 
 template <int dim>
@@ -187,38 +129,14 @@ double Integrator<dim>::upcoming(double limit)
 }
 
 template <int dim>
-void Integrator<dim>::save(std::ostream &out) const
+void Integrator<dim>::archive(Archive &a)
 {
-  state.save(out);
+  a(state);
   if (op.tools())
-    {
-      write_binary(out, state.tool);
-      write_binary(out, state.tool_work);
-    }
-  for (const double value : {state.heating, state.heat, state.spent, state.lent})
-    write_binary(out, value);
-  write_binary(out, counters);
-  write_binary(out, last_step);
-  write_binary(out, since_estimate);
-  stability.save(out);
-}
-
-template <int dim>
-void Integrator<dim>::load(std::istream &in)
-{
-  state.load(in);
-  if (op.tools())
-    {
-      read_binary(in, state.tool);
-      read_binary(in, state.tool_work);
-    }
-  for (double *value : {&state.heating, &state.heat, &state.spent, &state.lent})
-    read_binary(in, *value);
-  read_binary(in, counters);
-  read_binary(in, last_step);
-  read_binary(in, since_estimate);
-  stability.load(in);
-  stability.observe(state.F);
+    a(state.tool, state.tool_work);
+  a(state.heating, state.heat, state.spent, state.lent, counters, last_step, since_estimate, stability);
+  if (a.loading())
+    stability.observe(state.F);
 }
 
 template <int dim>

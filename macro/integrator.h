@@ -4,13 +4,14 @@
 #include "macro/stable_step.h"
 #include "macro/tissue_operator.h"
 
-#include <iosfwd>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace turgor
 {
+class Archive;
+
 template <int dim>
 struct TissueState
 {
@@ -26,8 +27,7 @@ struct TissueState
   double spent = 0.;                         ///< J, lost since rest by what has no rate: flow, breaking
   double lent = 0.;                          ///< J, by the steps (energy_balance.h)
 
-  void save(std::ostream &out) const;
-  void load(std::istream &in);
+  void archive(Archive &a);
 };
 
 struct StepCounters
@@ -64,8 +64,7 @@ public:
   double upcoming(double limit);
 
   /// Everything the coming steps depend on, the law excepted. The mesh and the parameters must be the same.
-  virtual void save(std::ostream &out) const;
-  virtual void load(std::istream &in);
+  virtual void archive(Archive &a);
 
 protected:
   Integrator(TissueOperator<dim> &op, const TissueParameters<dim> &parameters);

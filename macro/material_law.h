@@ -9,12 +9,13 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
-#include <iosfwd>
 #include <string>
 #include <vector>
 
 namespace turgor
 {
+class Archive;
+
 /// What a batch is asked for.
 struct LawRequest
 {
@@ -71,7 +72,6 @@ public:
   virtual double viscosity_bound() const = 0;
 
   /// Committed states to and from a checkpoint (binary). A law without history writes nothing.
-  virtual void save(std::ostream &out) const = 0;
-  virtual void load(std::istream &in) = 0;
+  virtual void archive(Archive &a) = 0;
 };
 } // namespace turgor

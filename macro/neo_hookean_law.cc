@@ -1,6 +1,6 @@
 #include "macro/neo_hookean_law.h"
 
-#include "macro/binary.h"
+#include "run/archive.h"
 #include "run/number_text.h"
 
 #include <cmath>
@@ -75,17 +75,10 @@ void NeoHookeanLaw<dim>::commit()
 }
 
 template <int dim>
-void NeoHookeanLaw<dim>::save(std::ostream &out) const
+void NeoHookeanLaw<dim>::archive(Archive &a)
 {
-  write_binary(out, stiffness);
-  write_binary(out, viscosity);
-}
-
-template <int dim>
-void NeoHookeanLaw<dim>::load(std::istream &in)
-{
-  read_binary(in, stiffness);
-  read_binary(in, viscosity);
+  a.section("neo-Hookean law");
+  a(stiffness, viscosity);
 }
 
 template class NeoHookeanLaw<2>;

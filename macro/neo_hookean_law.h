@@ -25,8 +25,7 @@ public:
   double density() const override { return rho; }
   double stiffness_bound() const override { return stiffness; }
   double viscosity_bound() const override { return viscosity; }
-  void save(std::ostream &out) const override;
-  void load(std::istream &in) override;
+  void archive(Archive &a) override;
 
 private:
   const double mu, lambda, eta, rho;

@@ -1,6 +1,6 @@
 #include "macro/stable_step.h"
 
-#include "macro/binary.h"
+#include "run/archive.h"
 
 #include <deal.II/base/symmetric_tensor.h>
 
@@ -127,17 +127,9 @@ double StableStep<dim>::damping() const
 }
 
 template <int dim>
-void StableStep<dim>::save(std::ostream &out) const
+void StableStep<dim>::archive(Archive &a)
 {
-  write_binary(out, frequency2);
-  write_binary(out, stiffness_then);
-}
-
-template <int dim>
-void StableStep<dim>::load(std::istream &in)
-{
-  read_binary(in, frequency2);
-  read_binary(in, stiffness_then);
+  a(frequency2, stiffness_then);
 }
 
 template class StableStep<2>;

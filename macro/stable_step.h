@@ -14,10 +14,10 @@
 
 #include "macro/tissue_operator.h"
 
-#include <iosfwd>
-
 namespace turgor
 {
+class Archive;
+
 template <int dim>
 class StableStep
 {
@@ -34,8 +34,7 @@ public:
   double frequency() const;
   double damping() const;
 
-  void save(std::ostream &out) const;
-  void load(std::istream &in);
+  void archive(Archive &a);
 
 private:
   double power_iteration(const std::vector<double> &matrices, unsigned int components) const;

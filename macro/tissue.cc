@@ -1,5 +1,7 @@
 #include "macro/tissue.h"
 
+#include "run/archive.h"
+
 #include <limits>
 
 namespace turgor
@@ -125,17 +127,9 @@ TissueFields Tissue<dim>::fields() const
 }
 
 template <int dim>
-void Tissue<dim>::save(std::ostream &out) const
+void Tissue<dim>::archive(Archive &a)
 {
-  integrator->save(out);
-  op.law().save(out);
-}
-
-template <int dim>
-void Tissue<dim>::load(std::istream &in)
-{
-  integrator->load(in);
-  op.law().load(in);
+  a(*integrator, op.law());
 }
 
 template class Tissue<2>;

@@ -1,7 +1,7 @@
 // A piece of tissue in motion: mesh, operator and integrator behind one door.
 //
 //   Tissue<2> tissue(parameters, law);   // at rest, F = I, load on from t = 0
-//   tissue.start();                      // or tissue.load(stream)
+//   tissue.start();                      // or restore(bytes, tissue)
 //   while (tissue.time() < end) { tissue.step(end); ... probes, pictures, checkpoints ... }
 //
 // The same bits come out whether or not a run was saved, stopped and loaded in between, as long as step() is
@@ -82,9 +82,8 @@ public:
   TissueState<dim> &state() { return integrator->state; }
   const TissueState<dim> &state() const { return integrator->state; }
 
-  /// Tissue and law, binary. load() needs the same parameters; std::runtime_error for another mesh.
-  void save(std::ostream &out) const;
-  void load(std::istream &in);
+  /// Tissue and law; loaded where the parameters are the same, ArchiveError for another mesh.
+  void archive(Archive &a);
 
 private:
   std::vector<dealii::Tensor<1, dim>> interpolate(const Probe &probe, const std::vector<double> &values) const;

@@ -40,7 +40,7 @@ public:
 
   bool exists() const; ///< any generation, damaged or not
 
-  static constexpr std::uint32_t format = 2;
+  static constexpr std::uint32_t format = 3;
   static constexpr const char *file_names[2] = {"checkpoint.0", "checkpoint.1"};
 
 private:

@@ -5,7 +5,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <iosfwd>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -13,6 +12,8 @@
 
 namespace turgor
 {
+class Archive;
+
 /// A run that cannot go on (divergence): says where and when; exit code 1. The last good state has been saved.
 class RunFailed : public std::runtime_error
 {
@@ -75,12 +76,12 @@ public:
   /// True after Ctrl-C, SIGTERM: save a checkpoint, then throw RunStopped.
   virtual bool stop_requested() const = 0;
 
-  /// Atomic (temp, fsync, rename), two generations, with version, input hash and checksum; the write callback streams
-  /// the state. Also records how long each Series is.
-  virtual void save_checkpoint(const std::function<void(std::ostream &)> &write) = 0;
+  /// Atomic (temp, fsync, rename), two generations, with version, input hash and checksum; the state is what the list names.
+  /// Also records how long each Series is.
+  virtual void save_checkpoint(const std::function<void(Archive &)> &list) = 0;
 
-  /// With --resume and a checkpoint of this input: calls read and returns true. Falls back to the older
+  /// With --resume and a checkpoint of this input: takes it from there by the same list and returns true. Falls back to the older
   /// generation when the newer is damaged. Throws InputError when it belongs to another input or version.
-  virtual bool load_checkpoint(const std::function<void(std::istream &)> &read) = 0;
+  virtual bool load_checkpoint(const std::function<void(Archive &)> &list) = 0;
 };
 } // namespace turgor

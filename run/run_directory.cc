@@ -1,5 +1,6 @@
 #include "run/run_directory.h"
 
+#include "run/archive.h"
 #include "run/atomic_file.h"
 #include "run/manifest.h"
 #include "run/number_text.h"
@@ -17,19 +18,11 @@
 #include <iterator>
 #include <limits>
 #include <sstream>
-#include <streambuf>
 
 namespace turgor
 {
 namespace
 {
-class Swallow : public std::streambuf
-{
-protected:
-  int_type overflow(const int_type character) override { return traits_type::not_eof(character); }
-  std::streamsize xsputn(const char *, const std::streamsize count) override { return count; }
-};
-
 std::string date_and_time()
 {
   const std::time_t now = std::time(nullptr);
@@ -257,19 +250,21 @@ bool RunDirectory::stop_requested() const
   return settings.agree(stop_was_requested());
 }
 
-void RunDirectory::save_checkpoint(const std::function<void(std::ostream &)> &write)
+void RunDirectory::save_checkpoint(const std::function<void(Archive &)> &list)
 {
-  if (!settings.writer)
+  std::string payload;
+  try
     {
-      Swallow nowhere;
-      std::ostream out(&nowhere);
-      write(out);
-      return;
+      Archive archive;
+      list(archive);
+      payload = archive.finish();
     }
-  std::ostringstream payload(std::ios::binary);
-  write(payload);
-  if (!payload)
-    throw RunFailed("The checkpoint could not be put together: the state does not fit into memory.");
+  catch (const std::bad_alloc &)
+    {
+      throw RunFailed("The checkpoint could not be put together: the state does not fit into memory.");
+    }
+  if (!settings.writer)
+    return;
   prepare();
   nlohmann::json series_lengths = nlohmann::json::object();
   for (const auto &[name, length] : resumed_lengths)
@@ -283,26 +278,25 @@ void RunDirectory::save_checkpoint(const std::function<void(std::ostream &)> &wr
                          {"peak_memory_bytes", use.peak_memory},
                          {"instruction_set", settings.build.instruction_set}};
   record.save(json);
-  checkpoints.write(json, payload.view());
+  checkpoints.write(json, payload);
   saved = true;
   files->keep();
 }
 
-bool RunDirectory::load_checkpoint(const std::function<void(std::istream &)> &read)
+bool RunDirectory::load_checkpoint(const std::function<void(Archive &)> &list)
 {
   if (!resumed)
     return false;
-  std::istringstream in(resumed->payload, std::ios::binary);
-  in.exceptions(std::ios::failbit | std::ios::badbit);
   try
     {
-      read(in);
+      Archive archive(resumed->payload);
+      list(archive);
+      archive.finish();
     }
-  catch (const std::ios::failure &)
+  catch (const ArchiveError &problem)
     {
-      throw InputError("The checkpoint in " + settings.directory.string() +
-                       " holds less than this program reads; it was written by another build. Run without --resume to "
-                       "start again.");
+      throw InputError("The checkpoint in " + settings.directory.string() + " cannot be used. " + problem.what() +
+                       " Run without --resume to start again.");
     }
   say("Resumed from checkpoint " + number_text(resumed->generation) + " in " + settings.directory.string() + ".");
   return true;

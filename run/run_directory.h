@@ -74,8 +74,8 @@ public:
   void progress(double fraction, const std::string &what) override;
   void say(const std::string &line) override;
   bool stop_requested() const override;
-  void save_checkpoint(const std::function<void(std::ostream &)> &write) override;
-  bool load_checkpoint(const std::function<void(std::istream &)> &read) override;
+  void save_checkpoint(const std::function<void(Archive &)> &list) override;
+  bool load_checkpoint(const std::function<void(Archive &)> &list) override;
 
   /// Writes summary.json; returns where it is. status: finished, failed or stopped; message: why, may be empty. Throws OutputFailed
   /// when that or a series cannot be written; the summary then says "failed" if it can be written itself.

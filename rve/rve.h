@@ -8,6 +8,7 @@
 #pragma once
 
 #include "micro/geometry/tensor.h"
+#include "run/archive.h"
 
 #include <memory>
 #include <string>
@@ -24,6 +25,8 @@ struct RveState
   Tensor2<dim> F_dot = Tensor2<dim>::Zero();  ///< 1/s
   std::vector<double> unknowns;               ///< positions (m), then velocities (m/s) where the rule has them
   std::vector<double> history;                ///< what walls and cells have been through; empty where nothing stays
+
+  void archive(Archive &a) { a(F, F_dot, unknowns, history); }
 };
 
 /// What has happened to the cells for good, for pictures and results. All zero where nothing stays.

@@ -3,12 +3,12 @@
 #pragma once
 
 #include "run/run_context.h"
+#include "run/archive.h"
 
 #include <unistd.h>
 
 #include <cmath>
 #include <map>
-#include <sstream>
 
 namespace turgor::test
 {
@@ -71,20 +71,17 @@ public:
   {
     return ++asked == stop_at || (!stop_while.empty() && doing == stop_while);
   }
-  void save_checkpoint(const std::function<void(std::ostream &)> &write) override
+  void save_checkpoint(const std::function<void(Archive &)> &list) override
   {
-    std::ostringstream out;
-    write(out);
-    disk.checkpoint = out.str();
+    disk.checkpoint = archived(list);
     for (const auto &[name, rows] : disk.series)
       disk.rows_at_checkpoint[name] = rows.size();
   }
-  bool load_checkpoint(const std::function<void(std::istream &)> &read) override
+  bool load_checkpoint(const std::function<void(Archive &)> &list) override
   {
     if (!resume || disk.checkpoint.empty())
       return false;
-    std::istringstream in(disk.checkpoint);
-    read(in);
+    restore(disk.checkpoint, list);
     return true;
   }
 

@@ -1,6 +1,6 @@
 #include "micro/cells/cell_population.h"
 
-#include "run/binary.h"
+#include "run/archive.h"
 #include "micro/engine/gathered.h"
 
 #include <algorithm>
@@ -43,56 +43,26 @@ void CellPopulation::gather(const std::vector<std::uint32_t> &source)
   state = gathered(state, source);
 }
 
-void CellPopulation::save(std::ostream &out) const
+void CellPopulation::archive(Archive &a)
 {
-  write_binary(out, next_id);
-  write_binary(out, id);
-  write_binary(out, state);
-  for (int d = 0; d < 3; ++d)
+  a.section("cells");
+  a(next_id, id);
+  if (a.loading())
     {
-      write_binary(out, particles.x[d]);
-      write_binary(out, particles.v[d]);
+      state.resize(size());
+      particles.resize(size());
+      particles.groups = {{0, 0, std::uint32_t(size())}};
     }
-  const std::vector<std::string> names = particles.field_names();
-  write_binary(out, std::uint64_t(names.size()));
+  a.fixed(state);
+  for (int d = 0; d < 3; ++d)
+    a.fixed(particles.x[d], particles.v[d]);
+  const std::vector<std::string> declared = particles.field_names();
+  std::vector<std::string> names = declared;
+  a(names);
+  if (names != declared)
+    throw ArchiveError("The checkpoint's cells do not belong to this scene: their fields are others.");
   for (const std::string &name : names)
-    {
-      write_binary(out, std::vector<char>(name.begin(), name.end()));
-      write_binary(out, particles.field(name));
-    }
-}
-
-void CellPopulation::load(std::istream &in)
-{
-  read_binary(in, next_id);
-  read_binary(in, id);
-  read_binary(in, state);
-  particles.resize(size());
-  particles.groups = {{0, 0, std::uint32_t(size())}};
-  bool sound = state.size() == size();
-  const auto read_array = [&](std::vector<double> &values) {
-    read_binary(in, values);
-    sound = sound && values.size() == size();
-  };
-  for (int d = 0; d < 3; ++d)
-    {
-      read_array(particles.x[d]);
-      read_array(particles.v[d]);
-    }
-  std::uint64_t fields = 0;
-  read_binary(in, fields);
-  sound = sound && fields == particles.field_names().size();
-  for (std::uint64_t k = 0; sound && k < fields; ++k)
-    {
-      std::vector<char> name;
-      read_binary(in, name);
-      const std::string text(name.begin(), name.end());
-      sound = particles.has(text);
-      if (sound)
-        read_array(particles.field(text));
-    }
-  if (!sound)
-    throw std::runtime_error("the checkpoint's cells do not belong to this scene");
+    a.fixed(particles.field(name));
 }
 
 double sphere_volume(const double radius) { return 4. / 3. * std::numbers::pi * radius * radius * radius; }

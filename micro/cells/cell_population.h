@@ -14,12 +14,13 @@
 #include "micro/engine/particles.h"
 
 #include <cstdint>
-#include <iosfwd>
 #include <string>
 #include <vector>
 
 namespace turgor
 {
+class Archive;
+
 enum class CellState : std::uint8_t
 {
   proliferating, ///< in its cycle, and growing unless in mitosis
@@ -47,9 +48,8 @@ struct CellPopulation
   /// Cell k is what source[k] was, with its id.
   void gather(const std::vector<std::uint32_t> &source);
 
-  void save(std::ostream &out) const;
+  void archive(Archive &a);
   /// Fields have to be declared before. Throws std::runtime_error for a checkpoint with other fields.
-  void load(std::istream &in);
 };
 
 /// m^3 of a sphere, and its radius (m).

@@ -1,6 +1,6 @@
 #include "micro/cells/dextran_pressure.h"
 
-#include "run/binary.h"
+#include "run/archive.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -103,23 +103,9 @@ std::vector<Surroundings::Value> DextranPressure::values(const CellPopulation &)
 }
 
 // Also inside an interval: the outer cells are kept, because they are looked for again only when they have moved.
-void DextranPressure::save(std::ostream &out) const
+void DextranPressure::archive(Archive &a)
 {
-  for (const double number : {now, F_0, softened, exposed, centre[0], centre[1], centre[2]})
-    write_binary(out, number);
-  write_binary(out, whole);
-  write_binary(out, cells);
-  write_binary(out, found_at);
-  write_binary(out, share);
-}
-
-void DextranPressure::load(std::istream &in)
-{
-  for (double *number : {&now, &F_0, &softened, &exposed, &centre[0], &centre[1], &centre[2]})
-    read_binary(in, *number);
-  read_binary(in, whole);
-  read_binary(in, cells);
-  read_binary(in, found_at);
-  read_binary(in, share);
+  a.section(name());
+  a(now, F_0, softened, exposed, centre, whole, cells, found_at, share);
 }
 } // namespace turgor

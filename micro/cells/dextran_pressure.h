@@ -43,8 +43,7 @@ public:
   void add_forces(Particles<3> &particles) override;
   void gather(const std::vector<std::uint32_t> &source) override;
   std::vector<Value> values(const CellPopulation &) const override;
-  void save(std::ostream &out) const override;
-  void load(std::istream &in) override;
+  void archive(Archive &a) override;
 
   double unit_force() const { return F_0; } ///< N
   const std::vector<std::uint32_t> &outer_cells() const { return cells; }

@@ -1,6 +1,6 @@
 #include "micro/cells/elastic_capsule.h"
 
-#include "run/binary.h"
+#include "run/archive.h"
 #include "micro/solve/bisection.h"
 #include "micro/solve/step_too_long.h"
 #include "run/number_text.h"
@@ -241,6 +241,9 @@ std::vector<Surroundings::Value> ElasticCapsule::values(const CellPopulation &) 
   return {{"capsule_radius", "m", R}, {"capsule_pressure", "Pa", of_cells}, {"cells_on_capsule", "", double(touches.size())}};
 }
 
-void ElasticCapsule::save(std::ostream &out) const { write_binary(out, R); }
-void ElasticCapsule::load(std::istream &in) { read_binary(in, R); }
+void ElasticCapsule::archive(Archive &a)
+{
+  a.section("capsule");
+  a(R);
+}
 } // namespace turgor

@@ -43,8 +43,7 @@ public:
   void add_virial(const Particles<3> &, std::vector<Tensor2<3>> &virial) const override;
   void gather(const std::vector<std::uint32_t> &) override { touches.clear(); }
   std::vector<Value> values(const CellPopulation &) const override;
-  void save(std::ostream &out) const override;
-  void load(std::istream &in) override;
+  void archive(Archive &a) override;
 
   double radius() const { return R; }        ///< m, inner
   double pressure() const { return of_cells; } ///< Pa, of the cells on the wall at the last add_forces

@@ -1,6 +1,6 @@
 #include "micro/cells/rigid_walls.h"
 
-#include "run/binary.h"
+#include "run/archive.h"
 #include "micro/solve/step_too_long.h"
 #include "run/number_text.h"
 
@@ -121,23 +121,10 @@ void RigidWalls::advance(const Particles<3> &, const double dt)
     }
 }
 
-void RigidWalls::save(std::ostream &out) const
+void RigidWalls::archive(Archive &a)
 {
-  for (const RigidWall &wall : walls)
-    {
-      for (int d = 0; d < 3; ++d)
-        write_binary(out, wall.point[d]);
-      write_binary(out, wall.radius);
-    }
-}
-
-void RigidWalls::load(std::istream &in)
-{
+  a.section("walls");
   for (RigidWall &wall : walls)
-    {
-      for (int d = 0; d < 3; ++d)
-        read_binary(in, wall.point[d]);
-      read_binary(in, wall.radius);
-    }
+    a(wall.point, wall.radius);
 }
 } // namespace turgor

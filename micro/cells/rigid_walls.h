@@ -41,8 +41,7 @@ public:
   void advance(const Particles<3> &, double dt) override;
   void add_virial(const Particles<3> &, std::vector<Tensor2<3>> &virial) const override;
   void gather(const std::vector<std::uint32_t> &) override { touches.clear(); }
-  void save(std::ostream &out) const override;
-  void load(std::istream &in) override;
+  void archive(Archive &a) override;
 
   const RigidWall &operator[](const std::size_t k) const { return walls[k]; }
   /// N, of all cells on wall k, at the last add_forces.

@@ -10,13 +10,14 @@
 #include "micro/geometry/tensor.h"
 
 #include <cmath>
-#include <iosfwd>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace turgor
 {
+class Archive;
+
 class Surroundings
 {
 public:
@@ -61,7 +62,6 @@ public:
   };
   virtual std::vector<Value> values(const CellPopulation &) const { return {}; }
 
-  virtual void save(std::ostream &) const {}
-  virtual void load(std::istream &) {}
+  virtual void archive(Archive &) {}
 };
 } // namespace turgor

@@ -1,6 +1,6 @@
 #include "micro/engine/descent.h"
 
-#include "run/binary.h"
+#include "run/archive.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,19 +59,10 @@ void Descent<dim>::step(const double dt)
 }
 
 template <int dim>
-void Descent<dim>::save(std::ostream &out) const
+void Descent<dim>::archive(Archive &a)
 {
-  write_binary(out, share);
-  write_binary(out, downhill);
-  write_binary(out, stops);
-}
-
-template <int dim>
-void Descent<dim>::load(std::istream &in)
-{
-  read_binary(in, share);
-  read_binary(in, downhill);
-  read_binary(in, stops);
+  a.section("descent");
+  a(share, downhill, stops);
 }
 
 template class Descent<2>;

@@ -12,10 +12,10 @@
 
 #include "micro/engine/kick_drift_kick.h"
 
-#include <iosfwd>
-
 namespace turgor
 {
+class Archive;
+
 template <int dim>
 class Descent
 {
@@ -26,8 +26,7 @@ public:
   void step(double dt);
   void stop(); ///< velocities to zero: begins anew where the state was changed from outside
 
-  void save(std::ostream &out) const;
-  void load(std::istream &in);
+  void archive(Archive &a);
 
   unsigned int stops = 0; ///< steps that went past a minimum; whoever counts them sets it back
 

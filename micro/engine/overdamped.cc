@@ -1,6 +1,6 @@
 #include "micro/engine/overdamped.h"
 
-#include "run/binary.h"
+#include "run/archive.h"
 #include "micro/engine/gathered.h"
 #include "micro/solve/step_too_long.h"
 #include "run/parallel.h"
@@ -181,29 +181,10 @@ void Overdamped<dim>::gather(const std::vector<std::uint32_t> &source)
 }
 
 template <int dim>
-void Overdamped<dim>::save(std::ostream &out) const
+void Overdamped<dim>::archive(Archive &a)
 {
-  write_binary(out, dt);
-  write_binary(out, last_step);
-  write_binary(out, after_jump);
-  write_binary(out, jumped);
-  write_binary(out, rejections);
-  write_binary(out, accepted);
-  for (const auto &v : v_before)
-    write_binary(out, v);
-}
-
-template <int dim>
-void Overdamped<dim>::load(std::istream &in)
-{
-  read_binary(in, dt);
-  read_binary(in, last_step);
-  read_binary(in, after_jump);
-  read_binary(in, jumped);
-  read_binary(in, rejections);
-  read_binary(in, accepted);
-  for (auto &v : v_before)
-    read_binary(in, v);
+  a.section("overdamped");
+  a(dt, last_step, after_jump, jumped, rejections, accepted, v_before);
 }
 
 template class Overdamped<2>;

@@ -22,10 +22,11 @@
 #include "micro/engine/motion.h"
 
 #include <cmath>
-#include <iosfwd>
 
 namespace turgor
 {
+class Archive;
+
 enum class OverdampedMethod
 {
   euler,
@@ -58,8 +59,7 @@ public:
   std::uint64_t rejected() const { return rejections; }
   double next_step() const { return dt; }
 
-  void save(std::ostream &out) const;
-  void load(std::istream &in);
+  void archive(Archive &a);
 
 private:
   using Components = typename Particles<dim>::Components;

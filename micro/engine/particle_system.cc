@@ -1,6 +1,6 @@
 #include "micro/engine/particle_system.h"
 
-#include "run/binary.h"
+#include "run/archive.h"
 #include "run/number_text.h"
 
 #include <algorithm>
@@ -173,51 +173,16 @@ std::vector<std::string> ParticleSystem<dim>::term_names() const
 }
 
 template <int dim>
-void ParticleSystem<dim>::save(std::ostream &out) const
+void ParticleSystem<dim>::archive(Archive &a)
 {
+  a.section("particles");
   for (int d = 0; d < dim; ++d)
-    {
-      write_binary(out, particles.x[d]);
-      write_binary(out, particles.v[d]);
-      write_binary(out, particles.f[d]);
-    }
-  write_binary(out, particles.inverse_mass);
-  for (int a = 0; a < dim; ++a)
-    for (int b = 0; b < dim; ++b)
-      {
-        write_binary(out, box.H(a, b));
-        write_binary(out, box.H_dot(a, b));
-      }
-  for (const auto &term : terms)
-    term->save(out, particles);
-}
-
-template <int dim>
-void ParticleSystem<dim>::load(std::istream &in)
-{
-  const std::size_t n = particles.size();
-  const auto read = [&](std::vector<double> &values) {
-    read_binary(in, values);
-    if (values.size() != n)
-      throw std::runtime_error("the checkpoint holds " + number_text(values.size()) + " particles, the scene has "
-                               + number_text(n));
-  };
-  for (int d = 0; d < dim; ++d)
-    {
-      read(particles.x[d]);
-      read(particles.v[d]);
-      read(particles.f[d]);
-    }
-  read(particles.inverse_mass);
+    a.fixed(particles.x[d], particles.v[d], particles.f[d]);
+  a.fixed(particles.inverse_mass);
+  a(box.H, box.H_dot);
   const std::vector<double> inverse_mass = particles.inverse_mass;
-  for (int a = 0; a < dim; ++a)
-    for (int b = 0; b < dim; ++b)
-      {
-        read_binary(in, box.H(a, b));
-        read_binary(in, box.H_dot(a, b));
-      }
   for (const auto &term : terms)
-    term->load(in, particles);
+    term->archive(a, particles);
   particles.inverse_mass = inverse_mass; // a term's masses must not free a clamped particle
 }
 

@@ -77,8 +77,7 @@ public:
   std::vector<std::string> term_names() const;
 
   /// Positions, velocities, forces, masses, box and the terms' history; sizes must fit.
-  void save(std::ostream &out) const;
-  void load(std::istream &in);
+  void archive(Archive &a);
 
 private:
   std::vector<std::unique_ptr<Term<dim>>> terms;

@@ -1,6 +1,6 @@
 #include "micro/engine/respa.h"
 
-#include "run/binary.h"
+#include "run/archive.h"
 
 #include <algorithm>
 #include <cmath>
@@ -100,25 +100,11 @@ void Respa<dim>::step(const double dt, const double damping)
 }
 
 template <int dim>
-void Respa<dim>::save(std::ostream &out) const
+void Respa<dim>::archive(Archive &a)
 {
+  a.section("respa");
   for (int d = 0; d < dim; ++d)
-    {
-      write_binary(out, slow[d]);
-      write_binary(out, fast[d]);
-    }
-}
-
-template <int dim>
-void Respa<dim>::load(std::istream &in)
-{
-  for (int d = 0; d < dim; ++d)
-    for (std::vector<double> *part : {&slow[d], &fast[d]})
-      {
-        read_binary(in, *part);
-        if (part->size() != system.particles.size())
-          throw std::runtime_error("the checkpoint's forces are of another number of particles");
-      }
+    a.fixed(slow[d], fast[d]);
 }
 
 template class Respa<2>;

@@ -14,10 +14,10 @@
 
 #include "micro/engine/particle_system.h"
 
-#include <iosfwd>
-
 namespace turgor
 {
+class Archive;
+
 template <int dim>
 class Respa
 {
@@ -31,8 +31,7 @@ public:
   void step(double dt, double damping = 0.);
 
   /// The two kinds of force, which are not one by one in the particles' f.
-  void save(std::ostream &out) const;
-  void load(std::istream &in);
+  void archive(Archive &a);
 
 private:
   using Components = typename Particles<dim>::Components;

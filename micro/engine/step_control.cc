@@ -1,6 +1,6 @@
 #include "micro/engine/step_control.h"
 
-#include "run/binary.h"
+#include "run/archive.h"
 #include "micro/engine/measured_step.h"
 
 #include <algorithm>
@@ -114,19 +114,10 @@ bool StepControl<dim>::after_step(const std::uint64_t count)
 }
 
 template <int dim>
-void StepControl<dim>::save(std::ostream &out) const
+void StepControl<dim>::archive(Archive &a)
 {
-  write_binary(out, step);
-  for (const auto &x : looked_at)
-    write_binary(out, x);
-}
-
-template <int dim>
-void StepControl<dim>::load(std::istream &in)
-{
-  read_binary(in, step);
-  for (auto &x : looked_at)
-    read_binary(in, x);
+  a.section("step control");
+  a(step, looked_at);
 }
 
 template class StepControl<2>;

@@ -33,8 +33,7 @@ public:
   bool after_step(std::uint64_t count);
 
   /// dt and the state of the last look, for the same bits after a resume.
-  void save(std::ostream &out) const;
-  void load(std::istream &in);
+  void archive(Archive &a);
 
 private:
   bool moved() const;

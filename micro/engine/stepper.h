@@ -25,17 +25,6 @@ public:
   void compute_forces() { split ? split->compute_forces() : system.compute_forces(); }
   void step(const double dt, const double damping = 0.) { split ? split->step(dt, damping) : plain.step(dt, damping); }
 
-  void save(std::ostream &out) const
-  {
-    if (split)
-      split->save(out);
-  }
-  void load(std::istream &in)
-  {
-    if (split)
-      split->load(in);
-  }
-
 private:
   ParticleSystem<dim> &system;
   KickDriftKick<dim> plain;

@@ -7,12 +7,13 @@
 #include "micro/engine/particles.h"
 
 #include <cmath>
-#include <iosfwd>
 #include <limits>
 #include <string>
 
 namespace turgor
 {
+class Archive;
+
 /// How fast a law can make particles move, by kind of particle: squared angular frequency (1/s^2) of its
 /// stiffest mode and decay rate (1/s) of its strongest drag. Rates of several laws on one kind add up.
 struct Rates
@@ -89,7 +90,6 @@ public:
   virtual Rates rates(const Particles<dim> &) const { return {}; }
 
   /// History that affects later bits (the positions at which lists were built, a density by continuity).
-  virtual void save(std::ostream &, const Particles<dim> &) const {}
-  virtual void load(std::istream &, Particles<dim> &) {}
+  virtual void archive(Archive &, Particles<dim> &) {}
 };
 } // namespace turgor

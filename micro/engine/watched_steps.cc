@@ -1,6 +1,6 @@
 #include "micro/engine/watched_steps.h"
 
-#include "run/binary.h"
+#include "run/archive.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,19 +41,10 @@ void WatchedSteps<dim>::step(const double dt, const double damping)
 }
 
 template <int dim>
-void WatchedSteps<dim>::save(std::ostream &out) const
+void WatchedSteps<dim>::archive(Archive &a)
 {
-  write_binary(out, count);
-  write_binary(out, extra);
-  control.save(out);
-}
-
-template <int dim>
-void WatchedSteps<dim>::load(std::istream &in)
-{
-  read_binary(in, count);
-  read_binary(in, extra);
-  control.load(in);
+  a.section("watched steps");
+  a(count, extra, control);
 }
 
 template class WatchedSteps<2>;

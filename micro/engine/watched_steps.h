@@ -27,8 +27,7 @@ public:
 
   std::uint64_t extra_steps() const { return extra; } ///< parts beyond one a step, so far
 
-  void save(std::ostream &out) const;
-  void load(std::istream &in);
+  void archive(Archive &a);
 
 private:
   ParticleSystem<dim> &system;

@@ -1,6 +1,6 @@
 #include "micro/processes/tissue_inflation.h"
 
-#include "run/binary.h"
+#include "run/archive.h"
 #include "micro/engine/measured_step.h"
 #include "run/number_text.h"
 #include "micro/processes/wall_yielding.h"
@@ -231,27 +231,12 @@ double TissueInflation::progress() const
   return first > brick.rest_residual ? std::clamp(std::log(first / last) / std::log(first / brick.rest_residual), 0., 1.) : 0.;
 }
 
-void TissueInflation::save(std::ostream &out) const
+void TissueInflation::archive(Archive &a)
 {
-  write_binary(out, count);
-  write_binary(out, at_rest);
-  for (const double value : {first, last, angle_then, stretch_then})
-    write_binary(out, value);
-  write_binary(out, still);
-  write_binary(out, dt);
-  descent.save(out);
-}
-
-void TissueInflation::load(std::istream &in)
-{
-  read_binary(in, count);
-  read_binary(in, at_rest);
-  for (double *value : {&first, &last, &angle_then, &stretch_then})
-    read_binary(in, *value);
-  read_binary(in, still);
-  read_binary(in, dt);
-  descent.load(in);
-  set_fluid();
+  a.section("inflation");
+  a(count, at_rest, first, last, angle_then, stretch_then, still, dt, descent);
+  if (a.loading())
+    set_fluid();
 }
 
 void TissueInflation::end()

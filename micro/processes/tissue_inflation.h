@@ -23,11 +23,12 @@
 #include "micro/terms/sph_fluid.h"
 
 #include <functional>
-#include <iosfwd>
 #include <memory>
 
 namespace turgor
 {
+class Archive;
+
 /// Part 1. watch(progress from 0 to 1) now and then; it may throw to stop. Throws std::runtime_error where there is no such state.
 std::unique_ptr<BrickTissue> rest_of_the_walls(const ParenchymaParameters &cell, const SphParameters &sph, const BrickParameters &brick,
                                                const std::function<void(double)> &watch);
@@ -49,8 +50,7 @@ public:
   double residual() const; ///< of the present forces
   double pressure() const; ///< Pa, mean of the cells: of the fluid's virial, which is what the walls balance
 
-  void save(std::ostream &out) const;
-  void load(std::istream &in);
+  void archive(Archive &a);
 
 private:
   void set_walls(double inverse_mass); ///< 1/kg, of all nodes

@@ -1,6 +1,6 @@
 #include "micro/terms/cell_contact.h"
 
-#include "run/binary.h"
+#include "run/archive.h"
 #include "micro/geometry/bins.h"
 
 #include <algorithm>
@@ -302,21 +302,11 @@ Rates CellContact::rates(const Particles<2> &particles) const
   return bound;
 }
 
-void CellContact::save(std::ostream &out, const Particles<2> &) const
+void CellContact::archive(Archive &a, Particles<2> &particles)
 {
-  write_binary(out, origin[0]);
-  write_binary(out, origin[1]);
-  write_binary(out, broken_at_build);
-  write_binary(out, fluid_range);
-}
-
-void CellContact::load(std::istream &in, Particles<2> &particles)
-{
-  read_binary(in, origin[0]);
-  read_binary(in, origin[1]);
-  read_binary(in, broken_at_build);
-  read_binary(in, fluid_range);
-  if (origin[0].empty())
+  a.section("cell contact");
+  a(origin, broken_at_build, fluid_range);
+  if (!a.loading() || origin[0].empty())
     return;
   y = origin; // slack is that of the build
   build();

@@ -53,8 +53,7 @@ public:
   void add_forces(Particles<2> &particles, const Box<2> &box, std::size_t group) override;
   double energy(const Particles<2> &particles, const Box<2> &box, std::size_t group) const override;
   Rates rates(const Particles<2> &particles) const override;
-  void save(std::ostream &out, const Particles<2> &particles) const override;
-  void load(std::istream &in, Particles<2> &particles) override;
+  void archive(Archive &a, Particles<2> &particles) override;
 
   /// The largest rho - d of walls (m); 0 where nothing touches. Of the last force evaluation, as what follows.
   double deepest() const;

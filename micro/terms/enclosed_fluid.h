@@ -9,7 +9,7 @@
 #pragma once
 
 #include "micro/geometry/triangle_mesh.h"
-#include "run/binary.h"
+#include "run/archive.h"
 #include "micro/engine/term.h"
 #include "micro/laws/equation_of_state.h"
 
@@ -93,8 +93,11 @@ public:
     return bound;
   }
 
-  void save(std::ostream &out, const Particles<dim> &) const override { write_binary(out, mass); }
-  void load(std::istream &in, Particles<dim> &) override { read_binary(in, mass); }
+  void archive(Archive &a, Particles<dim> &) override
+  {
+    a.section("enclosed fluid");
+    a.fixed(mass);
+  }
 
 private:
   /// force += pressure dV/dx

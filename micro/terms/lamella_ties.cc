@@ -1,6 +1,6 @@
 #include "micro/terms/lamella_ties.h"
 
-#include "run/binary.h"
+#include "run/archive.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,16 +80,11 @@ Rates LamellaTies::rates(const Particles<2> &) const
   return bound;
 }
 
-void LamellaTies::save(std::ostream &out, const Particles<2> &) const
+void LamellaTies::archive(Archive &a, Particles<2> &)
 {
+  a.section("ties");
   if (breaking_force > 0.)
-    write_binary(out, broken);
-}
-
-void LamellaTies::load(std::istream &in, Particles<2> &)
-{
-  if (breaking_force > 0.)
-    read_binary(in, broken);
+    a.fixed(broken);
 }
 
 std::vector<std::size_t> LamellaTies::break_overloaded(const Particles<2> &particles, const Box<2> &box)

@@ -27,8 +27,7 @@ public:
   Tensor2<2> image_virial(const Particles<2> &particles, const Box<2> &box, std::size_t group) const override;
   bool fast() const override { return true; }
   Rates rates(const Particles<2> &particles) const override;
-  void save(std::ostream &out, const Particles<2> &particles) const override;
-  void load(std::istream &in, Particles<2> &particles) override;
+  void archive(Archive &a, Particles<2> &particles) override;
 
   /// The process between steps: breaks what is overloaded now and returns those ties. The forces are to be
   /// computed anew if there are any.

@@ -1,6 +1,6 @@
 #include "micro/terms/list_origin.h"
 
-#include "run/binary.h"
+#include "run/archive.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,17 +77,9 @@ bool ListOrigin<dim>::finite() const
 }
 
 template <int dim>
-void ListOrigin<dim>::save(std::ostream &out) const
+void ListOrigin<dim>::archive(Archive &a)
 {
-  for (const auto &p : positions)
-    write_binary(out, p);
-}
-
-template <int dim>
-void ListOrigin<dim>::load(std::istream &in)
-{
-  for (auto &p : positions)
-    read_binary(in, p);
+  a(positions);
 }
 
 template class ListOrigin<2>;

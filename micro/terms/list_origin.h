@@ -5,11 +5,12 @@
 
 #include "micro/engine/particles.h"
 
-#include <iosfwd>
 #include <vector>
 
 namespace turgor
 {
+class Archive;
+
 template <int dim>
 class ListOrigin
 {
@@ -28,8 +29,7 @@ public:
   const double *operator[](const int d) const { return positions[d].data(); }
 
   std::size_t memory_bytes() const { return 8 * dim * positions[0].capacity(); }
-  void save(std::ostream &out) const;
-  void load(std::istream &in);
+  void archive(Archive &a);
 
 private:
   std::vector<double> positions[dim];

@@ -1,6 +1,6 @@
 #include "micro/terms/plates.h"
 
-#include "run/binary.h"
+#include "run/archive.h"
 
 #include <algorithm>
 #include <cmath>
@@ -127,31 +127,12 @@ Rates Plates<dim>::rates(const Particles<dim> &particles) const
 }
 
 template <int dim>
-void Plates<dim>::save(std::ostream &out, const Particles<dim> &) const
+void Plates<dim>::archive(Archive &a, Particles<dim> &)
 {
-  for (const Plate &plate : plates)
-    {
-      write_binary(out, plate.position);
-      write_binary(out, plate.velocity);
-      write_binary(out, plate.load);
-    }
-  write_binary(out, on_plate);
-  write_binary(out, last_step);
-  write_binary(out, done);
-}
-
-template <int dim>
-void Plates<dim>::load(std::istream &in, Particles<dim> &)
-{
+  a.section("plates");
   for (Plate &plate : plates)
-    {
-      read_binary(in, plate.position);
-      read_binary(in, plate.velocity);
-      read_binary(in, plate.load);
-    }
-  read_binary(in, on_plate);
-  read_binary(in, last_step);
-  read_binary(in, done);
+    a(plate.position, plate.velocity, plate.load);
+  a(on_plate, last_step, done);
 }
 
 template class Plates<2>;

@@ -43,8 +43,7 @@ public:
   double energy(const Particles<dim> &particles, const Box<dim> &box, std::size_t group) const override;
   bool fast() const override { return true; }
   Rates rates(const Particles<dim> &particles) const override;
-  void save(std::ostream &out, const Particles<dim> &particles) const override;
-  void load(std::istream &in, Particles<dim> &particles) override;
+  void archive(Archive &a, Particles<dim> &particles) override;
 
   std::size_t size() const { return plates.size(); }
   const Plate &operator[](const std::size_t k) const { return plates[k]; }

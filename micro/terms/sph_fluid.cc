@@ -1,6 +1,6 @@
 #include "micro/terms/sph_fluid.h"
 
-#include "run/binary.h"
+#include "run/archive.h"
 #include "run/number_text.h"
 #include "micro/terms/sph_barrier.h"
 #include "micro/terms/sph_scratch.h"
@@ -268,31 +268,19 @@ std::size_t SphFluid<dim>::memory_bytes() const
 }
 
 template <int dim>
-void SphFluid<dim>::save(std::ostream &out, const Particles<dim> &) const
+void SphFluid<dim>::archive(Archive &a, Particles<dim> &particles)
 {
-  write_binary(out, mass);
-  for (const Cell &cell : cells)
-    {
-      cell.built_at.save(out);
-      if (damage)
-        write_binary(out, cell.scale);
-      cell.impulses.save(out);
-      write_binary(out, cell.heat);
-    }
-}
-
-template <int dim>
-void SphFluid<dim>::load(std::istream &in, Particles<dim> &particles)
-{
-  read_binary(in, mass);
+  a.section("SPH fluid");
+  a.fixed(mass);
   for (std::size_t group = 0; group < cells.size(); ++group)
     {
       Cell &cell = cells[group];
-      cell.built_at.load(in);
+      a(cell.built_at);
       if (damage)
-        read_binary(in, cell.scale);
-      cell.impulses.load(in);
-      read_binary(in, cell.heat);
+        a(cell.scale);
+      a(cell.impulses, cell.heat);
+      if (!a.loading())
+        continue;
       set_particle_mass(particles, group, mass[group]);
       cell.built = false; // built from there at the next forces, when the damage is known as well
     }

@@ -60,8 +60,7 @@ public:
   Tensor2<dim> damping_virial(const Particles<dim> &particles, std::size_t group) const override;
   double energy(const Particles<dim> &particles, const Box<dim> &box, std::size_t group) const override;
   Rates rates(const Particles<dim> &particles) const override;
-  void save(std::ostream &out, const Particles<dim> &particles) const override;
-  void load(std::istream &in, Particles<dim> &particles) override;
+  void archive(Archive &a, Particles<dim> &particles) override;
 
   const std::vector<double> &particle_mass() const override { return mass; }
   void set_particle_mass(Particles<dim> &particles, std::size_t group, double value) override;

@@ -8,7 +8,7 @@
 // the longest too (SphFluid::rates); shorter motions are not resolved anyway.
 #pragma once
 
-#include "run/binary.h"
+#include "run/archive.h"
 #include "micro/geometry/tensor.h"
 
 #include <algorithm>
@@ -54,25 +54,6 @@ struct SphImpulses
   /// take hours to come to them. Sound cells need dozens at 1e3 Pa s.
   static constexpr int most_degree = 1000;
 
-  void save(std::ostream &out) const
-  {
-    for (const double number : {waited, excess, longest, fresh ? 1. : 0., virial_known ? 1. : 0.})
-      write_binary(out, number);
-    for (int k = 0; k < dim * dim; ++k)
-      write_binary(out, virial(k / dim, k % dim));
-  }
-  void load(std::istream &in)
-  {
-    double flags[2];
-    read_binary(in, waited);
-    read_binary(in, excess);
-    read_binary(in, longest);
-    for (double &flag : flags)
-      read_binary(in, flag);
-    fresh = flags[0] > 0.;
-    virial_known = flags[1] > 0.;
-    for (int k = 0; k < dim * dim; ++k)
-      read_binary(in, virial(k / dim, k % dim));
-  }
+  void archive(Archive &a) { a(waited, excess, longest, fresh, virial_known, virial); }
 };
 } // namespace turgor

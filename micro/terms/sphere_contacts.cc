@@ -1,6 +1,6 @@
 #include "micro/terms/sphere_contacts.h"
 
-#include "run/binary.h"
+#include "run/archive.h"
 #include "run/parallel.h"
 #include "micro/solve/step_too_long.h"
 #include "run/number_text.h"
@@ -204,20 +204,16 @@ std::size_t SphereContacts::memory_bytes() const
   return pairs.memory_bytes() + sizeof(PairContact) * contact.capacity() + touching.capacity() + sizeof(Cell) * cells.capacity();
 }
 
-void SphereContacts::save(std::ostream &out) const
+void SphereContacts::archive(Archive &a, const Particles<3> &particles)
 {
   const std::vector<Pair> &list = pairs.pairs();
   std::vector<Pair> held;
-  for (std::size_t p = 0; p < list.size(); ++p)
+  for (std::size_t p = 0; p < list.size() && !a.loading(); ++p)
     if (touching[p])
       held.push_back(list[p]);
-  write_binary(out, held);
-}
-
-void SphereContacts::load(std::istream &in, const Particles<3> &particles)
-{
-  std::vector<Pair> held;
-  read_binary(in, held);
-  pairs.restore(std::move(held), particles.size(), touching);
+  a.section("contacts");
+  a(held);
+  if (a.loading())
+    pairs.restore(std::move(held), particles.size(), touching);
 }
 } // namespace turgor

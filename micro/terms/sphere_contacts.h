@@ -22,13 +22,14 @@
 #include "micro/laws/local_stiffness.h"
 #include "micro/laws/sphere_contact.h"
 
-#include <iosfwd>
 #include <optional>
 #include <string>
 #include <variant>
 
 namespace turgor
 {
+class Archive;
+
 using ContactLaw = std::variant<HertzContact, ExtendedHertzContact, JkrContact>;
 
 /// What one pair does; all zero where it does not touch. One cache line.
@@ -83,8 +84,7 @@ public:
   const std::vector<PairContact> &contacts() const { return contact; }
 
   /// The history: which pairs touch.
-  void save(std::ostream &out) const;
-  void load(std::istream &in, const Particles<3> &particles);
+  void archive(Archive &a, const Particles<3> &particles);
 
   std::size_t memory_bytes() const;
 

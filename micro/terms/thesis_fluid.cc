@@ -1,6 +1,6 @@
 #include "micro/terms/thesis_fluid.h"
 
-#include "run/binary.h"
+#include "run/archive.h"
 
 #include <algorithm>
 #include <cmath>
@@ -443,29 +443,19 @@ std::size_t ThesisFluid<dim>::memory_bytes() const
 }
 
 template <int dim>
-void ThesisFluid<dim>::save(std::ostream &out, const Particles<dim> &particles) const
+void ThesisFluid<dim>::archive(Archive &a, Particles<dim> &particles)
 {
-  write_binary(out, mass);
-  write_binary(out, particles.field("density"));
-  for (const Cell &cell : cells)
-    cell.built_at.save(out);
-}
-
-template <int dim>
-void ThesisFluid<dim>::load(std::istream &in, Particles<dim> &particles)
-{
-  read_binary(in, mass);
-  std::vector<double> &rho = particles.field("density");
-  read_binary(in, rho);
-  if (rho.size() != particles.size() || mass.size() != cells.size())
-    throw std::runtime_error("the checkpoint's densities do not belong to this scene");
+  a.section("thesis fluid");
+  a.fixed(mass, particles.field("density"));
   for (std::size_t group = 0; group < cells.size(); ++group)
     {
       Cell &cell = cells[group];
+      a(cell.built_at);
+      if (!a.loading())
+        continue;
       const Group &g = particles.groups[group];
       for (std::uint32_t i = g.fluid; i < g.end; ++i)
         particles.inverse_mass[i] = 1. / mass[group];
-      cell.built_at.load(in);
       if (cell.built_at.size() == g.end - g.begin)
         build(g, cell);
     }

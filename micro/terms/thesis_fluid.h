@@ -61,8 +61,7 @@ public:
   /// sum_i m_i e(rho_i) and the wall's repulsion.
   double energy(const Particles<dim> &particles, const Box<dim> &box, std::size_t group) const override;
   Rates rates(const Particles<dim> &particles) const override;
-  void save(std::ostream &out, const Particles<dim> &particles) const override;
-  void load(std::istream &in, Particles<dim> &particles) override;
+  void archive(Archive &a, Particles<dim> &particles) override;
 
   const std::vector<double> &particle_mass() const override { return mass; }
   /// Density follows: (rho/m) dm, Eq. 2.27.

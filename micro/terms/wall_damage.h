@@ -3,11 +3,9 @@
 // A scene without failure has none of it.
 #pragma once
 
-#include "run/binary.h"
+#include "run/archive.h"
 
 #include <cstdint>
-#include <istream>
-#include <ostream>
 #include <vector>
 
 namespace turgor
@@ -37,22 +35,13 @@ public:
     return n;
   }
 
-  void save(std::ostream &out) const
+  void archive(Archive &a)
   {
-    for (const Cell &cell : cells)
-      {
-        write_binary(out, cell.bond_broken);
-        write_binary(out, cell.face_gone);
-        write_binary(out, cell.broken);
-      }
-  }
-  void load(std::istream &in)
-  {
+    a.section("damage");
     for (Cell &cell : cells)
       {
-        read_binary(in, cell.bond_broken);
-        read_binary(in, cell.face_gone);
-        read_binary(in, cell.broken);
+        a.fixed(cell.bond_broken, cell.face_gone);
+        a(cell.broken);
       }
   }
 };

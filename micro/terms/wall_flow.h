@@ -3,11 +3,9 @@
 // it. A scene without plastic yielding has none of it.
 #pragma once
 
-#include "run/binary.h"
+#include "run/archive.h"
 
 #include <algorithm>
-#include <istream>
-#include <ostream>
 #include <vector>
 
 namespace turgor
@@ -30,15 +28,11 @@ public:
     return most;
   }
 
-  void save(std::ostream &out) const
+  void archive(Archive &a)
   {
-    for (const std::vector<double> &cell : permanent)
-      write_binary(out, cell);
-  }
-  void load(std::istream &in)
-  {
+    a.section("flow");
     for (std::vector<double> &cell : permanent)
-      read_binary(in, cell);
+      a.fixed(cell);
   }
 };
 } // namespace turgor

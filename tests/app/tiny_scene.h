@@ -8,11 +8,10 @@
 #include "run/run_context.h"
 #include "run/stop_flag.h"
 #include "run/word_or_file.h"
+#include "run/archive.h"
 
 #include <fstream>
-#include <istream>
 #include <limits>
-#include <ostream>
 
 namespace turgor::test
 {
@@ -57,16 +56,9 @@ public:
       throw InputError("'Table' = " + table + " cannot be read.");
     double x = 1.;
     unsigned int step = 0;
-    context.load_checkpoint([&](std::istream &in) {
-      in.read(reinterpret_cast<char *>(&x), sizeof(x));
-      in.read(reinterpret_cast<char *>(&step), sizeof(step));
-    });
-    const auto save = [&] {
-      context.save_checkpoint([&](std::ostream &out) {
-        out.write(reinterpret_cast<const char *>(&x), sizeof(x));
-        out.write(reinterpret_cast<const char *>(&step), sizeof(step));
-      });
-    };
+    const auto lasting = [&](Archive &a) { a(x, step); };
+    context.load_checkpoint(lasting);
+    const auto save = [&] { context.save_checkpoint(lasting); };
     context.active({"decay"}, {"x"});
     const auto series = context.series("series", {{"time", "s"}, {"x", ""}});
     for (; step < steps; ++step)

@@ -1,6 +1,7 @@
 // The same batches on 1, 2 and 3 ranks: this program starts itself under mpirun with one
 // (otherwise disabled) test and compares the bytes that every rank wrote.
 #include "coupling/rve_law.h"
+#include "run/archive.h"
 #include "tests/coupling/fake_rve.h"
 
 #include <boost/test/unit_test.hpp>
@@ -36,8 +37,7 @@ std::string history_bytes(std::uint64_t &rebalances, const std::string &resume_f
   int first = 0;
   if (!resume_from.empty())
   {
-    std::istringstream in(resume_from);
-    law.load(in);
+    restore(resume_from, law);
     first = 10;
   }
   std::ostringstream out;
@@ -47,9 +47,7 @@ std::string history_bytes(std::uint64_t &rebalances, const std::string &resume_f
   {
     if (saved != nullptr && step == 10)
     {
-      std::ostringstream text;
-      law.save(text);
-      *saved = text.str();
+      *saved = archived(law);
       out.str("");
     }
     for (std::size_t p = 0; p < n_points; ++p)

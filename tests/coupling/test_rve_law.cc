@@ -1,12 +1,12 @@
 #include "coupling/rve_law.h"
 #include "run/run_context.h"
 #include "run/stop_flag.h"
+#include "run/archive.h"
 #include "tests/coupling/fake_rve.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
-#include <sstream>
 #include <tuple>
 
 using namespace turgor;
@@ -41,13 +41,6 @@ struct Batch
     }
   }
 };
-
-std::string saved(const RveLaw<2> &law)
-{
-  std::ostringstream out;
-  law.save(out);
-  return out.str();
-}
 
 std::vector<std::size_t> all(std::size_t n)
 {
@@ -227,13 +220,12 @@ BOOST_AUTO_TEST_CASE(save_and_load_bitwise)
     law.commit();
   }
   law.evaluate(batch.F, batch.F_dot, {}, answer); // a trial is no history: not saved
-  const std::string text = saved(law);
+  const std::string text = archived(law);
 
   RveLaw<2> resumed(std::make_shared<FakeRve<2>>(), {});
   resumed.set_points(batch.points);
-  std::istringstream in(text);
-  resumed.load(in);
-  BOOST_TEST((saved(resumed) == text));
+  restore(text, resumed);
+  BOOST_TEST((archived(resumed) == text));
   law.evaluate(batch.F, batch.F_dot, {}, answer);
   law.commit();
   resumed.evaluate(batch.F, batch.F_dot, {}, resumed_answer);
@@ -249,17 +241,13 @@ BOOST_AUTO_TEST_CASE(damaged_checkpoints_are_refused)
   Batch<2> batch(4);
   RveLaw<2> law(std::make_shared<FakeRve<2>>(), {});
   law.set_points(batch.points);
-  const std::string text = saved(law);
+  const std::string text = archived(law);
   for (std::size_t length = 0; length < text.size(); length += 13)
-  {
-    std::istringstream in(text.substr(0, length));
-    BOOST_CHECK_THROW(law.load(in), std::runtime_error);
-  }
+    BOOST_CHECK_THROW(restore(text.substr(0, length), law), ArchiveError);
   RveLaw<2> other(std::make_shared<FakeRve<2>>(), {});
   other.set_points(Batch<2>(3).points);
-  std::istringstream in(text);
-  BOOST_CHECK_EXCEPTION(other.load(in), std::runtime_error, [](const std::runtime_error &e) {
-    return std::string(e.what()) == "The checkpoint holds 4 RVEs, the tissue has 3.";
+  BOOST_CHECK_EXCEPTION(restore(text, other), ArchiveError, [](const ArchiveError &e) {
+    return std::string(e.what()) == "The checkpoint belongs to another mesh or scene: it holds 4 entries in its section 'RVEs' where this run has 3.";
   });
 }
 
@@ -272,13 +260,13 @@ BOOST_AUTO_TEST_CASE(a_wish_to_stop_ends_a_batch)
   LawAnswer<2> answer;
   law.evaluate(batch.F, batch.F_dot, {}, answer);
   law.commit();
-  const std::string before = saved(law);
+  const std::string before = archived(law);
   const std::uint64_t calls = law.statistics().calls;
   request_stop();
   BOOST_CHECK_THROW(law.evaluate(batch.F, batch.F_dot, {}, answer), RunStopped);
   request_stop(false);
   BOOST_TEST(law.statistics().calls == calls);
-  BOOST_TEST(saved(law) == before);
+  BOOST_TEST(archived(law) == before);
   law.evaluate(batch.F, batch.F_dot, {}, answer);
   BOOST_TEST(answer.failed.empty());
 }

@@ -1,11 +1,12 @@
 // Rigid tools on the tissue: travel, penalty by hand, reactions, an elastic block against the closed form, energy, checkpoint.
 #include "tests/macro/tissue_fixture.h"
 
+#include "run/archive.h"
+
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 using namespace turgor;
 using namespace turgor::test;
@@ -243,9 +244,7 @@ BOOST_AUTO_TEST_CASE(saved_and_loaded_impact_gives_the_same_bits)
       whole.advance_to(1e-5);
       first.start();
       first.advance_to(1e-5, [](double, unsigned long step) { return step < 5; });
-      std::stringstream stream;
-      first.save(stream);
-      second.load(stream);
+      restore(archived(first), second);
       second.advance_to(1e-5);
       BOOST_TEST((second.state().u == whole.state().u));
       BOOST_TEST(second.state().tool_work == whole.state().tool_work);

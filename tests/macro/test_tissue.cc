@@ -1,9 +1,8 @@
 #include "run/input_entries.h"
+#include "run/archive.h"
 #include "tests/macro/tissue_fixture.h"
 
 #include <boost/test/unit_test.hpp>
-
-#include <sstream>
 
 using namespace turgor;
 using namespace turgor::test;
@@ -49,9 +48,7 @@ BOOST_AUTO_TEST_CASE(saved_and_loaded_run_gives_the_same_bits)
       first.start();
       BOOST_TEST(!first.advance_to(end, [](double, unsigned long step) { return step < 5; }));
       BOOST_TEST(first.time() < end);
-      std::stringstream stream;
-      first.save(stream);
-      second.load(stream);
+      restore(archived(first), second);
       BOOST_TEST(second.time() == first.time());
       second.advance_to(end);
       BOOST_TEST(second.steps() == whole.steps());
@@ -67,12 +64,9 @@ BOOST_AUTO_TEST_CASE(checkpoint_of_another_mesh_or_cut_short_is_refused)
   NeoHookeanLaw<2> law(mu, lambda, 0., rho);
   Tissue<2> small(gravity(2), law), large(gravity(3), law);
   small.start();
-  std::stringstream stream;
-  small.save(stream);
-  BOOST_CHECK_EXCEPTION(large.load(stream), std::runtime_error,
-                        [](const auto &e) { return contains(e.what(), "another mesh"); });
-  std::stringstream cut(stream.str().substr(0, 100));
-  BOOST_CHECK_EXCEPTION(small.load(cut), std::runtime_error, [](const auto &e) { return contains(e.what(), "damaged"); });
+  const std::string bytes = archived(small);
+  BOOST_CHECK_EXCEPTION(restore(bytes, large), ArchiveError, [](const auto &e) { return contains(e.what(), "another mesh"); });
+  BOOST_CHECK_EXCEPTION(restore(bytes.substr(0, 100), small), ArchiveError, [](const auto &e) { return contains(e.what(), "damaged"); });
 }
 
 BOOST_AUTO_TEST_CASE(law_that_fails_once_shortens_the_step)

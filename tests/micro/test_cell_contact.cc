@@ -3,12 +3,12 @@
 #include "micro/engine/particle_system.h"
 #include "micro/terms/cell_contact.h"
 #include "micro/terms/lamella_ties.h"
+#include "run/archive.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
 #include <memory>
-#include <sstream>
 #include <tuple>
 
 using namespace turgor;
@@ -260,9 +260,7 @@ BOOST_AUTO_TEST_CASE(lists_do_not_change_forces)
       system.compute_forces();
       forces[run] = system.particles.f;
       BOOST_TEST(contact.list_builds() < (run == 0 ? 4u : 60u));
-      std::stringstream file;
-      system.save(file);
-      system.load(file);
+      restore(archived(system), system);
       system.compute_forces();
       BOOST_TEST(system.particles.f[0] == forces[run][0]);
     }
@@ -343,10 +341,10 @@ BOOST_AUTO_TEST_CASE(overloaded_ties_break_on_both_sides)
   BOOST_TEST(p.f[0][7] == 1., boost::test_tools::tolerance(1e-12));
   BOOST_TEST(ties.break_overloaded(p, system.box).empty());
   BOOST_TEST(ties.broken_count() == 1u);
-  std::stringstream file;
-  ties.save(file, p);
   LamellaTies read(list, 10., 1., 2.);
-  read.load(file, p);
+  const auto list_of = [&](LamellaTies &some) { return [&](Archive &a) { some.archive(a, p); }; };
+  const auto from = list_of(ties), to = list_of(read);
+  restore(archived(from), to);
   BOOST_TEST(read.is_broken(broken[0]));
   require_conservative(system);
 }

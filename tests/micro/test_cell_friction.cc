@@ -5,13 +5,13 @@
 #include "micro/engine/overdamped.h"
 #include "micro/processes/cell_motility.h"
 #include "micro/terms/sphere_motion.h"
+#include "run/archive.h"
 
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include <set>
-#include <sstream>
 
 using namespace turgor;
 
@@ -479,10 +479,10 @@ BOOST_AUTO_TEST_CASE(contacts_that_hold_on_survive_a_checkpoint)
   p.f[0] = {0., 0.};
   contacts.add_forces(p, 1);
   BOOST_TEST(p.f[0][1] < 0.);
-  std::stringstream file;
-  contacts.save(file);
   SphereContacts resumed(law, 1e-6), fresh(law, 1e-6);
-  resumed.load(file, p);
+  const auto list_of = [&](SphereContacts &some) { return [&](Archive &a) { some.archive(a, p); }; };
+  const auto from = list_of(contacts), to = list_of(resumed);
+  restore(archived(from), to);
   Particles<3> q = p, z = p;
   q.f[0] = z.f[0] = {0., 0.};
   resumed.add_forces(q, 1);

@@ -3,12 +3,12 @@
 #include "micro/laws/counter_random.h"
 #include "micro/engine/overdamped.h"
 #include "micro/terms/sphere_motion.h"
+#include "run/archive.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <map>
 #include <set>
-#include <sstream>
 
 using namespace turgor;
 
@@ -147,11 +147,10 @@ BOOST_AUTO_TEST_CASE(save_and_load_keep_every_bit_and_refuse_other_fields)
   cells.state[4] = CellState::necrotic;
   cells.gather({4, 3, 3});
   cells.id[2] = cells.next_id++;
-  std::stringstream file;
-  cells.save(file);
+  const std::string bytes = archived(cells);
   CellPopulation same;
   same.particles.declare("strain");
-  same.load(file);
+  restore(bytes, same);
   BOOST_TEST(same.next_id == 21u);
   BOOST_CHECK(same.id == cells.id && same.id[2] == 20u);
   BOOST_CHECK(same.state == cells.state);
@@ -159,12 +158,10 @@ BOOST_AUTO_TEST_CASE(save_and_load_keep_every_bit_and_refuse_other_fields)
   BOOST_TEST(same.particles.field("strain")[2] == 0.25);
   BOOST_TEST(same.particles.field("radius")[1] == cells.particles.field("radius")[1]);
   BOOST_TEST(same.count(CellState::necrotic) == 1u);
-  file.clear();
-  file.seekg(0);
   CellPopulation other;
   other.particles.declare("volume");
-  BOOST_CHECK_EXCEPTION(other.load(file), std::runtime_error, [](const std::runtime_error &e) {
-    return std::string(e.what()) == "the checkpoint's cells do not belong to this scene";
+  BOOST_CHECK_EXCEPTION(restore(bytes, other), std::runtime_error, [](const std::runtime_error &e) {
+    return std::string(e.what()) == "The checkpoint's cells do not belong to this scene: their fields are others.";
   });
 }
 

@@ -8,12 +8,12 @@
 #include "micro/cells/dextran_pressure.h"
 #include "micro/cells/elastic_capsule.h"
 #include "micro/cells/rigid_walls.h"
+#include "run/archive.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
 #include <numeric>
-#include <sstream>
 
 using namespace turgor;
 
@@ -166,10 +166,8 @@ BOOST_AUTO_TEST_CASE(damped_capsule_ends_in_balance_with_its_cells)
       damped.advance(cells.particles, 50.);
     }
   BOOST_TEST(damped.radius() == still.radius(), boost::test_tools::tolerance(1e-8));
-  std::stringstream file;
-  damped.save(file);
   ElasticCapsule resumed({.damping = 1e4}, {});
-  resumed.load(file);
+  restore(archived(damped), resumed);
   BOOST_TEST(resumed.radius() == damped.radius());
 }
 

@@ -3,12 +3,12 @@
 #include "micro/engine/particle_system.h"
 #include "micro/engine/respa.h"
 #include "micro/terms/plates.h"
+#include "run/archive.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 using namespace turgor;
 
@@ -174,11 +174,10 @@ BOOST_AUTO_TEST_CASE(a_saved_plate_goes_on_with_the_same_bits)
   whole.compute_forces();
   for (int s = 0; s < 50; ++s)
     step_whole.step(1e-3);
-  std::stringstream file;
-  whole.save(file);
+  const std::string half_way = archived(whole);
   for (int s = 0; s < 50; ++s)
     step_whole.step(1e-3);
-  second.load(file);
+  restore(half_way, second);
   for (int s = 0; s < 50; ++s)
     step_second.step(1e-3);
   for (int d = 0; d < 2; ++d)

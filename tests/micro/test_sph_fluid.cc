@@ -3,6 +3,7 @@
 #include "micro/cells/turgid_reference.h"
 #include "micro/engine/kick_drift_kick.h"
 #include "micro/terms/sph_fluid.h"
+#include "run/archive.h"
 #include "tests/micro/small_patch.h"
 
 #include <boost/test/data/monomorphic.hpp>
@@ -10,7 +11,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
-#include <sstream>
 
 using namespace turgor;
 using test::largest_force;
@@ -342,9 +342,7 @@ BOOST_AUTO_TEST_CASE(saved_and_loaded_state_continues_with_the_same_bits)
   const double dt = 0.5 * a->system.stable_time_step();
   for (int s = 0; s < 57; ++s)
     run_a.step(dt);
-  std::stringstream stream;
-  a->system.save(stream);
-  b->system.load(stream);
+  restore(archived(a->system), b->system);
   b->system.threads = 2;
   for (int s = 0; s < 200; ++s)
     {

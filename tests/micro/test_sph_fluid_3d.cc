@@ -1,6 +1,7 @@
 // The SPH fluid in a closed 3D cell: F = -dE/dx for fluid and wall, momentum, torque, gamma, exact volume, pressure on the wall,
 // stable step, energy, checkpoint, instruction sets.
 #include "micro/engine/kick_drift_kick.h"
+#include "run/archive.h"
 #include "tests/micro/slope_of_energy.h"
 #include "tests/micro/small_sphere.h"
 
@@ -9,7 +10,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
-#include <sstream>
 
 using namespace turgor;
 using test::largest_component;
@@ -291,9 +291,7 @@ BOOST_AUTO_TEST_CASE(saved_and_loaded_state_continues_with_the_same_bits)
   const double dt = 0.3 * a->system.stable_time_step();
   for (int s = 0; s < 57; ++s)
     run_a.step(dt);
-  std::stringstream stream;
-  a->system.save(stream);
-  b->system.load(stream);
+  restore(archived(a->system), b->system);
   for (int s = 0; s < 100; ++s)
     {
       run_a.step(dt);

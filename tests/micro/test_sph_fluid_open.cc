@@ -1,6 +1,7 @@
 // The SPH fluid in opened cells, 2D and 3D: F = -dE/dx, gamma inside and outside, no tension, no jump of the pressure when a
 // wall breaks, a jet, particles far away.
 #include "micro/engine/kick_drift_kick.h"
+#include "run/archive.h"
 #include "tests/micro/slope_of_energy.h"
 #include "tests/micro/small_round.h"
 #include "tests/micro/small_sphere.h"
@@ -9,7 +10,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 using namespace turgor;
 using test::largest_component;
@@ -228,9 +228,7 @@ BOOST_AUTO_TEST_CASE(an_opened_cell_resumes_with_the_same_bits)
   a->system.compute_forces();
   for (int s = 0; s < 40; ++s)
     run_a.step(dt);
-  std::stringstream stream;
-  a->system.save(stream);
-  b->system.load(stream);
+  restore(archived(a->system), b->system);
   *b->damage = *a->damage; // after the fluid: the order does not matter
   for (int s = 0; s < 60; ++s)
     {

@@ -4,12 +4,12 @@
 #include "micro/engine/respa.h"
 #include "micro/engine/step_control.h"
 #include "micro/engine/stepper.h"
+#include "run/archive.h"
 #include "tests/micro/small_patch.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
-#include <sstream>
 
 using namespace turgor;
 
@@ -125,12 +125,7 @@ BOOST_AUTO_TEST_CASE(respa_resumes_with_the_same_bits)
   whole.compute_forces();
   for (int k = 0; k < 10; ++k)
     whole.step(0.02);
-  std::ostringstream out;
-  a.save(out);
-  whole.save(out);
-  std::istringstream in(out.str());
-  b.load(in);
-  resumed.load(in);
+  restore(archived(a, whole), b, resumed);
   for (int k = 0; k < 10; ++k)
     {
       whole.step(0.02);
@@ -195,11 +190,8 @@ BOOST_AUTO_TEST_CASE(a_fast_cell_gets_a_shorter_step)
   // Viscosity smooths it: v d/nu = 0.4, so 101 times that step, which is no bound any more.
   StepControl<2> calm(system, 0.9, collision_spacings, 1e3);
   BOOST_TEST(calm.dt() > 0.9 * first);
-  std::ostringstream out;
-  control.save(out);
-  std::istringstream in(out.str());
   StepControl<2> again(system, 0.9);
-  again.load(in);
+  restore(archived(control), again);
   BOOST_TEST(again.dt() == control.dt());
 }
 

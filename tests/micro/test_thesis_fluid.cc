@@ -4,13 +4,13 @@
 #include "micro/laws/lennard_jones_wall.h"
 #include "micro/laws/sph_kernel.h"
 #include "micro/terms/thesis_fluid.h"
+#include "run/archive.h"
 #include "tests/micro/small_patch.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 using namespace turgor;
 using test::largest_force;
@@ -347,9 +347,7 @@ BOOST_AUTO_TEST_CASE(saved_and_loaded_state_continues_with_the_same_bits)
   for (int s = 0; s < 57; ++s)
     run_a.step(dt);
   a->fluid->set_particle_mass(a->system.particles, 1, 1.001 * a->fluid->particle_mass()[1]);
-  std::stringstream stream;
-  a->system.save(stream);
-  b->system.load(stream);
+  restore(archived(a->system), b->system);
   b->system.threads = 2;
   for (int s = 0; s < 100; ++s)
     {

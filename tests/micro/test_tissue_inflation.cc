@@ -2,6 +2,7 @@
 #include "micro/processes/tissue_inflation.h"
 #include "micro/cells/turgid_limit.h"
 #include "micro/processes/osmosis.h"
+#include "run/archive.h"
 #include "tests/micro/slope_of_energy.h"
 
 #include <boost/test/unit_test.hpp>
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 using namespace turgor;
 
@@ -310,11 +310,7 @@ BOOST_AUTO_TEST_CASE(saved_and_loaded_it_goes_on_with_the_same_bits)
       before.begin(*walls);
       for (int step = 0; step < stop; ++step)
         before.step();
-      std::stringstream file;
-      first->system.save(file);
-      before.save(file);
-      second->system.load(file);
-      after.load(file);
+      restore(archived(first->system, before), second->system, after);
       while (!after.done())
         after.step();
       after.end();

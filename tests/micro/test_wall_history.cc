@@ -3,13 +3,13 @@
 #include "micro/processes/wall_yielding.h"
 #include "micro/laws/neo_hookean_wall.h"
 #include "micro/terms/ring_wall.h"
+#include "run/archive.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <sstream>
 
 using namespace turgor;
 
@@ -171,10 +171,8 @@ BOOST_AUTO_TEST_CASE(bonds_break_beyond_the_critical_stretch)
   BOOST_TEST(damage->failed_cells() == 1u);
   BOOST_TEST(bool(damage->cells[0].face_gone[at]));
   BOOST_TEST(one.apply(ring.system, nullptr).empty()); // once is enough
-  std::stringstream file;
-  damage->save(file);
   WallDamage read(1, Ring::n, Ring::n);
-  read.load(file);
+  restore(archived(*damage), read);
   BOOST_TEST(read.cells[0].bond_broken == damage->cells[0].bond_broken);
   BOOST_TEST(read.failed_cells() == 1u);
 }

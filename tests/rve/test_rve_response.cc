@@ -4,6 +4,7 @@
 #include "rve/deformation_path.h"
 #include "rve/make_rve.h"
 #include "rve/rve_response.h"
+#include "run/archive.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -49,8 +50,8 @@ public:
   void progress(double, const std::string &) override {}
   void say(const std::string &) override {}
   bool stop_requested() const override { return false; }
-  void save_checkpoint(const std::function<void(std::ostream &)> &) override {}
-  bool load_checkpoint(const std::function<void(std::istream &)> &) override { return false; }
+  void save_checkpoint(const std::function<void(Archive &)> &) override {}
+  bool load_checkpoint(const std::function<void(Archive &)> &) override { return false; }
 };
 
 void run(Memory &memory, const std::string &entries)

@@ -1,7 +1,7 @@
 #include "micro/scenes/instruments/cell_endurance.h"
 
 #include "micro/cells/sph_cell_entries.h"
-#include "run/binary.h"
+#include "run/archive.h"
 #include "micro/laws/counter_random.h"
 #include "micro/geometry/tensor_text.h"
 #include "micro/engine/watched_steps.h"
@@ -141,12 +141,13 @@ void CellEndurance::run(RunContext &context)
       throw RunFailed("F_dot = " + F_dot + " over " + number_text(double(last) * at.dt)
                        + " s turns the cell inside out; use fewer Steps or a smaller F_dot.");
 
-  const bool resumed = context.load_checkpoint([&](std::istream &in) {
-    read_binary(in, at);
-    system.load(in);
-    integrator.load(in);
+  const auto lasting = [&](Archive &a) {
+    at.list_builds += double(wet->fluid->list_builds()); // those of the present process are kept by the fluid
+    a.section("run");
+    a(at, system, integrator);
     at.list_builds -= double(wet->fluid->list_builds());
-  });
+  };
+  const bool resumed = context.load_checkpoint(lasting);
   if (!resumed)
     {
       Vector<2> mean = Vector<2>::Zero();
@@ -238,13 +239,7 @@ void CellEndurance::run(RunContext &context)
 
   const auto save = [&] {
     require_sound(measure(*wet, *walls, at));
-    context.save_checkpoint([&](std::ostream &out) {
-      Progress saved = at;
-      saved.list_builds += double(wet->fluid->list_builds());
-      write_binary(out, saved);
-      system.save(out);
-      integrator.save(out);
-    });
+    context.save_checkpoint(lasting);
   };
   const StepCheckpoints keep(context, last, checkpoints, save,
                              [&] { return "after " + number_text(at.step) + " steps"; });

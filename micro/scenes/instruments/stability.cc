@@ -114,9 +114,8 @@ void Stability::disturb(SphPatch &wet) const
 Stability::Trial Stability::attempt(RunContext &context, SphPatch &wet, const std::string &start, const double fixed,
                                     const double duration) const
 {
-  std::istringstream in(start);
   ParticleSystem<2> &system = wet.system;
-  system.load(in);
+  restore(start, system);
   Stepper<2> integrator(system, substeps);
   integrator.compute_forces();
   const double first = system.potential_energy() + system.kinetic_energy();
@@ -167,9 +166,7 @@ void Stability::run(RunContext &context)
   const double crossed = double(wet->fluid->crossed());
   context.result("crossed", crossed, "");
   judge_outside(context, crossed, double(system.particles.fluid_count()), "an F nearer to 1, 0; 0, 1 or more SPH/Particles per side makes them fewer");
-  std::ostringstream out;
-  system.save(out);
-  const std::string start = out.str();
+  const std::string start = archived(system);
 
   const double duration = hold_steps * step_fraction * std::min(at_reference, measured.dt);
   const auto table = context.series("trials", {{"time_step", "s"}, {"stable", ""}, {"energy_error", "1"}});

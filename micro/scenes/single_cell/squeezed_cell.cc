@@ -1,7 +1,7 @@
 #include "micro/scenes/single_cell/squeezed_cell.h"
 
 #include "micro/processes/bring_to_turgor.h"
-#include "run/binary.h"
+#include "run/archive.h"
 #include "micro/engine/watched_steps.h"
 #include "run/input_entries.h"
 #include "run/entry_marks.h"
@@ -138,17 +138,14 @@ void SqueezedCell::run_in(RunContext &context)
   Rows rows;
   std::vector<double> polar; // cosine of the polar angle of each node in the turgid cell
   WatchedSteps<dim> integrator(system, step_fraction, 0.02);
-  const bool resumed = context.load_checkpoint([&](std::istream &in) {
-    read_binary(in, at_step);
-    read_binary(in, rows);
-    read_binary(in, polar);
-    if (round.damage)
-      round.damage->load(in);
-    system.load(in);
+  const auto lasting = [&](Archive &a) {
+    a.section("run");
+    a(at_step, rows, polar, round.damage, system, integrator);
+  };
+  const bool resumed = context.load_checkpoint(lasting);
+  if (resumed)
     plates.set_mass(1, plate_mass);
-    integrator.load(in);
-  });
-  if (!resumed)
+  else
     {
       try
         {
@@ -273,15 +270,7 @@ void SqueezedCell::run_in(RunContext &context)
     context, last, checkpoints,
     [&] {
       measure();
-      context.save_checkpoint([&](std::ostream &out) {
-        write_binary(out, at_step);
-        write_binary(out, rows);
-        write_binary(out, polar);
-        if (round.damage)
-          round.damage->save(out);
-        system.save(out);
-        integrator.save(out);
-      });
+      context.save_checkpoint(lasting);
     },
     [&] { return "at a deformation of " + number_text(rows.empty() ? 0. : rows.back().deformation); });
   std::unique_ptr<Failure<dim>> failure;

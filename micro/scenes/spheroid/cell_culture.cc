@@ -1,6 +1,6 @@
 #include "micro/scenes/spheroid/cell_culture.h"
 
-#include "run/binary.h"
+#include "run/archive.h"
 #include "micro/engine/space_order.h"
 
 #include <algorithm>
@@ -161,39 +161,13 @@ bool CellCulture::advance(const double end, const std::function<bool()> &stop)
   return true;
 }
 
-void CellCulture::save(std::ostream &out) const
+void CellCulture::archive(Archive &a)
 {
-  write_binary(out, t);
-  write_binary(out, until);
-  write_binary(out, motion.gamma);
-  write_binary(out, steps);
-  write_binary(out, sorted_size);
-  for (const std::uint64_t number : {life.divisions, life.deaths, life.removed})
-    write_binary(out, number);
-  write_binary(out, life.grown);
-  write_binary(out, life.drained);
-  cells.save(out);
-  contacts.save(out);
-  stepper.save(out);
+  a.section("culture");
+  a(t, until, motion.gamma, steps, sorted_size, life.divisions, life.deaths, life.removed, life.grown, life.drained, cells);
+  contacts.archive(a, cells.particles);
+  a(stepper);
   for (const auto &around : surroundings)
-    around->save(out);
-}
-
-void CellCulture::load(std::istream &in)
-{
-  read_binary(in, t);
-  read_binary(in, until);
-  read_binary(in, motion.gamma);
-  read_binary(in, steps);
-  read_binary(in, sorted_size);
-  for (std::uint64_t *number : {&life.divisions, &life.deaths, &life.removed})
-    read_binary(in, *number);
-  read_binary(in, life.grown);
-  read_binary(in, life.drained);
-  cells.load(in);
-  contacts.load(in, cells.particles);
-  stepper.load(in);
-  for (const auto &around : surroundings)
-    around->load(in);
+    around->archive(a);
 }
 } // namespace turgor

@@ -72,8 +72,7 @@ public:
   std::uint64_t solver_iterations() const { return friction.total_iterations(); }
   double next_step() const { return stepper.next_step(); }
 
-  void save(std::ostream &out) const;
-  void load(std::istream &in);
+  void archive(Archive &a);
 
 private:
   void contact_forces(); ///< contacts at the present positions

@@ -2,7 +2,7 @@
 
 #include "micro/geometry/compact_cluster.h"
 #include "micro/cells/outer_cells.h"
-#include "run/binary.h"
+#include "run/archive.h"
 #include "micro/laws/counter_random.h"
 #include "micro/engine/gathered.h"
 #include "run/field_output.h"
@@ -189,30 +189,15 @@ void SpheroidScene::run(RunContext &context)
   std::uint64_t done = 0;
   const std::uint64_t last = std::uint64_t(std::ceil(duration / culture.interval()));
   const std::uint64_t sample_every = steps_between(last, samples), frame_every = steps_between(last, frames);
-  const auto read_all = [&](std::istream &in) {
-    double interval = 0.;
-    std::uint64_t rows_every = 0;
-    read_binary(in, interval);
-    read_binary(in, rows_every);
+  const auto lasting = [&](Archive &a) {
+    double interval = culture.interval();
+    std::uint64_t rows_every = sample_every;
+    a.section("run");
+    a(interval, rows_every);
     require_same_rows(interval, rows_every, culture.interval(), sample_every);
-    read_binary(in, done);
-    std::uint64_t count = 0;
-    read_binary(in, count);
-    table.rows.resize(count);
-    for (auto &row : table.rows)
-      read_binary(in, row);
-    culture.load(in);
+    a(done, table.rows, culture);
   };
-  const auto write_all = [&](std::ostream &out) {
-    write_binary(out, culture.interval());
-    write_binary(out, sample_every);
-    write_binary(out, done);
-    write_binary(out, std::uint64_t(table.rows.size()));
-    for (const auto &row : table.rows)
-      write_binary(out, row);
-    culture.save(out);
-  };
-  const bool resumed = context.load_checkpoint(read_all);
+  const bool resumed = context.load_checkpoint(lasting);
   if (!resumed)
     seed(culture);
   context.active(culture.term_names(), culture.cells.particles.field_names());
@@ -232,11 +217,7 @@ void SpheroidScene::run(RunContext &context)
     fields = std::make_unique<FieldOutput>(context, "cells", resumed, [&] { return frame_of(culture); });
 
   std::string good; // the state at the last row, or where it was resumed: what a run that fails leaves
-  const auto remember = [&] {
-    std::ostringstream state;
-    write_all(state);
-    good = state.str();
-  };
+  const auto remember = [&] { good = archived(lasting); };
   const auto record = [&] {
     table.rows.push_back(row_of(culture));
     file->add_row(table.rows.back());
@@ -253,7 +234,7 @@ void SpheroidScene::run(RunContext &context)
         fields->write();
     }
   const StepCheckpoints keep(
-    context, last, checkpoints, [&] { context.save_checkpoint(write_all); },
+    context, last, checkpoints, [&] { context.save_checkpoint(lasting); },
     [&] { return "at t = " + number_text(culture.time() / 3600.) + " h"; });
   bool full = finished(table);
   while (culture.time() < duration && !full)
@@ -266,7 +247,7 @@ void SpheroidScene::run(RunContext &context)
         }
       catch (const std::runtime_error &error)
         {
-          context.save_checkpoint([&](std::ostream &out) { out << good; });
+          context.save_checkpoint([&](Archive &a) { a.append(good); });
           throw RunFailed("at t = " + number_text(culture.time() / 3600.) + " h with " + number_text(culture.cells.size())
                           + " cells " + error.what() + " The checkpoint holds the last good state.");
         }
@@ -288,7 +269,7 @@ void SpheroidScene::run(RunContext &context)
         keep.after_step(done);
       // From here a longer run goes on: behind it lie only whole intervals and no row that such a run would not have.
       if (checkpoints > 0 && (done + 1 == last || (full && on_schedule)))
-        context.save_checkpoint(write_all);
+        context.save_checkpoint(lasting);
     }
   report_growth(context, table, culture);
   report(context, table, culture);

@@ -1,7 +1,7 @@
 #include "micro/scenes/tissue/full_micro.h"
 
 #include "micro/cells/sph_cell_entries.h"
-#include "run/binary.h"
+#include "run/archive.h"
 #include "micro/engine/watched_steps.h"
 #include "run/cpu_clock.h"
 #include "run/entry_marks.h"
@@ -28,21 +28,10 @@ struct FullMicro::Progress
   std::vector<double> x0[2]; ///< m, positions at t = 0
   double time() const { return double(step) * dt; }
 
-  void save(std::ostream &out) const
+  void archive(Archive &a)
   {
-    write_binary(out, step);
-    write_binary(out, start_energy);
-    write_binary(out, most_crossed);
-    for (const auto &x : x0)
-      write_binary(out, x);
-  }
-  void load(std::istream &in)
-  {
-    read_binary(in, step);
-    read_binary(in, start_energy);
-    read_binary(in, most_crossed);
-    for (auto &x : x0)
-      read_binary(in, x);
+    a.section("run");
+    a(step, start_energy, most_crossed, x0);
   }
 };
 
@@ -184,13 +173,11 @@ void FullMicro::run(RunContext &context)
   const std::uint64_t last = window > 0. ? std::max<std::uint64_t>(1, std::uint64_t(window * double(at.steps))) : at.steps;
   const double acceleration = -load / (block.density * block.width);
 
-  const bool resumed = context.load_checkpoint([&](std::istream &in) {
-    at.load(in);
-    system.load(in);
-    integrator.load(in);
+  const auto lasting = [&](Archive &a) { a(at, system, integrator); };
+  const bool resumed = context.load_checkpoint(lasting);
+  if (resumed)
     block.body_force->set({0., acceleration});
-  });
-  if (!resumed)
+  else
     {
       if (surfaces == "free" || surfaces == "osmosis")
         {
@@ -214,11 +201,7 @@ void FullMicro::run(RunContext &context)
   const std::uint64_t sample_every = steps_between(at.steps, samples), frame_every = steps_between(at.steps, frames);
   const auto save = [&] {
     require_finite(context, block, at);
-    context.save_checkpoint([&](std::ostream &out) {
-      at.save(out);
-      system.save(out);
-      integrator.save(out);
-    });
+    context.save_checkpoint(lasting);
   };
   const StepCheckpoints keep(context, last, checkpoints, save,
                              [&] { return "at t = " + number_text(at.time() * 1e3) + " ms"; });

@@ -8,8 +8,6 @@
 #include "run/run_context.h"
 #include "run/scenario.h"
 
-#include <iosfwd>
-
 namespace turgor
 {
 class FullMicro final : public Scenario

@@ -1,56 +1,27 @@
-#include "run/binary.h"
+#include "run/archive.h"
 #include "run/number_text.h"
 #include "micro/scenes/tissue/tissue_run.h"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <tuple>
 
 namespace turgor
 {
-/// What a checkpoint holds beside the tissue itself, in its order in the file: one list for writing and reading.
-template <class Self>
-auto TissueLoading::Run::kept(Self &r)
+void TissueLoading::Run::archive(Archive &a)
 {
-  return std::tie(r.step, r.load_steps, r.inflation_steps, r.dt, r.angle_before, r.angle_inflated, r.stretch_inflated, r.void_fraction,
-                  r.pressure_inflated, r.residual, r.tie_stress, r.start_energy, r.start.low,
-                  r.start.high, r.start.width, r.start.cell_height, r.start.depth, r.history, r.broken_bonds, r.broken_at_junction,
-                  r.broken_ties, r.deepest, r.most_crossed, r.deepest_behind, r.most_outside, r.released, r.created, r.flowed, r.damped, r.heat_before);
-}
-
-void TissueLoading::Run::save(std::ostream &out) const
-{
-  std::apply([&](const auto &...value) { (write_binary(out, value), ...); }, kept(*this));
-  if (tissue->damage)
-    tissue->damage->save(out);
-  if (tissue->flow)
-    tissue->flow->save(out);
-  system.save(out);
-  integrator->save(out);
+  a.section("run");
+  a(step, load_steps, inflation_steps, dt, angle_before, angle_inflated, stretch_inflated, void_fraction, pressure_inflated, residual,
+    tie_stress, start_energy, start.low, start.high, start.width, start.cell_height, start.depth, history, broken_bonds,
+    broken_at_junction, broken_ties, deepest, most_crossed, deepest_behind, most_outside, released, created, flowed, damped, heat_before);
+  a(tissue->damage, tissue->flow); // before the terms: lists of the fluid depend on the damage
+  if (a.loading() && tissue->flow && load_steps > 0)
+    tissue->wall->set_flow(tissue->flow);
+  a(system, *integrator);
   if (load_steps == 0)
-    inflation->save(out);
+    a(*inflation);
   else if (split)
-    split->save(out);
-}
-
-void TissueLoading::Run::load(std::istream &in)
-{
-  std::apply([&](auto &...value) { (read_binary(in, value), ...); }, kept(*this));
-  if (tissue->damage) // before the terms: lists of the fluid depend on it
-    tissue->damage->load(in);
-  if (tissue->flow)
-    {
-      tissue->flow->load(in);
-      if (load_steps > 0)
-        tissue->wall->set_flow(tissue->flow);
-    }
-  system.load(in);
-  integrator->load(in);
-  if (load_steps == 0)
-    inflation->load(in);
-  else if (split)
-    split->load(in);
+    a(*split);
 }
 
 void TissueLoading::Run::require_finite(const std::string &where) const
@@ -102,6 +73,6 @@ void TissueLoading::Run::checked_save(const std::string &where)
 {
   require_finite(where);
   require_energy(where);
-  context.save_checkpoint([this](std::ostream &out) { save(out); });
+  context.save_checkpoint([this](Archive &a) { archive(a); });
 }
 } // namespace turgor

@@ -40,7 +40,7 @@ void TissueLoading::Run::go()
 {
   context.active(system.term_names(), system.particles.field_names());
   scene.require_few_steps(dt);
-  const bool resumed = context.load_checkpoint([this](std::istream &in) { load(in); });
+  const bool resumed = context.load_checkpoint([this](Archive &a) { archive(a); });
   if (load_steps == 0)
     {
       try

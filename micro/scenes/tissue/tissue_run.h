@@ -36,10 +36,7 @@ private:
   double strain() const { return (start.high - (*plates)[1].position) / start.height(); }
 
   // tissue_checkpoint.cc
-  template <class Self>
-  static auto kept(Self &run);
-  void save(std::ostream &out) const;
-  void load(std::istream &in);
+  void archive(Archive &a);
   void require_finite(const std::string &where) const;
   void require_energy(const std::string &where) const;
   void checked_save(const std::string &where);
