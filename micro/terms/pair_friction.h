@@ -1,10 +1,16 @@
-// Friction between two cells, and one row of the friction matrix of all cells (cell_friction.h) in double precision, from the contacts
-// themselves: the residual that counts.
+// Friction between two spheres that touch, thesis Eq. 2.4, as links of the matrix of motion (micro/solve/motion_matrix.h):
 //
-//   r_i = F_i - gamma_i v_i - sum_j [ t_ij u + (n_ij - t_ij) e (e.u) ],   u = v_i - v_j (m/s)
-//   n_ij, t_ij: normal and tangential friction of a pair, N s/m; e: from one centre to the other; F_i: N
+//   Gamma_ij = A_ij [ normal e (x) e + tangential (I - e (x) e) ]
+//
+// A_ij (m^2): contact area, normal and tangential in N s/m^3; e: from one centre to the other.
+//
+// A linearly implicit step, (Gamma + h K) v = F with K = -dF/dx, has the same form: the contact's stiffness k adds h k to the normal friction of
+// the pair, F/d (where it pulls) h to the tangential one. What is left out of K, which only the error of a step of first order has: repulsion
+// turned sideways, F/d where F pushes (K would not be positive definite), and where the modulus E g(d) rises with the compression d
+// (local_stiffness.h), that adhesion does not: K has F g'/(g d_ref) of it, where F pushes, for (F + pi W R) g'/(g d_ref).
 #pragma once
 
+#include "micro/solve/links.h"
 #include "micro/terms/sphere_contacts.h"
 
 #include <algorithm>
@@ -16,13 +22,14 @@ namespace turgor
 struct PairFriction
 {
   double normal = 0., tangential = 0., ///< N s/m^3
-    step = 0.;                         ///< s, 0: explicit
+    step = 0.;                         ///< h, s; 0: explicit
   struct Coefficients
   {
     double normal, tangential;
   };
   /// Not the same in all directions.
   bool directed() const { return normal != tangential || step > 0.; }
+  bool none() const { return normal == 0. && tangential == 0. && step == 0.; }
   /// Zero where there is no area.
   Coefficients operator()(const PairContact &c) const
   {
@@ -37,36 +44,42 @@ struct PairFriction
   }
 };
 
-/// A vector of a cell, the fourth number is 0.
-using DoubleRow = double __attribute__((vector_size(32)));
-struct CellVector
-{
-  DoubleRow v{};
-};
-
-/// r_i, while its contacts are gone through.
-class ExactRow
+/// The contacts of spheres, gone through in their own list.
+class SphereLinks final : public ListedLinks<SphereLinks>
 {
 public:
-  ExactRow(const Particles<3> &particles, const std::vector<double> &gamma, const std::vector<CellVector> &v, const std::size_t i)
-    : me(v[i].v)
-    , rest(DoubleRow{particles.f[0][i], particles.f[1][i], particles.f[2][i], 0.} - gamma[i] * me)
+  SphereLinks(const SphereContacts &contacts_, const PairFriction &friction_)
+    : friction(friction_)
+    , contacts(&contacts_)
   {}
-  /// Unit vector of a contact; what follows it in memory comes last.
-  static DoubleRow direction(const PairContact &c)
+  PairFriction friction;
+
+  bool directed() const override { return friction.directed(); }
+  void room(const std::size_t begin, const std::size_t end, std::uint32_t *count) const override
   {
-    DoubleRow e;
-    std::memcpy(&e, c.e, sizeof e);
-    return e;
+    const auto &first = contacts->list().first();
+    for (std::size_t i = begin; i < end; ++i)
+      count[i - begin] += first[i + 1] - first[i];
   }
-  void add(const PairFriction::Coefficients &friction, const DoubleRow e, const DoubleRow other)
+  template <class Row>
+  void links_of(const std::size_t i, Row &row) const
   {
-    const DoubleRow u = me - other, along = e * u; // u[3] = 0
-    rest -= friction.tangential * u + (friction.normal - friction.tangential) * ((along[0] + along[1]) + (along[2] + along[3])) * e;
+    constexpr std::size_t ahead = 16; // contacts on their way
+    const PairFriction of_pair = friction;
+    const PairContact *contact = contacts->contacts().data();
+    const auto &first = contacts->list().first(), &pair = contacts->list().own(), &other = contacts->list().other();
+    for (std::uint32_t k = first[i], end = first[i + 1], last = std::uint32_t(pair.size()) - 1; k < end; ++k)
+      {
+        __builtin_prefetch(contact + pair[std::min<std::size_t>(k + ahead, last)]);
+        const PairContact &c = contact[pair[k]]; // all zero where nothing touches
+        const PairFriction::Coefficients along_and_across = of_pair(c);
+        DoubleRow e; // the unit vector; what follows it in memory comes last
+        std::memcpy(&e, c.e, sizeof e);
+        row.link(along_and_across.normal, along_and_across.tangential, e, other[k], c.area > 0.);
+      }
   }
-  DoubleRow result() const { return DoubleRow{rest[0], rest[1], rest[2], 0.}; }
 
 private:
-  DoubleRow me, rest;
+  const SphereContacts *contacts;
 };
 } // namespace turgor

@@ -42,7 +42,7 @@ void SphereMotion::velocities(Particles<3> &particles, const double h)
   friction.velocities(particles, contacts, drag, h, threads);
 }
 
-void SphereMotion::again(Particles<3> &particles) { friction.velocities_again(particles, contacts, threads); }
+void SphereMotion::again(Particles<3> &particles) { friction.velocities_again(particles, threads); }
 
 bool SphereMotion::random_forces(Particles<3> &particles, const double h, const std::uint64_t step)
 {

@@ -179,7 +179,7 @@ BOOST_DATA_TEST_CASE(one_pass_gives_the_matrix_and_the_residual,
   contacts.add_forces(p, 1);
   const PairFriction friction{normal, tangential, step};
   std::vector<double> gamma(n);
-  std::vector<CellVector> v(n);
+  std::vector<BodyVector> v(n), forces(n);
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(3 * n, 3 * n);
   Eigen::VectorXd F(3 * n), x(3 * n);
   for (std::uint32_t i = 0; i < n; ++i)
@@ -188,7 +188,7 @@ BOOST_DATA_TEST_CASE(one_pass_gives_the_matrix_and_the_residual,
       for (int d = 0; d < 3; ++d)
         {
           v[i].v[d] = x[3 * i + d] = 1e-8 * (random_uniform(11, 3 * i + d) - 0.5);
-          F[3 * i + d] = p.f[d][i];
+          F[3 * i + d] = forces[i].v[d] = p.f[d][i];
           A(3 * i + d, 3 * i + d) = gamma[i];
         }
     }
@@ -204,9 +204,10 @@ BOOST_DATA_TEST_CASE(one_pass_gives_the_matrix_and_the_residual,
       A.block<3, 3>(3 * i, 3 * j) -= block;
       A.block<3, 3>(3 * j, 3 * i) -= block;
     }
-  FrictionMatrix matrix;
+  LinkMatrix matrix;
+  const SphereLinks links(contacts, friction);
   std::vector<Eight> r, Ax;
-  const double square = matrix.assemble(contacts, gamma, friction, p, v, r, 1);
+  const double square = matrix.assemble({&links}, gamma, nullptr, {{}, forces.data()}, v, r, 1);
   const Eigen::VectorXd rest = F - A * x, product = A * x;
   BOOST_TEST(square == rest.squaredNorm(), boost::test_tools::tolerance(1e-12));
   std::vector<FloatRow> rows(8 * matrix.eights());
@@ -333,7 +334,7 @@ BOOST_AUTO_TEST_CASE(the_matrix_solves_again_for_other_forces)
   for (int d = 0; d < 3; ++d)
     for (std::uint32_t i = 0; i < n; ++i)
       p.f[d][i] *= -3.;
-  friction.velocities_again(p, contacts, 2);
+  friction.velocities_again(p, 2);
   double size = 0., worst = 0., momentum = 0., forces = 0.;
   for (int d = 0; d < 3; ++d)
     for (std::uint32_t i = 0; i < n; ++i)
@@ -349,13 +350,13 @@ BOOST_AUTO_TEST_CASE(the_matrix_solves_again_for_other_forces)
           p.f[d][i] = 0.;
       }
   BOOST_CHECK_SMALL(worst, 1e-7 * size); // residual 1e-11 times the condition, below 1e3 here
-  friction.velocities_again(p, contacts, 1);
+  friction.velocities_again(p, 1);
   for (std::uint32_t i = 0; i < n; ++i)
     momentum += gamma[i] * p.v[0][i];
   BOOST_TEST(momentum == forces, boost::test_tools::tolerance(1e-9));
   for (auto &f : p.f)
     std::fill(f.begin(), f.end(), 0.);
-  friction.velocities_again(p, contacts, 1);
+  friction.velocities_again(p, 1);
   BOOST_TEST(p.v[0][0] == 0.); // no force, no motion, and no search for it
 }
 

@@ -4,6 +4,7 @@
 #include "micro/cells/pressure_profile.h"
 #include "micro/laws/counter_random.h"
 #include "micro/engine/overdamped.h"
+#include "micro/solve/step_too_long.h"
 #include "micro/terms/sphere_motion.h"
 #include "micro/cells/dextran_pressure.h"
 #include "micro/cells/elastic_capsule.h"

@@ -1,4 +1,4 @@
-#include "micro/terms/friction_matrix.h"
+#include "micro/solve/link_matrix.h"
 
 #include "run/parallel.h"
 
@@ -19,26 +19,26 @@ inline EightFloats both(const EightFloats a, const EightFloats b) { return Eight
 inline EightFloats differ(const EightFloats a, const EightFloats b) { return EightFloats(Bits(a) ^ Bits(b)); }
 } // namespace
 
-double FrictionMatrix::assemble(const SphereContacts &contacts, const std::vector<double> &gamma, const PairFriction &friction,
-                                const Particles<3> &particles, const std::vector<CellVector> &v, std::vector<Eight> &r,
-                                const unsigned int threads)
+double LinkMatrix::assemble(const std::vector<const LinkSource *> &sources, const std::vector<double> &medium,
+                            const std::vector<Block> *blocks, const Forces &forces, const std::vector<BodyVector> &v,
+                            std::vector<Eight> &r, const unsigned int threads)
 {
-  const std::size_t n = gamma.size(), groups = (n + width - 1) / width;
-  const auto &of = contacts.list().first();
-  // room for all listed pairs; only those that touch are filled in
+  const std::size_t n = medium.size(), groups = (n + width - 1) / width;
+  // room for all listed links; only those that touch are filled in
   first.resize(groups + 1);
   first[0] = 0;
   for_chunks(threads, Chunks(groups, 512), [&](std::size_t begin, std::size_t last) {
     for (std::size_t g = begin; g < last; ++g)
       {
-        first[g + 1] = 0;
-        for (std::size_t i = g * width; i < std::min(n, (g + 1) * width); ++i)
-          first[g + 1] = std::max(first[g + 1], of[i + 1] - of[i]);
+        std::uint32_t count[width] = {};
+        for (const LinkSource *source : sources)
+          source->room(g * width, std::min(n, (g + 1) * width), count);
+        first[g + 1] = *std::max_element(count, count + width);
       }
   });
   for (std::size_t g = 0; g < groups; ++g)
     first[g + 1] += first[g];
-  directed = friction.directed();
+  directed = blocks != nullptr || std::any_of(sources.begin(), sources.end(), [](const LinkSource *source) { return source->directed(); });
   links.resize(first[groups]);
   lines.resize(directed ? first[groups] : 0);
   end.resize(groups);
@@ -46,65 +46,40 @@ double FrictionMatrix::assemble(const SphereContacts &contacts, const std::vecto
   inverse.resize(directed ? groups : 0);
   inverse_same.resize(directed ? 0 : groups);
   r.resize(groups);
+  const Sum all{sources, medium, blocks, forces, v};
   return sum_chunks(threads, Chunks(groups, 64), parts, [&](std::size_t begin, std::size_t last) {
-    Work work;
+    std::vector<FloatRow> work;
     DoubleRow total{};
     for (std::size_t g = begin; g < last; ++g)
-      total += directed ? rows_of<true>(g, contacts, gamma, friction, particles, v, r, work) :
-                          rows_of<false>(g, contacts, gamma, friction, particles, v, r, work);
+      total += directed ? rows_of<true>(g, all, r, work) : rows_of<false>(g, all, r, work);
     return sum(total);
   });
 }
 
+/// work: of one thread, lines of eight bodies, link by link: e and w.
 template <bool with_lines>
-DoubleRow FrictionMatrix::rows_of(const std::size_t g, const SphereContacts &contacts, const std::vector<double> &gamma,
-                                  const PairFriction &friction, const Particles<3> &particles, const std::vector<CellVector> &v,
-                                  std::vector<Eight> &r, Work &work)
+DoubleRow LinkMatrix::rows_of(const std::size_t g, const Sum &all, std::vector<Eight> &r, std::vector<FloatRow> &work)
 {
-  constexpr std::size_t ahead = 16; // contacts on their way
-  const PairContact *contact = contacts.contacts().data();
-  const auto &of = contacts.list().first(), &pair = contacts.list().own(), &other = contacts.list().other();
   std::uint32_t count[width] = {}, most = 0;
   double isotropic[width];
   FloatRow rest[width] = {};
   DoubleRow total{};
-  if (with_lines && work.lines.size() < width * (first[g + 1] - first[g]))
-    work.lines.resize(2 * width * (first[g + 1] - first[g]));
+  if (with_lines && work.size() < width * (first[g + 1] - first[g] + 1))
+    work.resize(2 * width * (first[g + 1] - first[g] + 1));
   for (std::size_t lane = 0; lane < width; ++lane)
     {
       const std::size_t i = g * width + lane;
       own[g][lane] = 0.f;
       isotropic[lane] = 1.;
-      if (i >= gamma.size()) // nobody: no residual
+      if (i >= all.medium.size()) // nobody: no residual
         continue;
-      Links *to = links.data() + first[g];
-      [[maybe_unused]] FloatRow *line = with_lines ? work.lines.data() + lane : nullptr;
-      ExactRow row(particles, gamma, v, i);
-      double all = gamma[i];
-      for (std::uint32_t k = of[i]; k < of[i + 1]; ++k)
-        {
-          __builtin_prefetch(contact + pair[std::min<std::size_t>(k + ahead, pair.size() - 1)]);
-          const PairContact &c = contact[pair[k]]; // all zero where nothing touches
-          const PairFriction::Coefficients along_and_across = friction(c);
-          DoubleRow e = ExactRow::direction(c);
-          row.add(along_and_across, e, v[other[k]].v);
-          all += along_and_across.tangential;
-          to->tangential[lane] = float(along_and_across.tangential);
-          to->other[lane] = other[k];
-          if constexpr (with_lines)
-            {
-              e[3] = along_and_across.normal - along_and_across.tangential;
-              *line = floats(e);
-            }
-          const bool touches = c.area > 0.; // the next one takes the place of one that does not touch
-          to += touches;
-          if constexpr (with_lines)
-            line += touches * width;
-        }
-      count[lane] = std::uint32_t(to - links.data()) - first[g];
+      LinkRow<with_lines> row(ExactRow(all.forces, all.medium, all.v, i), all.medium[i], links.data() + first[g], work.data(), lane);
+      for (const LinkSource *source : all.sources)
+        source->add(i, row);
+      count[lane] = std::uint32_t(row.end() - links.data()) - first[g];
       most = std::max(most, count[lane]);
-      own[g][lane] = float(gamma[i]);
-      isotropic[lane] = all;
+      own[g][lane] = float(all.medium[i]);
+      isotropic[lane] = row.isotropic();
       rest[lane] = floats(row.result());
       total += row.result() * row.result();
     }
@@ -116,10 +91,10 @@ DoubleRow FrictionMatrix::rows_of(const std::size_t g, const SphereContacts &con
         links[first[g] + k].tangential[lane] = 0.f;
         links[first[g] + k].other[lane] = std::uint32_t(g * width + lane);
         if constexpr (with_lines)
-          work.lines[k * width + lane] = FloatRow{};
+          work[k * width + lane] = FloatRow{};
       }
   if constexpr (with_lines)
-    finish_lines(g, work.lines.data(), isotropic);
+    finish_lines(g, work.data(), isotropic, all);
   else
     for (std::size_t lane = 0; lane < width; ++lane)
       inverse_same[g][lane] = float(1. / isotropic[lane]);
@@ -127,7 +102,7 @@ DoubleRow FrictionMatrix::rows_of(const std::size_t g, const SphereContacts &con
 }
 
 /// Directions of eight g from e and w, and the inverse diagonal blocks.
-void FrictionMatrix::finish_lines(const std::size_t g, const FloatRow *work, const double (&isotropic)[width])
+void LinkMatrix::finish_lines(const std::size_t g, const FloatRow *work, const double (&isotropic)[width], const Sum &all)
 {
   for (std::uint32_t k = first[g]; k < end[g]; ++k, work += width)
     {
@@ -140,14 +115,14 @@ void FrictionMatrix::finish_lines(const std::size_t g, const FloatRow *work, con
       lines[k] = {root * e.x, root * e.y, root * e.z};
       links[k].tangential = differ(links[k].tangential, sign);
     }
-  const Blocks low = blocks_of<false>(g, isotropic), high = blocks_of<true>(g, isotropic);
+  const Blocks low = blocks_of<false>(g, isotropic, all), high = blocks_of<true>(g, isotropic, all);
   inverse[g] = {halves(low.xx, high.xx), halves(low.xy, high.xy), halves(low.xz, high.xz),
                 halves(low.yy, high.yy), halves(low.yz, high.yz), halves(low.zz, high.zz)};
 }
 
 /// Sums in double, of the products that the matrix itself has.
 template <bool high>
-FrictionMatrix::Blocks FrictionMatrix::blocks_of(const std::size_t g, const double (&isotropic)[width]) const
+LinkMatrix::Blocks LinkMatrix::blocks_of(const std::size_t g, const double (&isotropic)[width], const Sum &all) const
 {
   FourDoubles xx{}, xy{}, xz{}, yy{}, yz{}, zz{}, t;
   std::memcpy(&t, isotropic + 4 * high, sizeof t);
@@ -167,12 +142,22 @@ FrictionMatrix::Blocks FrictionMatrix::blocks_of(const std::size_t g, const doub
   xx += t;
   yy += t;
   zz += t;
+  for (std::size_t lane = 0, i = g * width + 4 * high; all.blocks != nullptr && lane < 4 && i < all.blocks->size(); ++lane, ++i)
+    {
+      const Block &block = (*all.blocks)[i];
+      xx[lane] += block.xx;
+      xy[lane] += block.xy;
+      xz[lane] += block.xz;
+      yy[lane] += block.yy;
+      yz[lane] += block.yz;
+      zz[lane] += block.zz;
+    }
   const FourDoubles a = yy * zz - yz * yz, b = xz * yz - xy * zz, c = xy * yz - xz * yy, id = 1. / (xx * a + xy * b + xz * c);
   return {a * id, b * id, c * id, (xx * zz - xz * xz) * id, (xy * xz - xx * yz) * id, (xx * yy - xy * xy) * id};
 }
 
 template <bool with_lines>
-double FrictionMatrix::product_of(const std::size_t begin, const std::size_t last, const std::vector<FloatRow> &p,
+double LinkMatrix::product_of(const std::size_t begin, const std::size_t last, const std::vector<FloatRow> &p,
                                   std::vector<Eight> &Ap) const
 {
   const EightFloats signs = -EightFloats{}; // the bit of the sign alone
@@ -184,7 +169,7 @@ double FrictionMatrix::product_of(const std::size_t begin, const std::size_t las
       Eight sum{own[g] * me.x, own[g] * me.y, own[g] * me.z};
       for (std::uint32_t k = first[g]; k < end[g]; ++k)
         {
-          const Links &l = links[k];
+          const EightLinks &l = links[k];
           const Eight you = columns([&](const int lane) { return p[l.other[lane]]; });
           const EightFloats ux = me.x - you.x, uy = me.y - you.y, uz = me.z - you.z;
           if constexpr (with_lines)
@@ -209,15 +194,15 @@ double FrictionMatrix::product_of(const std::size_t begin, const std::size_t las
   return sum(total);
 }
 
-double FrictionMatrix::product(const std::size_t begin, const std::size_t last, const std::vector<FloatRow> &p,
+double LinkMatrix::product(const std::size_t begin, const std::size_t last, const std::vector<FloatRow> &p,
                                std::vector<Eight> &Ap) const
 {
   return directed ? product_of<true>(begin, last, p, Ap) : product_of<false>(begin, last, p, Ap);
 }
 
-std::size_t FrictionMatrix::memory_bytes() const
+std::size_t LinkMatrix::memory_bytes() const
 {
-  return sizeof(Links) * links.capacity() + sizeof(Eight) * lines.capacity() + 4 * (first.capacity() + end.capacity())
+  return sizeof(EightLinks) * links.capacity() + sizeof(Eight) * lines.capacity() + 4 * (first.capacity() + end.capacity())
          + sizeof(EightFloats) * (own.capacity() + inverse_same.capacity()) + sizeof(Symmetric) * inverse.capacity();
 }
 } // namespace turgor
