@@ -33,7 +33,10 @@ inline double in_series(const double a, const double b) { return a * b / (a + b)
 
 struct HertzContact
 {
+  static constexpr const char *name = "hertz", *what = "without adhesion (thesis Eq. 2.5)";
   static constexpr bool has_history = false;
+
+  double pull_off(double) const { return 0.; } ///< N, of a sphere pair of radius R
 
   bool touching(double, double, const double delta, bool) const { return delta > 0.; }
 
@@ -46,8 +49,11 @@ struct HertzContact
 
 struct ExtendedHertzContact
 {
+  static constexpr const char *name = "extended_hertz", *what = "a constant pull beside Hertz (2.7)";
   static constexpr bool has_history = false;
   double W = 0.; ///< J/m^2
+
+  double pull_off(const double R) const { return std::numbers::pi * W * R; }
 
   bool touching(double, double, const double delta, bool) const { return delta > 0.; }
 
@@ -63,8 +69,11 @@ struct ExtendedHertzContact
 
 struct JkrContact
 {
+  static constexpr const char *name = "jkr", *what = "adhesion that holds on (2.8, 2.9)";
   static constexpr bool has_history = true;
   double W = 0.; ///< J/m^2
+
+  double pull_off(const double R) const { return 1.5 * std::numbers::pi * W * R; }
 
   /// Overlap at which a contact that is drawn apart lets go (negative), m.
   double release(const double R, const double E) const

@@ -8,7 +8,7 @@ namespace turgor
 {
 Outputs TwoCells::outputs() const
 {
-  const char *sticky = "with Law = extended_hertz or jkr";
+  const char *sticky = "with a Law that has adhesion";
   Outputs all;
   all
     .results({{"largest_force", "N", "Largest size of the force between the cells on the way in and out."},

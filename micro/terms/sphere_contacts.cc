@@ -22,9 +22,7 @@ SphereContacts::SphereContacts(const ContactLaw &law_, const double skin, std::o
 
 std::string SphereContacts::name(const ContactLaw &law)
 {
-  return std::holds_alternative<HertzContact>(law) ? "hertz_contact" :
-         std::holds_alternative<JkrContact>(law)   ? "jkr_contact" :
-                                                     "extended_hertz_contact";
+  return name_of(law) + "_contact";
 }
 
 void SphereContacts::pack(const Particles<3> &particles, const unsigned int threads)

@@ -20,17 +20,14 @@
 
 #include "micro/engine/pair_list.h"
 #include "micro/laws/local_stiffness.h"
-#include "micro/laws/sphere_contact.h"
+#include "micro/laws/contact_law.h"
 
 #include <optional>
 #include <string>
-#include <variant>
 
 namespace turgor
 {
 class Archive;
-
-using ContactLaw = std::variant<HertzContact, ExtendedHertzContact, JkrContact>;
 
 /// What one pair does; all zero where it does not touch. One cache line.
 struct alignas(64) PairContact

@@ -1,5 +1,5 @@
 // Contact of two spheres: Hertz and JKR against their closed forms, energies against forces, hysteresis.
-#include "micro/laws/sphere_contact.h"
+#include "micro/laws/contact_law.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -99,6 +99,24 @@ BOOST_AUTO_TEST_CASE(who_touches_depends_on_the_past)
   // work lost in a cycle: what is left at the release minus what the first touch gave
   const double lost = law(R, E, off).energy - law(R, E, 0.).energy;
   BOOST_TEST(lost > 0.);
+}
+
+BOOST_AUTO_TEST_CASE(laws_are_chosen_by_name)
+{
+  BOOST_TEST(contact_law_names() == "hertz|extended_hertz|jkr");
+  BOOST_TEST(contact_law_text().find("; jkr: ") != std::string::npos);
+  const ContactLaw jkr = make_contact_law("jkr", 0.5), hertz = make_contact_law("hertz", 0.5);
+  BOOST_TEST(std::get<JkrContact>(jkr).W == 0.5);
+  BOOST_TEST(name_of(make_contact_law("extended_hertz", 0.5)) == "extended_hertz");
+  BOOST_TEST(is_adhesive(jkr));
+  BOOST_TEST(!is_adhesive(hertz));
+  BOOST_TEST(hold_of(jkr, 2., 3.) == -JkrContact{0.5}.release(2., 3.), boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(hold_of(hertz, 2., 3.) == 0.);
+  BOOST_TEST(wrong_adhesion(hertz, 1., 1., "R").empty());
+  BOOST_TEST(wrong_adhesion(jkr, 10., 1., "R").empty());
+  BOOST_TEST(wrong_adhesion(jkr, 1., 1., "R").starts_with("Adhesion is 0.5 J/m^2"));
+  BOOST_TEST(wrong_adhesion(make_contact_law("jkr", 0.), 1., 1., "R").starts_with("Adhesion is 0, but Law = jkr"));
+  BOOST_CHECK_THROW(make_contact_law("glue", 0.), std::logic_error);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -3,6 +3,7 @@
 #include "micro/solve/bisection.h"
 #include "run/input_entries.h"
 #include "run/number_text.h"
+#include "run/run_failed_by.h"
 #include "run/stop_flag.h"
 
 #include <algorithm>
@@ -10,16 +11,11 @@
 
 namespace turgor
 {
-namespace
-{
-constexpr double pi = std::numbers::pi;
-}
-
 void TwoCells::declare_parameters(InputEntries &prm)
 {
   using namespace Patterns;
-  prm.add_parameter("Law", law, "Contact law of the cells: hertz without adhesion (Eq. 2.5), extended_hertz (2.7) or jkr (2.8, 2.9) with it. Units: none.",
-                    Selection("hertz|extended_hertz|jkr"));
+  prm.add_parameter("Law", law, "Contact law of the cells. " + contact_law_text() + ". Units: none.",
+                    Selection(contact_law_names()));
   prm.add_parameter("Radius", radius, "Radius of each of the two cells. Units: m.", Double(1e-9, 1.));
   prm.add_parameter("Modulus", modulus, "Young's modulus of each of the two cells. Units: Pa.", Double(1e-3, 1e12));
   prm.add_parameter("Poisson ratio", poisson, "Poisson ratio of each of the two cells. Units: none.", Double(0., 0.5));
@@ -35,21 +31,11 @@ void TwoCells::declare_parameters(InputEntries &prm)
 
 void TwoCells::check() const
 {
-  if (law == "jkr" && !(adhesion > 0.))
-    throw InputError("Adhesion is 0, but Law = jkr needs it positive (J/m^2): without adhesion JKR is Law = hertz.");
-  if (adhesion > 0.1 * modulus * radius)
-    throw InputError("Adhesion is " + number_text(adhesion) + " J/m^2, but it has to be at most a tenth of Modulus times Radius ("
-                     + number_text(0.1 * modulus * radius) + "): the contact would be as wide as the cells.");
+  if (const std::string wrong = wrong_adhesion(contact_law(), modulus, radius, "Radius"); !wrong.empty())
+    throw InputError(wrong);
 }
 
-ContactLaw TwoCells::contact_law() const
-{
-  if (law == "hertz")
-    return HertzContact();
-  if (law == "jkr")
-    return JkrContact{adhesion};
-  return ExtendedHertzContact{adhesion};
-}
+ContactLaw TwoCells::contact_law() const { return make_contact_law(law, adhesion); }
 
 Particles<3> TwoCells::pair(const double overlap) const
 {
@@ -66,8 +52,7 @@ Particles<3> TwoCells::pair(const double overlap) const
 
 double TwoCells::pull_off_closed_form() const
 {
-  const double R = 0.5 * radius;
-  return law == "jkr" ? 1.5 * pi * adhesion * R : law == "hertz" ? 0. : pi * adhesion * R;
+  return std::visit([this](const auto &one) { return one.pull_off(0.5 * radius); }, contact_law());
 }
 
 bool TwoCells::holds(const double force) const
@@ -106,7 +91,7 @@ void TwoCells::run(RunContext &context)
   Particles<3> p = pair(0.);
   SphereContacts contacts(contact_law(), 0.2 * radius);
   const double top = deepest * radius, R = 0.5 * radius, E = 0.5 * modulus / (1. - poisson * poisson);
-  const double bottom = law == "jkr" ? 1.2 * JkrContact{adhesion}.release(R, E) : -0.05 * top;
+  const double hold = hold_of(contact_law(), R, E), bottom = hold > 0. ? -1.2 * hold : -0.05 * top;
   double imbalance = 0., largest = 0., work = 0., before = 0., overlap_before = bottom, hertz_error = 0., least = 0.;
   const auto measure = [&](const double overlap) {
     p.x[0][1] = 2. * radius - overlap;
@@ -133,34 +118,25 @@ void TwoCells::run(RunContext &context)
   context.result("largest_force", largest, "N");
   context.result("momentum_imbalance", imbalance / largest, "1");
   context.result("hysteresis_work", work, "J");
-  if (law == "hertz")
+  if (!is_adhesive(contact_law()))
     {
-      context.result("hertz_force_error", hertz_error, "1");
+      if (law == "hertz")
+        context.result("hertz_force_error", hertz_error, "1");
       return;
     }
   const double expected = pull_off_closed_form();
   context.result("largest_pull_of_the_curve", -least, "N");
   const int halvings = std::max(1, int(std::ceil(std::log2(1. / accuracy))));
   int asked = 0;
-  double pull_off = 0.;
-  try
-    {
-      pull_off = bisect(
-        0.5 * expected, 1.5 * expected,
-        [&](const double force) {
-          context.progress(std::min(1., ++asked / (halvings + 2.)), "pull-off force by bisection");
-          return holds(force);
-        },
-        "the pull-off force (N)", halvings);
-    }
-  catch (const RunStopped &)
-    {
-      throw;
-    }
-  catch (const std::runtime_error &error)
-    {
-      throw RunFailed(error.what());
-    }
+  const double pull_off = run_failed_by([&] {
+    return bisect(
+      0.5 * expected, 1.5 * expected,
+      [&](const double force) {
+        context.progress(std::min(1., ++asked / (halvings + 2.)), "pull-off force by bisection");
+        return holds(force);
+      },
+      "the pull-off force (N)", halvings);
+  });
   context.result("pull_off", pull_off, "N");
   context.result("pull_off_closed_form", expected, "N");
   context.result("pull_off_error", pull_off / expected - 1., "1");

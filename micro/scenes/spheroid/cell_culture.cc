@@ -15,18 +15,14 @@ namespace
 double skin_of(const CultureParameters &p)
 {
   const double R = 0.5 * p.life.birth_radius * std::cbrt(2.), E = 0.5 * p.life.modulus / (1. - p.life.poisson * p.life.poisson);
-  const double hold = p.law == "jkr" ? -JkrContact{p.adhesion}.release(R, 0.6 * E) : 0.; // the softest pairs hold longest
+  const double hold = hold_of(contact_law(p), R, 0.6 * E); // the softest pairs hold longest
   return std::max(0.2 * p.life.birth_radius, 1.1 * hold);
 }
 } // namespace
 
 ContactLaw contact_law(const CultureParameters &parameters)
 {
-  if (parameters.law == "hertz")
-    return HertzContact();
-  if (parameters.law == "jkr")
-    return JkrContact{parameters.adhesion};
-  return ExtendedHertzContact{parameters.adhesion};
+  return make_contact_law(parameters.law, parameters.adhesion);
 }
 
 CellCulture::CellCulture(const CultureParameters &parameters_, std::vector<std::unique_ptr<Surroundings>> surroundings_,

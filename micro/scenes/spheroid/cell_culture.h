@@ -29,7 +29,7 @@ namespace turgor
 struct CultureParameters
 {
   CellLifeParameters life;
-  std::string law = "jkr";      ///< hertz | extended_hertz | jkr
+  std::string law = "jkr";      ///< contact_law.h
   double adhesion = 1e-4;       ///< W, J/m^2
   FrictionParameters friction{.normal = 5e10, .tangential = 5e10, .tolerance = 1e-5};
   double medium_friction = 5e8; ///< N s/m^3, of the cell's surface 4 pi R^2

@@ -48,8 +48,8 @@ void CultureEntries::declare(InputEntries &prm)
   prm.leave_subsection();
 
   prm.enter_subsection("Contact");
-  prm.add_parameter("Law", numbers.law, "Contact law of two cells: hertz without adhesion (2.5), extended_hertz (2.7) or jkr (2.8, 2.9) with it. Units: none.",
-                    Selection("hertz|extended_hertz|jkr"));
+  prm.add_parameter("Law", numbers.law, "Contact law of two cells. " + contact_law_text() + ". Units: none.",
+                    Selection(contact_law_names()));
   prm.add_parameter("Adhesion", numbers.adhesion, "Energy of adhesion W per area of contact between two cells; without effect with Law = hertz. Units: J/m^2.", Double(0., 1e3));
   prm.add_parameter("Local stiffness", stiffness,
                     "Rise of the modulus with the packing: none, closest (derived: cells of a closest packing fill all space and have the"
@@ -140,12 +140,8 @@ void CultureEntries::check() const
     {
       throw InputError("Contact/Local stiffness is " + stiffness + ": " + error.what());
     }
-  if (numbers.law == "jkr" && !(numbers.adhesion > 0.))
-    throw InputError("Contact/Adhesion is 0, but Law = jkr needs it positive (J/m^2): without adhesion JKR is Law = hertz.");
-  if (numbers.law != "hertz" && numbers.adhesion > 0.1 * life.modulus * life.birth_radius)
-    throw InputError("Contact/Adhesion is " + number_text(numbers.adhesion)
-                     + " J/m^2, but has to be at most a tenth of Modulus times Birth radius ("
-                     + number_text(0.1 * life.modulus * life.birth_radius) + "): contacts would be as wide as the cells.");
+  if (const std::string wrong = wrong_adhesion(contact_law(numbers), life.modulus, life.birth_radius, "Birth radius"); !wrong.empty())
+    throw InputError("Contact/" + wrong);
   if (life.cycle.mitosis > 0.5 * life.cycle_time)
     throw InputError("Growth/Mitosis time is " + number_text(life.cycle.mitosis)
                      + " s, but has to be at most half of Cell/Cycle time (" + number_text(life.cycle_time) + " s).");
