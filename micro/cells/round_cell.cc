@@ -241,17 +241,6 @@ double RoundCell<dim>::largest_unbalanced() const
 }
 
 template <int dim>
-bool RoundCell<dim>::finite() const
-{
-  for (int d = 0; d < dim; ++d)
-    for (std::size_t i = 0; i < system.particles.size(); ++i)
-      if (!std::isfinite(system.particles.x[d][i]) || !std::isfinite(system.particles.v[d][i])
-          || !std::isfinite(system.particles.f[d][i]))
-        return false;
-  return true;
-}
-
-template <int dim>
 std::unique_ptr<RoundCell<dim>> make_round_cell(const RoundCellParameters &parameters, const bool can_fail)
 {
   parameters.check(dim);

@@ -88,7 +88,6 @@ struct RoundCell
   double virial_tension() const;
   double cut_tension(double &deviation) const;
   double largest_unbalanced() const; ///< N
-  bool finite() const;
 };
 
 /// Stress-free, at rest. can_fail: the wall and the fluid share a WallDamage.

@@ -1,5 +1,6 @@
 #include "micro/processes/bring_to_turgor.h"
 
+#include "micro/engine/sound_state.h"
 #include "micro/engine/descent.h"
 #include "run/number_text.h"
 #include "micro/processes/osmosis.h"
@@ -70,9 +71,9 @@ double bring_to_turgor(RoundCell<dim> &cell, const std::function<void(unsigned i
     else if (cell.enclosed) // limited, or a wall with long steps overfills and empties in turns
       cell.enclosed->set_cell_mass(0, cell.enclosed->cell_mass(0) * (1. + std::min(time * rate, 0.3) * (p.turgor - cell.pressure()) / bulk));
   };
-  const auto check_finite = [&](const unsigned int step) {
-    if (step % 200 == 0 && !cell.finite())
-      throw std::runtime_error("the cell diverged while it was inflated (step " + number_text(step)
+  const auto require_sound = [&](const unsigned int step) {
+    if (const std::string wrong = unsound(cell.system.particles); !wrong.empty())
+      throw std::runtime_error("the cell diverged while it was inflated (step " + number_text(step) + "; " + wrong
                                + "): use a larger Cell/Fluid modulus, a softer wall or less turgor.");
   };
   const bool settled = p.settle_steps > 0 && p.turgor == 0.; // all that is left is what the wall stirs up when it is let go
@@ -85,7 +86,8 @@ double bring_to_turgor(RoundCell<dim> &cell, const std::function<void(unsigned i
       integrator.step(dt, (settled ? 5. : through < 0.2 ? 0.5 : through < 0.6 ? 0.1 : 0.5) / crossing);
       if (s % 10 == 9)
         take_up(10. * dt);
-      check_finite(s);
+      if (s % 200 == 0)
+        require_sound(s);
       if (watch)
         watch(s + 1, steps, dt);
     }
@@ -100,7 +102,8 @@ double bring_to_turgor(RoundCell<dim> &cell, const std::function<void(unsigned i
       while (more < p.rest_steps)
         {
           descent.step(dt);
-          check_finite(++more);
+          if (++more % 200 == 0)
+            require_sound(more);
           if (watch)
             watch(steps + more, steps + more, dt);
           if (more % 10 != 0)
@@ -116,8 +119,7 @@ double bring_to_turgor(RoundCell<dim> &cell, const std::function<void(unsigned i
   for (int d = 0; d < dim; ++d)
     std::fill(cell.system.particles.v[d].begin(), cell.system.particles.v[d].end(), 0.);
   cell.system.compute_forces();
-  if (!cell.finite())
-    throw std::runtime_error("the cell diverged while it was inflated: use a larger Cell/Fluid modulus, a softer wall or less turgor.");
+  require_sound(steps + more);
   const double residual = unbalanced();
   if (steps > 0 && !at_rest())
     throw std::runtime_error("the cell has not come to rest after Cell/Anneal steps = " + number_text(steps) + " and "

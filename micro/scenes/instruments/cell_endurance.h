@@ -26,13 +26,7 @@ public:
   void run(RunContext &context) override;
 
 private:
-  struct Progress; ///< what changes while the scene runs, and is in the checkpoint
-  struct Sample;   ///< one row of endurance.csv
-
-  Sample measure(const SphPatch &wet, SphPatch &walls, const Progress &at) const;
-  void report(RunContext &context, const SphPatch &wet, const Progress &at) const;
-  void judge(RunContext &context, const SphPatch &wet, const Progress &at) const; ///< notes; throws RunFailed
-  double pressure_of_area(double pressure_at_reference, double J) const;
+  class Run; ///< endurance_run.h
 
   ParenchymaParameters cell;
   SphParameters sph;

@@ -1,5 +1,6 @@
 #include "micro/scenes/instruments/stability.h"
 
+#include "micro/engine/sound_state.h"
 #include "micro/cells/sph_cell_entries.h"
 #include "micro/laws/counter_random.h"
 #include "micro/engine/measured_step.h"
@@ -11,7 +12,7 @@
 #include "run/number_text.h"
 #include "run/judged.h"
 #include "micro/scenes/shared_entries.h"
-#include "micro/scenes/stepping.h"
+#include "micro/scenes/anneal_reference.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,15 +26,6 @@ namespace turgor
 namespace
 {
 constexpr double allowed_gain = 1e-3;
-
-bool finite(const ParticleSystem<2> &system)
-{
-  for (int d = 0; d < 2; ++d)
-    for (std::size_t i = 0; i < system.particles.size(); ++i)
-      if (!std::isfinite(system.particles.x[d][i]) || !std::isfinite(system.particles.v[d][i]))
-        return false;
-  return true;
-}
 } // namespace
 
 void Stability::declare_parameters(InputEntries &prm)
@@ -90,7 +82,7 @@ void Stability::deform(RunContext &context, SphPatch &wet) const
       system.compute_forces();
       for (unsigned int s = 0; s < 100; ++s)
         integrator.step(dt, 0.02 / dt);
-      if (!finite(system))
+      if (!unsound(system.particles).empty())
         throw RunFailed("the cell broke on its way to F, at " + number_text(k + 1) + " of " + number_text(parts) + " parts of it.");
       context.progress(double(k + 1) / (parts + rest), "deforming");
       if (context.stop_requested())
@@ -146,7 +138,7 @@ Stability::Trial Stability::attempt(RunContext &context, SphPatch &wet, const st
     }
   trial.cpu_per_second = (process_cpu_seconds() - cpu) / time;
   trial.last_step = dt;
-  trial.stable = finite(system);
+  trial.stable = unsound(system.particles).empty();
   return trial;
 }
 

@@ -1,11 +1,13 @@
 #include "micro/scenes/single_cell/laplace.h"
 
+#include "micro/engine/sound_state.h"
 #include "micro/processes/bring_to_turgor.h"
 #include "run/input_entries.h"
 #include "run/run_context.h"
 #include "run/judged.h"
 #include "micro/scenes/single_cell/round_cell_fields.h"
-#include "micro/scenes/stepping.h"
+#include "run/run_failed_by.h"
+#include "run/step_loop.h"
 
 #include <cmath>
 
@@ -54,26 +56,17 @@ void Laplace::run_in(RunContext &context) const
   };
   double deviation = 0.;
   const unsigned int every = unsigned(steps_between(cell.anneal_steps, samples));
-  const double residual = [&] {
-    try
-      {
-        return bring_to_turgor<dim>(round, [&](const unsigned int step, const unsigned int steps, const double dt) {
-          if (step % every == 0 && round.finite())
-            table->add_row({step * dt, round.mean_radius(), round.pressure(), round.virial_pressure(),
-                            balances(round.cut_tension(deviation)), balances(round.virial_tension())});
-          if (step % 64 == 0)
-            context.progress(double(step) / steps, "inflating");
-          if (context.stop_requested())
-            throw RunStopped("stopped while the cell was inflated");
-        });
-      }
-    catch (const std::runtime_error &error)
-      {
-        if (dynamic_cast<const RunStopped *>(&error) || dynamic_cast<const RunFailed *>(&error))
-          throw;
-        throw RunFailed(error.what());
-      }
-  }();
+  const double residual = run_failed_by([&] {
+    return bring_to_turgor<dim>(round, [&](const unsigned int step, const unsigned int steps, const double dt) {
+      if (step % every == 0 && unsound(round.system.particles).empty())
+        table->add_row({step * dt, round.mean_radius(), round.pressure(), round.virial_pressure(),
+                        balances(round.cut_tension(deviation)), balances(round.virial_tension())});
+      if (step % 64 == 0)
+        context.progress(double(step) / steps, "inflating");
+      if (context.stop_requested())
+        throw RunStopped("stopped while the cell was inflated");
+    });
+  });
 
   const double cut = round.cut_tension(deviation), virial = round.virial_tension();
   const double eos = round.pressure(), fluid_virial = round.virial_pressure();

@@ -4,7 +4,7 @@
 #include "micro/engine/kick_drift_kick.h"
 #include "run/input_entries.h"
 #include "run/number_text.h"
-#include "run/run_context.h"
+#include "run/run_failed_by.h"
 #include "micro/scenes/reference/harmonics.h"
 #include "run/judged.h"
 #include "micro/scenes/shared_entries.h"
@@ -115,23 +115,14 @@ void ShellOscillation::run(RunContext &context)
   RoundCell<3> &round = *made;
   ParticleSystem<3> &system = round.system;
   context.active(system.term_names(), system.particles.field_names());
-  try
-    {
-      bring_to_turgor<3>(round, [&](const unsigned int step, const unsigned int steps, double) {
-        if (step % 64 == 0)
-          context.progress(0.3 * step / steps, "the liquid comes to rest");
-        if (context.stop_requested())
-          throw RunStopped("stopped before the shell was struck");
-      });
-    }
-  catch (const RunStopped &)
-    {
-      throw;
-    }
-  catch (const std::runtime_error &error)
-    {
-      throw RunFailed(error.what());
-    }
+  run_failed_by([&] {
+    return bring_to_turgor<3>(round, [&](const unsigned int step, const unsigned int steps, double) {
+      if (step % 64 == 0)
+        context.progress(0.3 * step / steps, "the liquid comes to rest");
+      if (context.stop_requested())
+        throw RunStopped("stopped before the shell was struck");
+    });
+  });
   const double R = round.mean_radius();
   const std::vector<double> theory = closed_form(p, R, sound_speed, modes);
   Particles<3> &particles = system.particles;

@@ -55,7 +55,7 @@ private:
   double span(double height) const { return plate_mass > 0. ? end_time : deformation * height / speed; } ///< s
 
   template <int dim>
-  void run_in(RunContext &context);
+  class Run; ///< squeezed_run.h
 };
 
 /// squeezed_outputs.cc

@@ -11,26 +11,14 @@
 #pragma once
 
 #include "run/scenario.h"
+#include "micro/scenes/spheroid/growth_table.h"
 #include "micro/scenes/spheroid/spheroid_entries.h"
 
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace turgor
 {
-/// growth.csv so far, by column.
-struct GrowthTable
-{
-  std::vector<std::string> names;
-  std::vector<std::vector<double>> rows;
-
-  std::vector<double> column(const std::string &name) const;
-};
-
-/// Slope of log(value) or of value over time by least squares, for times in [from, to].
-double fitted_slope(const std::vector<double> &time, const std::vector<double> &value, double from, double to, bool logarithmic);
-
 class SpheroidScene : public Scenario
 {
 public:
@@ -69,9 +57,6 @@ protected:
   double first_spacing() const;
 
 private:
-  std::vector<double> row_of(CellCulture &culture) const;
-  static struct FieldFrame frame_of(CellCulture &culture);
-  double share_of_the_run(const GrowthTable &table, const CellCulture &culture) const;
-  void report_growth(RunContext &context, const GrowthTable &table, CellCulture &culture) const;
+  class Run; ///< spheroid_run.h
 };
 } // namespace turgor

@@ -1,38 +1,89 @@
 #include "micro/scenes/tissue/full_micro.h"
 
 #include "micro/cells/sph_cell_entries.h"
-#include "run/archive.h"
+#include "micro/engine/sound_state.h"
 #include "micro/engine/watched_steps.h"
+#include "micro/processes/osmosis.h"
+#include "micro/scenes/anneal_reference.h"
+#include "micro/scenes/shared_entries.h"
+#include "run/archive.h"
 #include "run/cpu_clock.h"
 #include "run/entry_marks.h"
 #include "run/field_output.h"
 #include "run/input_entries.h"
-#include "run/number_text.h"
-#include "micro/processes/osmosis.h"
 #include "run/judged.h"
-#include "micro/scenes/shared_entries.h"
-#include "micro/scenes/stepping.h"
+#include "run/number_text.h"
+#include "run/step_loop.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <sstream>
+#include <optional>
 
 namespace turgor
 {
-struct FullMicro::Progress
+namespace
 {
-  std::uint64_t step = 0, steps = 0;
-  double dt = 0.;
-  double start_energy = 0., most_crossed = 0.; ///< J; fluid particles in any row
-  std::vector<double> x0[2]; ///< m, positions at t = 0
+FieldFrame frame_of(const Particles<2> &p, const Particles<2>::Components &x0, const double time)
+{
+  FieldFrame frame;
+  frame.time = time;
+  NamedField displacement{"displacement [m]", 3, {}, false}, velocity{"velocity [m/s]", 3, {}, false},
+    pressure{"pressure [Pa]", 1, {}, false}, wall{"wall", 1, {}, false}, cell{"cell", 1, {}, false};
+  for (std::size_t c = 0; c < p.groups.size(); ++c)
+    for (std::uint32_t i = p.groups[c].begin; i < p.groups[c].end; ++i)
+      {
+        for (int d = 0; d < 2; ++d)
+          {
+            frame.points.push_back(p.x[d][i]);
+            displacement.values.push_back(p.x[d][i] - x0[d][i]);
+            velocity.values.push_back(p.v[d][i]);
+          }
+        frame.points.push_back(0.);
+        displacement.values.push_back(0.);
+        velocity.values.push_back(0.);
+        pressure.values.push_back(p.field("pressure")[i]);
+        wall.values.push_back(i < p.groups[c].fluid);
+        cell.values.push_back(double(c));
+      }
+  frame.fields = {displacement, velocity, pressure, wall, cell};
+  return frame;
+}
+} // namespace
+
+/// One run: the block, how it is stepped, what is recorded of it.
+class FullMicro::Run
+{
+public:
+  Run(const FullMicro &scene, RunContext &context);
+  void go();
+
+private:
+  void begin(); ///< the unloaded block at rest, and the load on it
+  void relax();
+  void record();
+  void report(std::uint64_t steps_run, double cpu, double wall);
+  void write_cells();
+  void require_sound() const;
+  Vector<2> probe_displacement() const; ///< m
   double time() const { return double(step) * dt; }
 
-  void archive(Archive &a)
-  {
-    a.section("run");
-    a(step, start_energy, most_crossed, x0);
-  }
+  const FullMicro &scene;
+  RunContext &context;
+  const ReferenceCell reference;
+  TissueBlock block;
+  ParticleSystem<2> &system;
+  WatchedSteps<2> integrator;
+  std::uint64_t steps = 0; ///< of a whole run
+  double dt = 0.;
+  const double acceleration; ///< m/s^2
+  std::unique_ptr<Series> probe, energy;
+  std::optional<FieldOutput> fields;
+
+  // what changes while the scene runs, and is in the checkpoint
+  std::uint64_t step = 0;
+  double start_energy = 0., most_crossed = 0.; ///< J; fluid particles in any row
+  std::array<std::vector<double>, 2> x0;       ///< m, positions at t = 0
 };
 
 void FullMicro::declare_parameters(InputEntries &prm)
@@ -61,47 +112,88 @@ void FullMicro::check() const
   check_sph_cell(cell, sph);
 }
 
-Vector<2> FullMicro::probe_displacement(const TissueBlock &block, const Progress &at) const
+void FullMicro::run(RunContext &context) { Run(*this, context).go(); }
+
+FullMicro::Run::Run(const FullMicro &scene_, RunContext &context_)
+  : scene(scene_)
+  , context(context_)
+  , reference(anneal_reference(context, scene.cell, scene.sph))
+  , block(make_tissue_block(scene.cell, scene.sph, reference, scene.columns, scene.rows, surfaces_from(scene.surfaces)))
+  , system(block.cells->system)
+  , integrator(system, scene.step_fraction, collision_spacings, scene.cell.fluid_viscosity / scene.cell.fluid_density)
+  , acceleration(-scene.load / (block.density * block.width))
 {
-  Vector<2> mean = Vector<2>::Zero();
-  for (const std::uint32_t node : block.probe)
-    for (int d = 0; d < 2; ++d)
-      mean[d] += block.cells->system.particles.x[d][node] - at.x0[d][node];
-  return mean / double(block.probe.size());
+  system.threads = context.threads();
+  const double safe = integrator.safe_step();
+  steps = std::uint64_t(std::ceil(scene.end_time / safe));
+  dt = scene.end_time / double(steps);
 }
 
-void FullMicro::require_finite(RunContext &, const TissueBlock &block, const Progress &at) const
+void FullMicro::Run::go()
 {
-  const Particles<2> &p = block.cells->system.particles;
-  const double box = 100. * std::max(columns, rows) * cell.period;
-  const double sound = block.cells->fluid->equation_of_state().sound_speed(cell.fluid_density);
-  for (std::size_t c = 0; c < p.groups.size(); ++c)
-    for (std::uint32_t i = p.groups[c].begin; i < p.groups[c].end; ++i)
-      if (!(std::abs(p.x[0][i]) < box && std::abs(p.x[1][i]) < box && std::hypot(p.v[0][i], p.v[1][i]) < 2. * sound))
-        {
-          std::ostringstream sentence;
-          sentence << "the run diverged before t = " << at.time() << " s (step " << at.step << "): a particle of cell ("
-                   << c % columns << ", " << c / columns << ") left the scene or moves at more than twice the speed of sound. The last checkpoint holds the last good "
-                   << "state; use a smaller Load (now " << load << " Pa) or an End time before it.";
-          throw RunFailed(sentence.str());
-        }
+  context.active(system.term_names(), system.particles.field_names());
+  StepLoop loop(context, step);
+  loop.lasting = [this](Archive &a) {
+    a.section("run");
+    a(step, start_energy, most_crossed, x0, system, integrator);
+  };
+  const bool resumed = context.load_checkpoint(loop.lasting);
+  if (resumed)
+    block.body_force->set({0., acceleration});
+  else
+    begin();
+  probe = context.series("probe", {{"time", "s"}, {"displacement_x", "m"}, {"displacement_y", "m"}});
+  energy = context.series("energy", {{"time", "s"}, {"potential", "J"}, {"kinetic", "J"}, {"dissipated", "J"}, {"mean_pressure", "Pa"}, {"crossed", ""}});
+  if (scene.frames > 0)
+    fields.emplace(context, "cells", resumed, [this] { return frame_of(system.particles, x0, time()); });
+
+  const std::uint64_t last = scene.window > 0. ? std::max<std::uint64_t>(1, std::uint64_t(scene.window * double(steps))) : steps;
+  loop.spread(last, steps, scene.samples, scene.frames, scene.checkpoints);
+  loop.advance = [this] { integrator.step(dt); };
+  loop.sample = [this] { record(); };
+  if (fields)
+    loop.frame = [this] { fields->write(); };
+  loop.check = [this] { require_sound(); };
+  loop.reached = [this] { return "at t = " + number_text(time() * 1e3) + " ms"; };
+  loop.tell = [this, last] { context.progress(double(step) / double(last), "full run"); };
+  if (!resumed)
+    loop.begin();
+  const auto wall_start = std::chrono::steady_clock::now();
+  const double cpu_start = process_cpu_seconds();
+  const std::uint64_t first = step;
+  loop.run();
+  require_sound();
+  report(step - first, process_cpu_seconds() - cpu_start,
+         std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count());
 }
 
-void FullMicro::relax(RunContext &context, TissueBlock &block, const ReferenceCell &reference) const
+void FullMicro::Run::begin()
 {
-  ParticleSystem<2> &system = block.cells->system;
-  const Osmosis osmosis(reference.mean_pressure, 1e5, 7. * cell.fluid_modulus);
-  const double dt = step_fraction * system.stable_time_step();
-  KickDriftKick<2> integrator(system);
-  system.compute_forces();
-  for (unsigned int s = 0; s < relax_steps; ++s)
+  if (scene.surfaces == "free" || scene.surfaces == "osmosis")
     {
-      integrator.step(dt, 1e6 * (s < relax_steps / 2 ? 0.1 : 1.));
-      if (surfaces == "osmosis" && s % 10 == 0)
-        osmosis.apply(system, *block.cells->fluid, 10. * dt);
+      relax();
+      integrator.begin_here();
+    }
+  x0 = system.particles.x;
+  block.body_force->set({0., acceleration});
+  system.compute_forces();
+  start_energy = system.potential_energy() + system.kinetic_energy();
+}
+
+void FullMicro::Run::relax()
+{
+  const Osmosis osmosis(reference.mean_pressure, 1e5, 7. * scene.cell.fluid_modulus);
+  const double damped_dt = scene.step_fraction * system.stable_time_step();
+  KickDriftKick<2> damped(system);
+  system.compute_forces();
+  for (unsigned int s = 0; s < scene.relax_steps; ++s)
+    {
+      damped.step(damped_dt, 1e6 * (s < scene.relax_steps / 2 ? 0.1 : 1.));
+      if (scene.surfaces == "osmosis" && s % 10 == 0)
+        osmosis.apply(system, *block.cells->fluid, 10. * damped_dt);
       if (s % 50 == 0)
         {
-          context.progress(double(s) / relax_steps, "relaxing the free surface");
+          context.progress(double(s) / scene.relax_steps, "relaxing the free surface");
           if (context.stop_requested())
             throw RunStopped("stopped while the free surface was relaxed");
         }
@@ -110,156 +202,59 @@ void FullMicro::relax(RunContext &context, TissueBlock &block, const ReferenceCe
     std::fill(system.particles.v[d].begin(), system.particles.v[d].end(), 0.);
 }
 
-void FullMicro::write_tables(RunContext &context, const TissueBlock &block, const Progress &at) const
+void FullMicro::Run::require_sound() const
 {
-  const Particles<2> &p = block.cells->system.particles;
-  const auto table = context.series("cell_displacement", {{"cell_x", ""}, {"cell_y", ""}, {"displacement_x", "m"},
-                                                          {"displacement_y", "m"}});
-  for (std::size_t c = 0; c < p.groups.size(); ++c)
-    {
-      const Group &g = p.groups[c];
-      Vector<2> sum = Vector<2>::Zero();
-      for (std::uint32_t i = g.fluid; i < g.end; ++i)
-        for (int d = 0; d < 2; ++d)
-          sum[d] += p.x[d][i] - at.x0[d][i];
-      sum /= g.fluid_count();
-      table->add_row({double(c % columns), double(c / columns), sum[0], sum[1]});
-    }
+  const SoundBounds bounds{.reach = 100. * std::max(scene.columns, scene.rows) * scene.cell.period,
+                           .fastest = 2. * block.cells->fluid->equation_of_state().sound_speed(scene.cell.fluid_density),
+                           .cell = in_columns(scene.columns)};
+  if (const std::string wrong = unsound(system.particles, bounds); !wrong.empty())
+    throw RunFailed("the run diverged before t = " + number_text(time()) + " s (step " + number_text(step) + "): " + wrong
+                    + ". The last checkpoint holds the last good state; use a smaller Load (now " + number_text(scene.load)
+                    + " Pa) or an End time before it.");
 }
 
-namespace
+Vector<2> FullMicro::Run::probe_displacement() const
 {
-FieldFrame frame_of(const Particles<2> &p, const std::vector<double> (&x0)[2], const double time)
-{
-  FieldFrame frame;
-  frame.time = time;
-  NamedField displacement{"displacement [m]", 3, {}, false}, velocity{"velocity [m/s]", 3, {}, false},
-    pressure{"pressure [Pa]", 1, {}, false}, wall{"wall", 1, {}, false}, cell{"cell", 1, {}, false};
-  for (std::size_t c = 0; c < p.groups.size(); ++c)
-    for (std::uint32_t i = p.groups[c].begin; i < p.groups[c].end; ++i)
-      {
-        for (int d = 0; d < 2; ++d)
-          {
-            frame.points.push_back(p.x[d][i]);
-            displacement.values.push_back(p.x[d][i] - x0[d][i]);
-            velocity.values.push_back(p.v[d][i]);
-          }
-        frame.points.push_back(0.);
-        displacement.values.push_back(0.);
-        velocity.values.push_back(0.);
-        pressure.values.push_back(p.field("pressure")[i]);
-        wall.values.push_back(i < p.groups[c].fluid);
-        cell.values.push_back(double(c));
-      }
-  frame.fields = {displacement, velocity, pressure, wall, cell};
-  return frame;
+  Vector<2> mean = Vector<2>::Zero();
+  for (const std::uint32_t node : block.probe)
+    for (int d = 0; d < 2; ++d)
+      mean[d] += system.particles.x[d][node] - x0[d][node];
+  return mean / double(block.probe.size());
 }
-} // namespace
 
-void FullMicro::run(RunContext &context)
+void FullMicro::Run::record()
 {
-  const ReferenceCell reference = anneal_reference(context, cell, sph);
-  TissueBlock block = make_tissue_block(cell, sph, reference, columns, rows, surfaces_from(surfaces));
-  ParticleSystem<2> &system = block.cells->system;
-  system.threads = context.threads();
-  Particles<2> &particles = system.particles;
-  context.active(system.term_names(), particles.field_names());
+  require_sound();
+  const Particles<2> &particles = system.particles;
+  const Vector<2> u = probe_displacement();
+  probe->add_row({time(), u[0], u[1]});
+  const double potential = system.potential_energy(), kinetic = system.kinetic_energy();
+  double pressure = 0.;
+  for (std::size_t c = 0; c < particles.groups.size(); ++c)
+    pressure += block.cells->fluid->mean_pressure(particles, c);
+  const double crossed = double(block.cells->fluid->crossed());
+  most_crossed = std::max(most_crossed, crossed);
+  energy->add_row({time(), potential, kinetic, start_energy - potential - kinetic, pressure / double(particles.groups.size()), crossed});
+  if (fields)
+    fields->accept();
+}
 
-  WatchedSteps<2> integrator(system, step_fraction, collision_spacings, cell.fluid_viscosity / cell.fluid_density);
-  Progress at;
-  at.dt = integrator.safe_step();
-  at.steps = std::uint64_t(std::ceil(end_time / at.dt));
-  at.dt = end_time / double(at.steps);
-  const std::uint64_t last = window > 0. ? std::max<std::uint64_t>(1, std::uint64_t(window * double(at.steps))) : at.steps;
-  const double acceleration = -load / (block.density * block.width);
-
-  const auto lasting = [&](Archive &a) { a(at, system, integrator); };
-  const bool resumed = context.load_checkpoint(lasting);
-  if (resumed)
-    block.body_force->set({0., acceleration});
-  else
-    {
-      if (surfaces == "free" || surfaces == "osmosis")
-        {
-          relax(context, block, reference);
-          integrator.begin_here();
-        }
-      for (int d = 0; d < 2; ++d)
-        at.x0[d] = particles.x[d];
-      block.body_force->set({0., acceleration});
-      system.compute_forces();
-      at.start_energy = system.potential_energy() + system.kinetic_energy();
-    }
-
-  const auto probe = context.series("probe", {{"time", "s"}, {"displacement_x", "m"}, {"displacement_y", "m"}});
-  const auto energy = context.series("energy", {{"time", "s"}, {"potential", "J"}, {"kinetic", "J"},
-                                                {"dissipated", "J"}, {"mean_pressure", "Pa"}, {"crossed", ""}});
-  std::unique_ptr<FieldOutput> fields;
-  if (frames > 0)
-    fields = std::make_unique<FieldOutput>(context, "cells", resumed, [&] { return frame_of(particles, at.x0, at.time()); });
-
-  const std::uint64_t sample_every = steps_between(at.steps, samples), frame_every = steps_between(at.steps, frames);
-  const auto save = [&] {
-    require_finite(context, block, at);
-    context.save_checkpoint(lasting);
-  };
-  const StepCheckpoints keep(context, last, checkpoints, save,
-                             [&] { return "at t = " + number_text(at.time() * 1e3) + " ms"; });
-  const auto record = [&] {
-    require_finite(context, block, at);
-    const Vector<2> u = probe_displacement(block, at);
-    probe->add_row({at.time(), u[0], u[1]});
-    const double potential = system.potential_energy(), kinetic = system.kinetic_energy();
-    double pressure = 0.;
-    for (std::size_t c = 0; c < particles.groups.size(); ++c)
-      pressure += block.cells->fluid->mean_pressure(particles, c);
-    const double crossed = double(block.cells->fluid->crossed());
-    at.most_crossed = std::max(at.most_crossed, crossed);
-    energy->add_row({at.time(), potential, kinetic, at.start_energy - potential - kinetic,
-                     pressure / double(particles.groups.size()), crossed});
-    if (fields)
-      fields->accept();
-  };
-  if (!resumed)
-    {
-      record();
-      if (fields)
-        fields->write();
-    }
-
-  const auto wall_start = std::chrono::steady_clock::now();
-  const double cpu_start = process_cpu_seconds();
-  const std::uint64_t first = at.step;
-  while (at.step < last)
-    {
-      integrator.step(at.dt);
-      ++at.step;
-      if (at.step % sample_every == 0)
-        record();
-      if (fields && at.step % frame_every == 0)
-        fields->write();
-      if (at.step % 16 == 0)
-        context.progress(double(at.step) / double(last), "full run");
-      keep.after_step(at.step);
-    }
-  require_finite(context, block, at);
-
-  const double steps_run = double(at.step - first), n = double(particles.size());
+void FullMicro::Run::report(const std::uint64_t taken, const double cpu, const double wall)
+{
+  const Particles<2> &particles = system.particles;
+  const double steps_run = double(taken), n = double(particles.size());
   if (steps_run > 0.)
     {
-      const double cpu = process_cpu_seconds() - cpu_start;
-      const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
       context.result("cpu_time_per_particle_step", cpu / steps_run / n * 1e9, "ns");
       context.result("wall_time_per_particle_step", wall / steps_run / n * 1e9, "ns");
       context.result("step_loop_cpu_time", cpu, "s");
-      context.result("step_loop_cpu_time_whole_run", cpu / steps_run * double(at.steps), "s");
+      context.result("step_loop_cpu_time_whole_run", cpu / steps_run * double(steps), "s");
     }
-  if (window > 0. && window < 1.)
+  if (scene.window > 0. && scene.window < 1.)
     context.note("window", "only a share of the steps was run, for timing");
-  const Vector<2> u = probe_displacement(block, at);
-  context.result("tip_displacement_y", u[1], "m");
-  context.result("steps", double(at.steps), "");
-  context.result("time_step", at.dt, "s");
+  context.result("tip_displacement_y", probe_displacement()[1], "m");
+  context.result("steps", double(steps), "");
+  context.result("time_step", dt, "s");
   context.result("extra_steps", double(integrator.extra_steps()), "");
   context.result("particles", n, "");
   context.result("density", block.density, "kg/m^3");
@@ -269,9 +264,25 @@ void FullMicro::run(RunContext &context)
   context.result("residual_shear_reference", reference.residual_stress[2], "Pa");
   context.result("mean_neighbours", block.cells->fluid->mean_neighbours(particles), "1");
   context.result("list_builds_per_cell", double(block.cells->fluid->list_builds()) / double(particles.groups.size()), "1");
-  context.result("most_crossed", at.most_crossed, "");
-  write_tables(context, block, at);
-  judge_outside(context, at.most_crossed, double(particles.fluid_count()), "a smaller Load or more SPH/Particles per side makes them fewer");
+  context.result("most_crossed", most_crossed, "");
+  write_cells();
+  judge_outside(context, most_crossed, double(particles.fluid_count()), "a smaller Load or more SPH/Particles per side makes them fewer");
+}
+
+void FullMicro::Run::write_cells()
+{
+  const Particles<2> &p = system.particles;
+  const auto table = context.series("cell_displacement", {{"cell_x", ""}, {"cell_y", ""}, {"displacement_x", "m"}, {"displacement_y", "m"}});
+  for (std::size_t c = 0; c < p.groups.size(); ++c)
+    {
+      const Group &g = p.groups[c];
+      Vector<2> sum = Vector<2>::Zero();
+      for (std::uint32_t i = g.fluid; i < g.end; ++i)
+        for (int d = 0; d < 2; ++d)
+          sum[d] += p.x[d][i] - x0[d][i];
+      sum /= g.fluid_count();
+      table->add_row({double(c % scene.columns), double(c / scene.columns), sum[0], sum[1]});
+    }
 }
 
 std::unique_ptr<Scenario> make_full_micro() { return std::make_unique<FullMicro>(); }

@@ -19,12 +19,7 @@ public:
   void run(RunContext &context) override;
 
 private:
-  struct Progress; ///< what changes while the scene runs, and is in the checkpoint
-
-  void relax(RunContext &context, TissueBlock &block, const ReferenceCell &reference) const;
-  void write_tables(RunContext &context, const TissueBlock &block, const Progress &at) const;
-  Vector<2> probe_displacement(const TissueBlock &block, const Progress &at) const;
-  void require_finite(RunContext &context, const TissueBlock &block, const Progress &at) const;
+  class Run;
 
   ParenchymaParameters cell;
   SphParameters sph;

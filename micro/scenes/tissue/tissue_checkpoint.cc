@@ -1,6 +1,7 @@
 #include "run/archive.h"
 #include "run/number_text.h"
 #include "micro/scenes/tissue/tissue_run.h"
+#include "micro/engine/sound_state.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,32 +25,14 @@ void TissueLoading::Run::archive(Archive &a)
     a(*split);
 }
 
-void TissueLoading::Run::require_finite(const std::string &where) const
+void TissueLoading::Run::require_sound(const std::string &where) const
 {
-  const Particles<2> &p = system.particles;
-  const double most = 2. * sound;
-  for (std::size_t c = 0; c < p.groups.size(); ++c)
-    for (std::uint32_t i = p.groups[c].begin; i < p.groups[c].end; ++i)
-      {
-        const double far = std::max(std::abs(p.x[0][i]), std::abs(p.x[1][i])), fast = std::hypot(p.v[0][i], p.v[1][i]);
-        if (far < reach && fast < most) // false for what is no number
-          continue;
-        std::ostringstream sentence;
-        sentence << "the run diverged " << where << " (step " << step << "): a " << (i < p.groups[c].fluid ? "wall node" : "fluid particle")
-                 << " of cell (" << c % scene.brick.columns << ", " << c / scene.brick.columns << ") ";
-        if (!std::isfinite(p.x[0][i]) || !std::isfinite(p.x[1][i]) || !std::isfinite(fast))
-          sentence << "has a position or velocity that is no number any more";
-        else if (!(far < reach))
-          sentence << "has left the scene, to (" << p.x[0][i] << ", " << p.x[1][i] << ") m";
-        else
-          sentence << "moves at " << fast << " m/s, more than twice the speed of sound";
-        if (load_steps == 0)
-          sentence << ", before any plate has moved.";
-        else
-          sentence << ". The last checkpoint, where there is one, holds the last good state; use an End strain (now " << scene.end_strain
-                   << ") below it" << or_slower() << ".";
-        throw RunFailed(sentence.str());
-      }
+  const std::string wrong = unsound(system.particles, {.reach = reach, .fastest = 2. * sound, .cell = in_columns(scene.brick.columns)});
+  if (!wrong.empty())
+    throw RunFailed("the run diverged " + where + " (step " + number_text(step) + "): " + wrong
+                    + (load_steps == 0 ? ", before any plate has moved." :
+                                         ". The last checkpoint, where there is one, holds the last good state; use an End strain (now "
+                                           + number_text(scene.end_strain) + ") below it" + or_slower() + "."));
 }
 
 /// The integrator's own error is far below a fiftieth of what turgor has stored.
@@ -67,12 +50,5 @@ void TissueLoading::Run::require_energy(const std::string &where) const
     throw RunFailed("cells stand " + number_text(1e6 * plates->deepest()) + " um behind a plate, more than half of Cell/Period, " + where
                     + ": the plate does not hold them. Use a larger Contact ratio (now " + number_text(scene.brick.contact_ratio)
                     + ") or a smaller Speed (now " + number_text(scene.speed) + " m/s).");
-}
-
-void TissueLoading::Run::checked_save(const std::string &where)
-{
-  require_finite(where);
-  require_energy(where);
-  context.save_checkpoint([this](Archive &a) { archive(a); });
 }
 } // namespace turgor

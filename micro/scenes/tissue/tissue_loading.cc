@@ -6,7 +6,6 @@
 #include "run/input_entries.h"
 #include "run/number_text.h"
 #include "micro/scenes/shared_entries.h"
-#include "micro/scenes/stepping.h"
 #include "micro/scenes/tissue/tissue_run.h"
 
 #include <algorithm>

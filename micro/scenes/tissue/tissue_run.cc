@@ -2,7 +2,9 @@
 
 #include "run/number_text.h"
 #include "micro/scenes/heating.h"
-#include "micro/scenes/stepping.h"
+#include "run/archive.h"
+#include "run/run_failed_by.h"
+#include "run/step_loop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,18 +45,7 @@ void TissueLoading::Run::go()
   const bool resumed = context.load_checkpoint([this](Archive &a) { archive(a); });
   if (load_steps == 0)
     {
-      try
-        {
-          inflate(resumed);
-        }
-      catch (const RunStopped &)
-        {
-          throw;
-        }
-      catch (const std::runtime_error &error)
-        {
-          throw RunFailed(error.what());
-        }
+      run_failed_by([&] { inflate(resumed); });
       begin_squeezing();
     }
   squeeze(resumed);
@@ -73,17 +64,19 @@ void TissueLoading::Run::inflate(const bool resumed)
           throw RunStopped("stopped " + where());
       }));
     }
-  const StepCheckpoints keep(context, 1, 0, [&] { checked_save(where()); }, where);
-  while (!inflation->done())
-    {
-      inflation->step();
-      if (inflation->steps() % 64 == 0)
-        {
-          require_finite(where());
-          context.progress(0.2 + 0.8 * inflation->progress(), "inflating the tissue");
-        }
-      keep.after_step(inflation->steps());
-    }
+  std::uint64_t count = inflation->steps();
+  StepLoop loop(context, count);
+  loop.more = [this] { return !inflation->done(); };
+  loop.advance = [this] { inflation->step(); };
+  loop.lasting = [this](Archive &a) { archive(a); };
+  loop.reached = where;
+  loop.check = [&] { require_sound(where()); };
+  loop.tell = [&] {
+    require_sound(where());
+    context.progress(0.2 + 0.8 * inflation->progress(), "inflating the tissue");
+  };
+  loop.tell_every = 64;
+  loop.run();
   inflation->end();
 }
 
@@ -185,7 +178,6 @@ void TissueLoading::Run::step_once()
   else
     integrator->step(dt, scene.damping);
   damped += heat_of_damping(system, scene.damping, dt);
-  ++step;
   if (processes() && split)
     split->compute_forces();
 }
@@ -196,36 +188,32 @@ void TissueLoading::Run::squeeze(const bool resumed)
   std::unique_ptr<FieldOutput> fields;
   if (scene.frames > 0)
     fields = std::make_unique<FieldOutput>(context, "cells", resumed, [this] { return frame(); });
-  const std::uint64_t sample_every = steps_between(load_steps, scene.samples), frame_every = steps_between(load_steps, scene.frames);
   const auto where = [this] { return "at a strain of " + number_text(strain()); };
-  const auto sample = [&] {
-    require_finite(where());
+  StepLoop loop(context, step);
+  loop.spread(load_steps, load_steps, scene.samples, scene.frames, scene.checkpoints);
+  loop.sample_due = [this, every = steps_between(load_steps, scene.samples)] { return step % every == 0 || step == load_steps; };
+  loop.advance = [this] { step_once(); };
+  loop.lasting = [this](Archive &a) { archive(a); };
+  loop.reached = where;
+  loop.check = [&] {
+    require_sound(where());
     require_energy(where());
+  };
+  loop.sample = [&] {
+    loop.check();
     record();
     if (fields)
       fields->accept();
   };
+  if (fields)
+    loop.frame = [&] { fields->write(); };
+  loop.tell = [this] { context.progress(double(step) / double(load_steps), "squeezing the tissue"); };
   if (step == 0)
     {
-      sample();
-      if (fields)
-        fields->write();
+      loop.begin();
+      if (split)
+        split->compute_forces();
     }
-  if (split && !resumed)
-    split->compute_forces();
-  const StepCheckpoints keep(context, load_steps, scene.checkpoints, [&] { checked_save(where()); }, where);
-  while (step < load_steps)
-    {
-      step_once();
-      if (step % sample_every == 0)
-        sample();
-      if (fields && step % frame_every == 0)
-        fields->write();
-      if (step % 16 == 0)
-        context.progress(double(step) / double(load_steps), "squeezing the tissue");
-      keep.after_step(step);
-    }
-  if (step % sample_every != 0) // the end strain itself
-    sample();
+  loop.run();
 }
 } // namespace turgor

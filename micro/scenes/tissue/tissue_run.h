@@ -37,9 +37,8 @@ private:
 
   // tissue_checkpoint.cc
   void archive(Archive &a);
-  void require_finite(const std::string &where) const;
+  void require_sound(const std::string &where) const;
   void require_energy(const std::string &where) const;
-  void checked_save(const std::string &where);
 
   // tissue_report.cc
   void open_series();

@@ -1,0 +1,12 @@
+// The reference cell that scenes of SPH tissue start from, annealed with progress shown.
+#pragma once
+
+#include "micro/cells/sph_parenchyma.h"
+
+namespace turgor
+{
+class RunContext;
+
+/// Throws RunStopped: there is nothing to save yet, a resumed run anneals again.
+ReferenceCell anneal_reference(RunContext &context, const ParenchymaParameters &cell, const SphParameters &sph);
+} // namespace turgor
