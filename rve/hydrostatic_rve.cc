@@ -1,6 +1,6 @@
 #include "rve/hydrostatic_rve.h"
 
-#include "micro/cells/turgid_network.h"
+#include "micro/cells/turgid_layout.h"
 #include "run/cpu_clock.h"
 #include "run/number_text.h"
 #include "rve/acoustic_bound.h"
@@ -56,22 +56,26 @@ struct HydrostaticRve::Scratch : Rve<2>::Workspace
 };
 
 HydrostaticRve::HydrostaticRve(const ParenchymaParameters &cell, const HydrostaticRveSettings &settings_)
+  : HydrostaticRve(turgid_parenchyma(cell, settings_.columns, settings_.rows, true, true), settings_)
+{}
+
+HydrostaticRve::HydrostaticRve(CellLayout turgid, const HydrostaticRveSettings &settings_)
   : settings(settings_)
-  , network(make_parenchyma(cell, settings_.columns, settings_.rows, true, true), 1.)
-  , reference_volume(network.patch().lattice.determinant() * cell.depth)
+  , network(std::move(turgid))
+  , reference(network.layout().positions())
+  , reference_volume(network.layout().lattice.determinant() * network.depth())
 {
   if (!(settings.equilibrium.tolerance > 0.))
     throw std::invalid_argument("RVE/Tolerance has to be positive.");
-  settings.walls.check(cell.wall_yield);
+  if (!network.layout().periodic[0] || !network.layout().periodic[1])
+    throw std::invalid_argument("The cells of an RVE have to be periodic both ways.");
+  settings.walls.check(network.layout().parameters.wall_yield);
   if (settings.walls.history() && settings.rule != HydrostaticRule::elastic_equilibrium)
     throw std::invalid_argument("Walls that flow or break need 'RVE/Rule = elastic_equilibrium'.");
   network.set_limits(settings.walls);
-  TurgidReference turgid = turgid_reference(network.patch());
-  network.set_fluid_mass(turgid.fluid_mass);
-  reference = std::move(turgid.positions);
   virgin = network.new_history(reference);
   NetworkEvaluation e;
-  network.evaluate(reference, network.patch().lattice, NetworkOrder::energy, e, &virgin);
+  network.evaluate(reference, network.layout().lattice, NetworkOrder::energy, e, &virgin);
   reference_energy = e.energy;
 
   Scratch scratch(network);
@@ -97,21 +101,19 @@ RveState<2> HydrostaticRve::initial_state() const
 
 double HydrostaticRve::density() const
 {
-  const ParenchymaPatch &patch = network.patch();
-  return (network.fluid_mass() * double(patch.rings.size()) + patch.node_mass * double(patch.nodes.size())) /
-         reference_volume;
+  return (network.layout().total_fluid_mass() + network.layout().total_wall_mass()) / reference_volume;
 }
 
 double HydrostaticRve::viscosity_bound() const
 {
   // mu (L + L^T + tr(L) I): 3 mu in uniaxial flow
-  return 3. * network.patch().parameters.fluid_viscosity;
+  return 3. * network.layout().parameters.fluid_viscosity;
 }
 
 std::vector<std::vector<Vector<2>>> HydrostaticRve::outlines(const RveState<2> &state) const
 {
   std::vector<std::vector<Vector<2>>> cells;
-  for (const WallRing &ring : network.patch().rings)
+  for (const WallRing &ring : network.layout().rings)
     {
       cells.emplace_back();
       for (std::uint32_t k = 0; k < ring.count; ++k)
@@ -123,7 +125,7 @@ std::vector<std::vector<Vector<2>>> HydrostaticRve::outlines(const RveState<2> &
 EquilibriumReport HydrostaticRve::find_equilibrium(const RveState<2> &committed, const Tensor2<2> &F,
                                                    std::vector<double> &x, Scratch &scratch) const
 {
-  const Tensor2<2> &H0 = network.patch().lattice;
+  const Tensor2<2> &H0 = network.layout().lattice;
   EquilibriumReport total;
   const auto attempt = [&](const Tensor2<2> &from, const std::vector<double> &start, const int steps) {
     Tensor2<2> last = from;
@@ -167,7 +169,7 @@ EquilibriumReport HydrostaticRve::find_equilibrium(const RveState<2> &committed,
 EquilibriumReport HydrostaticRve::break_bonds(const Tensor2<2> &F, std::vector<double> &x, Scratch &scratch,
                                               const EquilibriumSettings &search) const
 {
-  const Tensor2<2> H = F * network.patch().lattice;
+  const Tensor2<2> H = F * network.layout().lattice;
   WallHistory &history = scratch.history;
   EquilibriumReport total;
   total.converged = true;
@@ -176,9 +178,9 @@ EquilibriumReport HydrostaticRve::break_bonds(const Tensor2<2> &F, std::vector<d
       double worst = settings.walls.critical_stretch;
       std::size_t bond = 0, cell = 0;
       bool any = false;
-      for (std::size_t c = 0; c < network.patch().rings.size(); ++c)
+      for (std::size_t c = 0; c < network.layout().rings.size(); ++c)
         {
-          const WallRing &ring = network.patch().rings[c];
+          const WallRing &ring = network.layout().rings[c];
           for (std::size_t i = ring.first; i < ring.first + ring.count; ++i)
             if (const double lambda = history.broken[i] ? 0. : network.stretch(x, ring, i); lambda > worst)
               {
@@ -211,8 +213,8 @@ EquilibriumReport HydrostaticRve::break_bonds(const Tensor2<2> &F, std::vector<d
 
 EquilibriumReport HydrostaticRve::drag_on(const RveState<2> &committed, const Tensor2<2> &F, std::vector<double> &x, Scratch &scratch) const
 {
-  const ParenchymaPatch &patch = network.patch();
-  const double spring = patch.tie_stiffness / patch.parameters.lamella_ratio, share = scratch.history.pressure_share;
+  const CellLayout &layout = network.layout();
+  const double spring = layout.spring_stiffness, share = scratch.history.pressure_share;
   EquilibriumReport report;
   for (const double part : {1e-4, 1e-3, 1e-2, 1e-1})
     {
@@ -223,7 +225,7 @@ EquilibriumReport HydrostaticRve::drag_on(const RveState<2> &committed, const Te
       dragged.drag = part * spring;
       map(F * committed.F.inverse(), committed.unknowns, x);
       const std::vector<double> start = x;
-      report = scratch.equilibrium.solve(x, F * patch.lattice, dragged);
+      report = scratch.equilibrium.solve(x, F * layout.lattice, dragged);
       if (report.converged)
         {
           const EquilibriumReport after = break_bonds(F, x, scratch, dragged);
@@ -255,7 +257,7 @@ RveCondition HydrostaticRve::condition(const WallHistory &history) const
 Tensor4<2> HydrostaticRve::tangent(const std::vector<double> &x, const Tensor2<2> &F, const Tensor2<2> &F_dot,
                                    const bool relaxed, Scratch &scratch, bool &regular) const
 {
-  const Tensor2<2> H = F * network.patch().lattice, F_inverse = F.inverse();
+  const Tensor2<2> H = F * network.layout().lattice, F_inverse = F.inverse();
   const std::array<Tensor2<2>, 4> motions = unit_motions(F_inverse);
   Tensor4<2> result;
   if (relaxed)
@@ -269,7 +271,7 @@ Tensor4<2> HydrostaticRve::tangent(const std::vector<double> &x, const Tensor2<2
   result /= reference_volume;
 
   // P_v = J sigma_v F^-T: dJ = J tr(dL), dF^-T = -dL^T F^-T, dL_flow = -L dL
-  const double mu = network.patch().parameters.fluid_viscosity, J = F.determinant();
+  const double mu = network.layout().parameters.fluid_viscosity, J = F.determinant();
   const Tensor2<2> L = F_dot * F_inverse, sigma = viscous_stress(mu, L);
   for (int k = 0; k < 4; ++k)
     {
@@ -309,7 +311,7 @@ RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor
 
   RveAnswer<2> answer;
   std::vector<double> &x = answer.trial.unknowns;
-  const Tensor2<2> H = F * network.patch().lattice;
+  const Tensor2<2> H = F * network.layout().lattice;
   const NetworkEvaluation *e = &scratch.evaluation;
   if (relaxed)
     {
@@ -347,7 +349,7 @@ RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor
 
   const double J = F.determinant();
   const Tensor2<2> L = F_dot * F.inverse();
-  const Tensor2<2> viscous = viscous_stress(network.patch().parameters.fluid_viscosity, L);
+  const Tensor2<2> viscous = viscous_stress(network.layout().parameters.fluid_viscosity, L);
   answer.sigma = e->virial.total() / (J * reference_volume) + viscous;
   answer.P = J * answer.sigma * F.inverse().transpose();
   answer.viscous = J * viscous * F.inverse().transpose();

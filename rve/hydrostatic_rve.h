@@ -1,4 +1,4 @@
-// An RVE of n x m periodic cells whose fluid is one pressure per cell, plus the Newtonian stress
+// An RVE of periodic cells of any layout (cell_layout.h) whose fluid is one pressure per cell, plus the Newtonian stress
 // of the affine flow:
 //
 //   sigma = (1/V) sum r (x) dE/dr + mu (L + L^T + tr(L) I),  L = F_dot F^-1     Eq. 3.17; 2.24 with 3.17 (errata)
@@ -35,7 +35,7 @@ enum class HydrostaticRule
 struct HydrostaticRveSettings
 {
   HydrostaticRule rule = HydrostaticRule::elastic_equilibrium;
-  unsigned int columns = 1, rows = 1;
+  unsigned int columns = 1, rows = 1; ///< of square cells
   EquilibriumSettings equilibrium;
   WallLimits walls; ///< needs elastic_equilibrium
 };
@@ -43,6 +43,9 @@ struct HydrostaticRveSettings
 class HydrostaticRve : public Rve<2>
 {
 public:
+  /// The layout is the reference F = I: in equilibrium (turgid_layout.h) and periodic both ways.
+  HydrostaticRve(CellLayout turgid, const HydrostaticRveSettings &settings);
+  /// Square cells.
   HydrostaticRve(const ParenchymaParameters &cell, const HydrostaticRveSettings &settings);
 
   std::unique_ptr<Workspace> make_workspace() const override;
@@ -58,7 +61,7 @@ public:
   /// a fifth more for the stiffening of walls and fluid under strain.
   double stiffness_bound() const override { return bound; }
   double viscosity_bound() const override;
-  Tensor2<2> lattice() const override { return network.patch().lattice; }
+  Tensor2<2> lattice() const override { return network.layout().lattice; }
   std::vector<std::vector<Vector<2>>> outlines(const RveState<2> &state) const override;
 
   const HydrostaticNetwork &cells() const { return network; }

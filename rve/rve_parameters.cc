@@ -134,7 +134,7 @@ void RveParameters::check() const
                                     "(it is " + fluid + ").");
       if (limits.history() && rule != "elastic_equilibrium")
         throw std::invalid_argument("RVE/Rule is " + rule + ", but walls that flow or break need elastic_equilibrium.");
-      const double lambda_0 = make_parenchyma(yielding_cell(), 1, 1, true, true).lambda_0;
+      const double lambda_0 = turgid_wall_stretch(yielding_cell());
       if (limits.failure() && limits.critical_stretch <= lambda_0)
         {
           std::ostringstream text;

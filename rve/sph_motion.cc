@@ -81,8 +81,8 @@ void SphMotion::place(const RveState<2> &from, const Tensor2<2> &F, const Tensor
           p.v[d][i] = v[d];
         }
     }
-  system.box.H = F * cells.patch.lattice;
-  system.box.H_dot = F_dot * cells.patch.lattice;
+  system.box.H = F * cells.layout.lattice;
+  system.box.H_dot = F_dot * cells.layout.lattice;
   cells.fluid->jumped(p, before);
 }
 
@@ -126,12 +126,12 @@ bool SphMotion::bring(const RveState<2> &from, const Tensor2<2> &F, const Tensor
 double SphMotion::residual() const
 {
   const Particles<2> &p = cells.system.particles;
-  const ParenchymaParameters &cell = cells.patch.parameters;
+  const ParenchymaParameters &cell = cells.layout.parameters;
   double largest = 0.;
   for (std::size_t i = 0; i < p.size(); ++i)
     if (const double f = std::hypot(p.f[0][i], p.f[1][i]); !(f <= largest))
       largest = std::isfinite(f) ? f : HUGE_VAL;
-  return largest / (cell.turgor * cells.patch.spacing * cell.depth);
+  return largest / (cell.turgor * cells.layout.spacing * cell.depth);
 }
 
 void SphMotion::relax(const Tensor2<2> &F, const Tensor2<2> &F_dot, const int full_steps,
@@ -142,7 +142,7 @@ void SphMotion::relax(const Tensor2<2> &F, const Tensor2<2> &F_dot, const int fu
   for (int d = 0; d < 2; ++d)
     std::fill(p.v[d].begin(), p.v[d].end(), 0.);
   system.box.H_dot.setZero();
-  const ParenchymaParameters &cell = cells.patch.parameters;
+  const ParenchymaParameters &cell = cells.layout.parameters;
   const double crossing = cell.period / cells.fluid->equation_of_state().sound_speed(cell.fluid_density);
   {
     const Inviscid inviscid(*cells.fluid); // where it comes to rest does not depend on viscosity, how fast does
@@ -167,7 +167,7 @@ void SphMotion::relax(const Tensor2<2> &F, const Tensor2<2> &F_dot, const int fu
       p.v[0][i] = v[0];
       p.v[1][i] = v[1];
     }
-  system.box.H_dot = F_dot * cells.patch.lattice;
+  system.box.H_dot = F_dot * cells.layout.lattice;
   system.compute_forces();
 }
 
@@ -233,7 +233,7 @@ BurstAnswer SphMotion::run_bursts(const RveState<2> &committed, const Tensor2<2>
   ParticleSystem<2> &system = cells.system;
   const int half = half_burst(settings, dt);
   const int half_window = std::clamp(int(std::lround(0.5 * settings.window / dt)), 0, half);
-  const double tau = 2 * half * dt, depth = cells.patch.parameters.depth;
+  const double tau = 2 * half * dt, depth = cells.layout.parameters.depth;
   // A burst must not reach beyond what the cells can take on either side of F: a shorter way then.
   double share = 0.5;
   const auto off = [&](double sign) { return Tensor2<2>(F + sign * share * tau * F_dot); };
@@ -258,7 +258,7 @@ BurstAnswer SphMotion::run_bursts(const RveState<2> &committed, const Tensor2<2>
       if (!bring(from, F_start, F_dot, diagnostics))
         return answer;
       diagnostics.residual = 0.; // of a walk; in a burst forces do not balance
-      system.box.H_dot = rate * cells.patch.lattice;
+      system.box.H_dot = rate * cells.layout.lattice;
       system.compute_forces();
       // The mean over the window by the trapezoidal rule, and the line through it for what is left as spread.
       Tensor2<2> mean = Tensor2<2>::Zero(), moment = Tensor2<2>::Zero(), square = Tensor2<2>::Zero();
@@ -301,7 +301,7 @@ BurstAnswer SphMotion::run_bursts(const RveState<2> &committed, const Tensor2<2>
       const Tensor2<2> rest = square - mean.cwiseProduct(mean) - slope.cwiseProduct(slope) * time_square;
       variance += std::max(0., rest.sum() / 4.) / settings.bursts;
       diagnostics.iterations += 2 * half;
-      system.box.H = F_end * cells.patch.lattice; // free of the steps' round-off
+      system.box.H = F_end * cells.layout.lattice; // free of the steps' round-off
     }
   diagnostics.stress_spread = std::sqrt(variance);
   answer.F_end = F_end;

@@ -38,17 +38,17 @@ struct SphRve::Scratch final : Rve<2>::Workspace
 
 SphRve::SphRve(const ParenchymaParameters &cell, const SphRveSettings &settings_)
   : settings(settings_)
-  , patch(make_parenchyma(cell, settings.columns, settings.rows, true, true))
+  , layout(make_parenchyma(cell, settings.columns, settings.rows, true, true))
   , reference_cell(make_turgid_reference(cell, settings.sph, [](double) { stop_here("while the reference cell was annealed"); }))
 {
-  const auto cells = make_sph_patch(patch, settings.sph, reference_cell);
+  const auto cells = make_sph_patch(layout, settings.sph, reference_cell);
   ParticleSystem<2> &system = cells->system;
   dt = settings.step_fraction * system.stable_time_step();
   system.compute_forces();
   reference_energy = system.potential_energy();
   SphMotion::store(*cells, start.unknowns);
   Scratch scratch;
-  scratch.cells = make_sph_patch(patch, settings.sph, reference_cell);
+  scratch.cells = make_sph_patch(layout, settings.sph, reference_cell);
   const Tensor2<2> I = Tensor2<2>::Identity(), rest = Tensor2<2>::Zero();
   stiffness = 1.2 * acoustic_bound(affine_tangent(scratch, start, I, rest, Varied::F));
   // 3 mu is Newton's own; the thesis's fluid answers a rate more stiffly near walls.
@@ -58,7 +58,7 @@ SphRve::SphRve(const ParenchymaParameters &cell, const SphRveSettings &settings_
 std::unique_ptr<Rve<2>::Workspace> SphRve::make_workspace() const
 {
   auto scratch = std::make_unique<Scratch>();
-  scratch->cells = make_sph_patch(patch, settings.sph, reference_cell);
+  scratch->cells = make_sph_patch(layout, settings.sph, reference_cell);
   return scratch;
 }
 
@@ -75,7 +75,7 @@ double SphRve::burst() const
   return settings.rule == SphRule::constrained_runs ? 2. * SphMotion::half_burst(settings, dt) * dt * settings.bursts : 0.;
 }
 
-double SphRve::density() const { return tissue_density(patch, reference_cell); }
+double SphRve::density() const { return tissue_density(layout, reference_cell); }
 
 Tensor4<2> SphRve::affine_tangent(Scratch &scratch, const RveState<2> &at, const Tensor2<2> &F, const Tensor2<2> &F_dot,
                                   const Varied varied) const
@@ -86,7 +86,7 @@ Tensor4<2> SphRve::affine_tangent(Scratch &scratch, const RveState<2> &at, const
   const auto stress = [&](const Tensor2<2> &at_F, const Tensor2<2> &at_rate) -> Tensor2<2> {
     motion.place(at, at_F, at_rate);
     system.compute_forces();
-    return system.virial() / (patch.lattice.determinant() * patch.parameters.depth) * at_F.inverse().transpose();
+    return system.virial() / (layout.lattice.determinant() * layout.parameters.depth) * at_F.inverse().transpose();
   };
   Tensor4<2> result;
   for (int k = 0; k < 4; ++k)
@@ -111,8 +111,8 @@ RveAnswer<2> SphRve::attempt(Scratch &scratch, const RveState<2> &committed, con
   RveAnswer<2> answer;
   answer.trial.F = F;
   answer.trial.F_dot = F_dot;
-  const double volume = F.determinant() * patch.lattice.determinant() * patch.parameters.depth;
-  const double reference_volume = patch.lattice.determinant() * patch.parameters.depth;
+  const double volume = F.determinant() * layout.lattice.determinant() * layout.parameters.depth;
+  const double reference_volume = layout.lattice.determinant() * layout.parameters.depth;
   double energy = 0.;
   Tensor2<2> viscous = Tensor2<2>::Zero();
   const auto affine = [&] {
@@ -154,14 +154,14 @@ RveAnswer<2> SphRve::attempt(Scratch &scratch, const RveState<2> &committed, con
   answer.energy = (energy - reference_energy) / reference_volume;
   const std::size_t crossed = scratch.cells->fluid->crossed();
   const double sound =
-    2. * scratch.cells->fluid->equation_of_state().sound_speed(patch.parameters.fluid_density);
+    2. * scratch.cells->fluid->equation_of_state().sound_speed(layout.parameters.fluid_density);
   std::string &message = answer.diagnostics.message;
   broke = true;
   if (!message.empty())
     return answer; // on the way to F
   if (!answer.sigma.allFinite() || !viscous.allFinite() || !std::isfinite(answer.energy + answer.heating + answer.pressure))
     message = "the micro steps diverged; use a smaller RVE/Step fraction or a shorter macro step.";
-  else if (const double most = 7. * patch.parameters.fluid_modulus; answer.sigma.norm() > 10. * most
+  else if (const double most = 7. * layout.parameters.fluid_modulus; answer.sigma.norm() > 10. * most
                                                                     || !(fastest(p, answer.trial.F, F_dot) < sound))
     message = "the micro steps diverged: stress " + number_text(answer.sigma.norm())
               + " Pa, where the fluid's bulk modulus is " + number_text(most)
@@ -228,7 +228,7 @@ std::vector<std::vector<Vector<2>>> SphRve::outlines(const RveState<2> &state) c
   std::vector<std::vector<Vector<2>>> cells;
   const std::size_t n = particle_count(), per_cell = reference_cell.x.size();
   const bool affine = state.unknowns.empty();
-  for (std::size_t c = 0; c < patch.rings.size(); ++c)
+  for (std::size_t c = 0; c < layout.rings.size(); ++c)
     {
       cells.emplace_back();
       for (std::size_t k = 0; k < reference_cell.wall_count; ++k)

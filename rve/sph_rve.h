@@ -40,7 +40,7 @@ public:
   double density() const override;
   double stiffness_bound() const override { return stiffness; }
   double viscosity_bound() const override { return viscosity; }
-  Tensor2<2> lattice() const override { return patch.lattice; }
+  Tensor2<2> lattice() const override { return layout.lattice; }
   std::vector<std::vector<Vector<2>>> outlines(const RveState<2> &state) const override;
 
   bool knows_heating() const override { return settings.sph.formulation == "variational"; }
@@ -53,7 +53,7 @@ public:
 private:
   struct Scratch;
 
-  std::size_t particle_count() const { return reference_cell.x.size() * patch.rings.size(); }
+  std::size_t particle_count() const { return reference_cell.x.size() * layout.rings.size(); }
 
   /// One try, each time step split into `refinement`. broke: the cells did not hold, which shorter steps may cure.
   RveAnswer<2> attempt(Scratch &scratch, const RveState<2> &committed, const Tensor2<2> &F, const Tensor2<2> &F_dot,
@@ -71,7 +71,7 @@ private:
   static constexpr int finest_refinement = 4; ///< of the time step, when cells break
 
   SphRveSettings settings;
-  ParenchymaPatch patch;
+  CellLayout layout;
   ReferenceCell reference_cell;
   RveState<2> start;      ///< positions at F = I, velocities 0
   double dt = 0.;         ///< s

@@ -103,7 +103,8 @@ RingShape shape_of(const std::vector<Vector<2>> &ring)
 }
 
 /// Ties of all facing walls, not within the gap from a wall's end.
-std::vector<LamellaTie> tie(BrickTissue &tissue, const Neighbours &neighbours, const Sides &sides, const double gap)
+std::vector<LamellaTie> tie(BrickTissue &tissue, const Neighbours &neighbours, const Sides &sides, const double gap,
+                            const double stiffness)
 {
   std::vector<LamellaTie> ties;
   const std::vector<Group> &groups = tissue.system.particles.groups;
@@ -118,7 +119,7 @@ std::vector<LamellaTie> tie(BrickTissue &tissue, const Neighbours &neighbours, c
         if (std::min(k, count - k) * tissue.spacing >= gap - eps)
           {
             ties.push_back({groups[wall.cell].begin + (sides.first[wall.on] + k) % ring_nodes,
-                            groups[facing->second.cell].begin + (sides.first[facing->second.on] + count - k) % ring_nodes, {{0, 0}}});
+                            groups[facing->second.cell].begin + (sides.first[facing->second.on] + count - k) % ring_nodes, {{0, 0}}, stiffness});
             tissue.tie_from_end.push_back(std::min(k, count - k));
           }
     }
@@ -146,7 +147,7 @@ std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, co
                                                const BrickFilling filling)
 {
   brick.check(p, sph);
-  const ParenchymaPatch single = make_parenchyma(p, 1, 1, false, false); // masses and stiffnesses, and checks the cell
+  const CellLayout single = make_parenchyma(p, 1, 1, false, false); // masses and stiffnesses, and checks the cell
   auto tissue = std::make_unique<BrickTissue>();
   ParticleSystem<2> &system = tissue->system;
   Particles<2> &particles = system.particles;
@@ -155,7 +156,7 @@ std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, co
   const std::uint32_t ring_nodes = 4 * p.nodes_per_side, inside = filled ? sph.particles_per_side * sph.particles_per_side : 0;
 
   tissue->spacing = p.period / p.nodes_per_side;
-  tissue->node_mass = single.node_mass;
+  tissue->node_mass = single.node_mass.front();
   const NeoHookeanWall law = brick.wall_law(p);
   tissue->spring_stiffness = law.elastic().derivative(1.) / tissue->spacing;
 
@@ -175,7 +176,7 @@ std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, co
           particles.x[d][begin + k] = ring[k][d];
       shapes.push_back(shape_of(ring));
       mass.push_back(filled ? p.fluid_density * tissue->cell_area(c) * p.depth / inside : 0.);
-      std::fill_n(particles.inverse_mass.begin() + begin, ring_nodes, 1. / single.node_mass);
+      std::fill_n(particles.inverse_mass.begin() + begin, ring_nodes, 1. / single.node_mass.front());
       std::fill_n(particles.inverse_mass.begin() + begin + ring_nodes, inside, 1. / mass.back());
       if (filled)
         lay_fluid(particles, c, sph.seed);
@@ -186,9 +187,9 @@ std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, co
     if (places.size() > 2)
       for (const auto &[c, node] : places)
         tissue->junctions[c].push_back(node);
-  std::vector<LamellaTie> ties = tie(*tissue, neighbours, sides, brick.gap);
+  std::vector<LamellaTie> ties = tie(*tissue, neighbours, sides, brick.gap, p.lamella_ratio * tissue->spring_stiffness);
 
-  tissue->wall = &system.add(std::make_unique<RingWall>(law, shapes, single.bending_stiffness, tissue->spacing, single.node_mass));
+  tissue->wall = &system.add(std::make_unique<RingWall>(law, shapes, p.bending_stiffness(), tissue->spacing, single.node_mass.front()));
   if (filled && brick.critical_stretch > 0.)
     {
       tissue->damage = std::make_shared<WallDamage>(cells, ring_nodes, ring_nodes);
@@ -206,7 +207,7 @@ std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, co
       system.add(std::make_unique<EnclosedFluid<2>>(eos, mass, p.depth, nullptr)).hold_pressure(p.turgor);
     }
   if (!ties.empty())
-    tissue->ties = &system.add(std::make_unique<LamellaTies>(std::move(ties), p.lamella_ratio * tissue->spring_stiffness, single.node_mass,
+    tissue->ties = &system.add(std::make_unique<LamellaTies>(std::move(ties), single.node_mass.front(),
                                                              brick.lamella_strength * tissue->spacing * p.depth));
   if (filled && brick.yielding == "plastic")
     tissue->flow = std::make_shared<WallFlow>(cells, ring_nodes);
@@ -218,7 +219,7 @@ std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, co
   contact.fluid_range = contact.surface.inset;
   contact.skin = 0.5 * tissue->spacing;
   contact.spacing = tissue->spacing;
-  contact.node_mass = single.node_mass;
+  contact.node_mass = single.node_mass.front();
   tissue->contact = &system.add(std::make_unique<CellContact>(contact, tissue->damage));
   return tissue;
 }

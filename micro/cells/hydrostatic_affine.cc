@@ -14,6 +14,7 @@ void HydrostaticNetwork::affine_response(const std::vector<double> &x, const Ten
 {
   curvature.setZero();
   const double z0 = depth();
+  const std::vector<double> &hinge = hinges(e);
   using Rows = Eigen::Matrix<double, 2, 4>; // column k: what motion L[k] does to a vector
   const auto moved = [&](const Vector<2> &v) {
     Rows r;
@@ -59,8 +60,10 @@ void HydrostaticNetwork::affine_response(const std::vector<double> &x, const Ten
             g_after(e.gx[after], e.gy[after]);
           const Eigen::Matrix<double, 1, 4> turn_before = g_before.transpose() * moved({e.ex[before], e.ey[before]}),
                                             turn_after = g_after.transpose() * moved({e.ex[after], e.ey[after]});
-          const Rows dt = e.hinge.empty() ? Rows(S * de - hinge * g * (turn_before + turn_after)) :
-                                            Rows(S * de - g * (e.hinge[i] * turn_before + e.hinge[after] * turn_after));
+          // neighbours alike: one product
+          const Rows dt = e.hinge.empty() && hinge[i] == hinge[after] ?
+                            Rows(S * de - hinge[i] * g * (turn_before + turn_after)) :
+                            Rows(S * de - g * (hinge[i] * turn_before + hinge[after] * turn_after));
           curvature += de.transpose() * dt;
           add(i, -dt);
           add(after, dt);
@@ -77,9 +80,9 @@ void HydrostaticNetwork::affine_response(const std::vector<double> &x, const Ten
   for (const LamellaTie &tie : geometry.ties)
     {
       const Rows dd = moved(LamellaSpring::gap(at(x, tie.a), at(x, tie.b), tie.shift, H));
-      curvature += geometry.tie_stiffness * dd.transpose() * dd;
-      add(tie.a, -geometry.tie_stiffness * dd);
-      add(tie.b, geometry.tie_stiffness * dd);
+      curvature += tie.stiffness * dd.transpose() * dd;
+      add(tie.a, -tie.stiffness * dd);
+      add(tie.b, tie.stiffness * dd);
     }
 }
 } // namespace turgor

@@ -90,11 +90,10 @@ double HydrostaticNetwork::energy(const std::vector<double> &x, const Tensor2<2>
   if (history && history->empty())
     history = nullptr;
   double sum = 0.;
-  const double l0 = geometry.rest_length;
   const std::size_t n = geometry.nodes.size();
   if (history)
     for (std::size_t i = 0; i < n; ++i)
-      sum += l0 * history->potential(wall, elastic, limits.broken_share, i, at_x.stretch[i]);
+      sum += geometry.rest_length[i] * history->potential(wall, elastic, limits.broken_share, i, at_x.stretch[i]);
   else
     for (std::size_t first = 0; first < n; first += 64)
       {
@@ -102,26 +101,26 @@ double HydrostaticNetwork::energy(const std::vector<double> &x, const Tensor2<2>
         const std::size_t count = std::min<std::size_t>(64, n - first);
         wall.energies(count, &at_x.stretch[first], w);
         for (std::size_t i = 0; i < count; ++i)
-          sum += l0 * w[i];
+          sum += geometry.rest_length[first + i] * w[i];
       }
+  const std::vector<double> &hinge = hinges(at_x);
   for (std::size_t c = 0; c < geometry.rings.size(); ++c)
     {
       const WallRing &ring = geometry.rings[c];
       double bent = 0.;
-      for (std::size_t i = ring.first; i < ring.first + ring.count && hinge > 0.; ++i)
-        bent += 0.5 * (at_x.hinge.empty() ? hinge : at_x.hinge[i]) * at_x.angle[i] * at_x.angle[i];
+      for (std::size_t i = ring.first; i < ring.end() && bending; ++i)
+        bent += 0.5 * hinge[i] * at_x.angle[i] * at_x.angle[i];
       sum += bent + cell_pressure(c, at_x.volume[c], history, true).energy;
       if (!body.isZero())
         if (const double area = polygon_area(x, ring); area > 0.)
           sum += body_energy(x, area, c, nullptr);
     }
-  const LamellaSpring spring{geometry.tie_stiffness};
   for (const LamellaTie &tie : geometry.ties)
-    sum += spring.energy(LamellaSpring::gap(at(x, tie.a), at(x, tie.b), tie.shift, H));
+    sum += LamellaSpring{tie.stiffness}.energy(LamellaSpring::gap(at(x, tie.a), at(x, tie.b), tie.shift, H));
   if (!body.isZero())
     for (std::size_t i = 0; i < n; ++i)
       for (int c = 0; c < 2; ++c)
-        sum -= geometry.node_mass * body[c] * x[2 * i + c];
+        sum -= geometry.node_mass[i] * body[c] * x[2 * i + c];
   for (std::size_t i = 0; i < dead.size(); ++i)
     sum -= dead[i] * x[i];
   return std::isnan(sum) ? HUGE_VAL : sum;

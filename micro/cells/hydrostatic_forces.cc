@@ -66,27 +66,27 @@ void HydrostaticNetwork::measure(const std::vector<double> &x, NetworkEvaluation
       out.ex[last] = x[2 * ring.first] - x[2 * last];
       out.ey[last] = x[2 * ring.first + 1] - x[2 * last + 1];
     }
-  const double inverse_rest = 1. / geometry.rest_length;
   for (std::size_t i = 0; i < n; ++i)
-    out.stretch[i] = std::sqrt(out.ex[i] * out.ex[i] + out.ey[i] * out.ey[i]) * inverse_rest;
+    out.stretch[i] = std::sqrt(out.ex[i] * out.ex[i] + out.ey[i] * out.ey[i]) * inverse_rest[i];
 
   out.hinge.clear();
   if (cracked(history))
     {
-      out.hinge.assign(n, hinge);
+      out.hinge = geometry.hinge;
       for (const WallRing &ring : geometry.rings)
         for (std::size_t k = 0; k < ring.count; ++k)
           if (history->broken[ring.first + k])
-            out.hinge[ring.first + k] = out.hinge[ring.first + (k + 1 == ring.count ? 0 : k + 1)] = limits.broken_share * hinge;
+            for (const std::size_t node : {std::size_t(ring.first + k), ring.after(ring.first + k)})
+              out.hinge[node] = limits.broken_share * geometry.hinge[node];
     }
   for (std::size_t c = 0; c < geometry.rings.size(); ++c)
     {
       const WallRing &ring = geometry.rings[c];
       const std::size_t first = ring.first, count = ring.count;
-      for (std::size_t k = 0; k < count && hinge > 0.; ++k)
+      for (std::size_t k = 0; k < count && bending; ++k)
         {
           const std::size_t i = first + k, before = first + (k == 0 ? count - 1 : k - 1);
-          out.angle[i] = WallBending::angle({out.ex[before], out.ey[before]}, {out.ex[i], out.ey[i]}) - rest_angle[k];
+          out.angle[i] = WallBending::angle({out.ex[before], out.ey[before]}, {out.ex[i], out.ey[i]}) - geometry.rest_angle[i];
         }
       out.volume[c] = depth() * polygon_area(x, ring);
     }
@@ -102,9 +102,8 @@ void HydrostaticNetwork::stretch_edges(NetworkEvaluation &out, const WallHistory
       out.tension[i] = history->force(wall, elastic, limits.broken_share, i, out.stretch[i], out.slope[i]);
   else
     wall.forces(n, out.stretch.data(), out.tension.data(), out.slope.data());
-  const double inverse_rest = 1. / geometry.rest_length;
-  for (double &slope : out.slope)
-    slope *= inverse_rest;
+  for (std::size_t i = 0; i < n; ++i)
+    out.slope[i] *= inverse_rest[i];
   directions(n, out.ex.data(), out.ey.data(), out.inverse_length.data(), out.gx.data(), out.gy.data());
 }
 
@@ -112,9 +111,10 @@ void HydrostaticNetwork::pull(const std::size_t cell, const bool with_hessian, N
 {
   const WallRing &ring = geometry.rings[cell];
   const std::size_t first = ring.first, count = ring.count;
+  const std::vector<double> &hinge = hinges(out);
   OuterSum of_wall(out.virial.wall), of_bending(out.virial.bending);
   for (std::size_t i = first; i < first + count; ++i)
-    out.moment[i] = hinge > 0. ? (out.hinge.empty() ? hinge : out.hinge[i]) * out.angle[i] : 0.;
+    out.moment[i] = bending ? hinge[i] * out.angle[i] : 0.;
   // t_i = F e/|e| + (M_i - M_(i+1)) dphi/de: the hinge at node i adds +M to the angle of edge i, -M to edge i - 1
   for (std::size_t k = 0; k < count; ++k)
     {
@@ -129,7 +129,7 @@ void HydrostaticNetwork::pull(const std::size_t cell, const bool with_hessian, N
       if (with_hessian)
         {
           const double transverse = out.tension[i] * out.inverse_length[i], along = out.slope[i] - transverse;
-          const double pp = out.hinge.empty() ? 2. * hinge : out.hinge[i] + out.hinge[after];
+          const double pp = hinge[i] + hinge[after];
           // second derivative of the direction angle: symmetric, traceless, from u and 1/|e|^2
           const double s = M * out.inverse_length[i] * out.inverse_length[i];
           const double hxx = 2. * s * ux * uy, hxy = s * (uy * uy - ux * ux);
@@ -151,11 +151,11 @@ void HydrostaticNetwork::pull(const std::size_t cell, const bool with_hessian, N
 
 void HydrostaticNetwork::add_ties(const std::vector<double> &x, const Tensor2<2> &H, NetworkEvaluation &out) const
 {
-  const double k_tie = geometry.tie_stiffness;
   OuterSum virial(Tensor2<2>::Zero());
   for (const LamellaTie &tie : geometry.ties)
     {
       const Vector<2> d = LamellaSpring::gap(at(x, tie.a), at(x, tie.b), tie.shift, H);
+      const double k_tie = tie.stiffness;
       out.gradient[2 * tie.a] -= k_tie * d[0];
       out.gradient[2 * tie.a + 1] -= k_tie * d[1];
       out.gradient[2 * tie.b] += k_tie * d[0];
@@ -202,7 +202,7 @@ void HydrostaticNetwork::evaluate(const std::vector<double> &x, const Tensor2<2>
   if (!body.isZero())
     for (std::size_t i = 0; i < n; ++i)
       for (int c = 0; c < 2; ++c)
-        out.gradient[2 * i + c] -= geometry.node_mass * body[c];
+        out.gradient[2 * i + c] -= geometry.node_mass[i] * body[c];
   for (std::size_t i = 0; i < dead.size(); ++i)
     out.gradient[i] -= dead[i];
 }

@@ -30,13 +30,15 @@ WallHistory HydrostaticNetwork::new_history(const std::vector<double> &x) const
 
 void HydrostaticNetwork::unpack(const std::vector<double> &numbers, WallHistory &history) const
 {
-  history.unpack(numbers, wall, elastic, geometry.rings.front().count);
+  history.unpack(numbers, wall, elastic);
+  for (std::size_t c = 0; c < history.failed.size(); ++c)
+    history.failed[c] = std::any_of(history.broken.begin() + geometry.rings[c].first, history.broken.begin() + std::ptrdiff_t(geometry.rings[c].end()),
+                                    [](const unsigned char broken) { return broken != 0; });
 }
 
 double HydrostaticNetwork::stretch(const std::vector<double> &x, const WallRing &ring, const std::size_t bond) const
 {
-  const std::size_t after = bond + 1 == ring.first + ring.count ? ring.first : bond + 1;
-  return (at(x, after) - at(x, bond)).norm() / geometry.rest_length;
+  return (at(x, ring.after(bond)) - at(x, bond)).norm() / geometry.rest_length[bond];
 }
 
 void HydrostaticNetwork::flow(const std::vector<double> &x, WallHistory &history) const
@@ -45,7 +47,7 @@ void HydrostaticNetwork::flow(const std::vector<double> &x, WallHistory &history
     return;
   for (const WallRing &ring : geometry.rings)
     for (std::size_t i = ring.first; i < ring.first + ring.count; ++i)
-      history.flow_dissipated += geometry.rest_length * history.flow(wall, elastic, i, stretch(x, ring, i));
+      history.flow_dissipated += geometry.rest_length[i] * history.flow(wall, elastic, i, stretch(x, ring, i));
 }
 
 void HydrostaticNetwork::leak(const std::vector<double> &x, WallHistory &history) const

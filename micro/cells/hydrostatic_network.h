@@ -1,4 +1,4 @@
-// A patch of parenchyma whose cells hold a fluid at rest: energy, gradient, Hessian
+// Cells of any layout (cell_layout.h) that hold a fluid at rest: energy, gradient, Hessian
 // and stress of the wall network, all analytic.
 //
 //   E(x, H) = sum over edges  l0 w(|e|/l0)                    neo_hookean_wall.h (Eqs. 3.4, 3.5 corrected)
@@ -21,7 +21,7 @@
 // Kirchhoff virial sum r (x) dE/dr in J (divide by the current volume for stress, Eq. 3.17).
 #pragma once
 
-#include "micro/cells/parenchyma.h"
+#include "micro/cells/cell_layout.h"
 #include "micro/cells/wall_history.h"
 #include "micro/laws/hydrostatic_pressure.h"
 #include "micro/laws/neo_hookean_wall.h"
@@ -58,7 +58,7 @@ struct NetworkEvaluation
   std::vector<double> inverse_length, tension, slope; ///< 1/m, N, dF/d|e| in N/m
   std::vector<double> angle;                   ///< rad, of the hinge at node i beyond that at rest; only with bending
   std::vector<double> moment;                  ///< N m, of the hinge at node i
-  std::vector<double> hinge;                   ///< N m, stiffness of the hinge at node i; empty: all alike
+  std::vector<double> hinge;                   ///< N m, stiffness of the hinge at node i; empty: that of the layout
   std::vector<double> tx, ty;                  ///< N, dE/de
   std::vector<double> gx, gy;                  ///< 1/m, gradient of the edge's direction angle
   std::vector<double> Sxx, Sxy, Syy;           ///< N/m
@@ -67,15 +67,11 @@ struct NetworkEvaluation
 class HydrostaticNetwork
 {
 public:
-  /// fluid_mass: kg per cell, one value for all.
-  HydrostaticNetwork(ParenchymaPatch patch, double fluid_mass);
+  /// Throws std::invalid_argument for a layout that is impossible.
+  explicit HydrostaticNetwork(CellLayout layout);
 
-  void set_fluid_mass(double mass);
-  double fluid_mass() const { return mass; }
-
-  /// kg, one per cell: for cells that have taken up water.
-  void set_fluid_masses(std::vector<double> masses);
-  double fluid_mass(std::size_t cell) const { return masses.empty() ? mass : masses[cell]; }
+  void set_fluid_masses(std::vector<double> masses); ///< kg, one per cell
+  double fluid_mass(std::size_t cell) const { return geometry.fluid_mass[cell]; }
 
   /// Water flows freely at this pressure (Pa), E = -p V per cell, until release_water().
   void hold_pressure(double pressure) { held = pressure; }
@@ -122,10 +118,10 @@ public:
   /// Elastic energy at x, J: of walls, hinges, ties and fluid, after flow() and leak().
   double stored_energy(const std::vector<double> &x, const Tensor2<2> &H, const WallHistory &history) const;
 
-  const ParenchymaPatch &patch() const { return geometry; }
+  const CellLayout &layout() const { return geometry; } ///< with the fluid masses of now
   std::size_t unknowns() const { return 2 * geometry.nodes.size(); }
-  std::vector<double> reference_positions() const;
-  double hinge_stiffness() const { return hinge; }                     ///< N m
+  /// N m per node, of the hinges in this evaluation.
+  const std::vector<double> &hinges(const NetworkEvaluation &e) const { return e.hinge.empty() ? geometry.hinge : e.hinge; }
   double depth() const { return geometry.parameters.depth; }           ///< m
   double force_scale() const { return scale; }                         ///< N, turgor * spacing * depth
 
@@ -146,15 +142,15 @@ private:
   };
   CellPressure cell_pressure(std::size_t cell, double volume, const WallHistory *history, bool with_energy) const;
 
-  ParenchymaPatch geometry;
+  CellLayout geometry;
   NeoHookeanWall wall, elastic; ///< loaded, yielding included; without yielding
   WallLimits limits;
   HydrostaticPressure fluid;
-  double mass, hinge, scale;
+  double scale;
+  bool bending;                     ///< there are hinges
+  std::vector<double> inverse_rest; ///< 1/m, per bond
   Vector<2> body = Vector<2>::Zero();
   std::vector<double> dead;
-  std::vector<double> masses;   ///< kg per cell; empty: mass for all
   std::optional<double> held;   ///< Pa
-  std::vector<double> rest_angle; ///< rad, per node of one ring
 };
 } // namespace turgor

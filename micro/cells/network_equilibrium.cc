@@ -13,23 +13,26 @@ namespace turgor
 NetworkEquilibrium::NetworkEquilibrium(const HydrostaticNetwork &network_, std::vector<std::uint32_t> clamped)
   : network(network_)
 {
-  const ParenchymaPatch &patch = network.patch();
+  const CellLayout &layout = network.layout();
   if (clamped.empty())
     clamped = {0};
   unknown.assign(network.unknowns(), 0);
   for (const std::uint32_t node : clamped)
     {
-      if (node >= patch.nodes.size())
+      if (node >= layout.nodes.size())
         throw std::invalid_argument("A clamped node is not part of the patch.");
       unknown[2 * node] = unknown[2 * node + 1] = -1;
     }
   for (int &u : unknown)
     if (u == 0)
       u = n_free++;
-  n_cells = static_cast<int>(patch.rings.size());
+  n_cells = static_cast<int>(layout.rings.size());
   // What double precision leaves of the balance of tie forces, against the force scale.
-  round_off_floor = 16. * std::numeric_limits<double>::epsilon() * patch.tie_stiffness *
-                    patch.lattice.cwiseAbs().maxCoeff() / network.force_scale();
+  double stiffest = 0.;
+  for (const LamellaTie &tie : layout.ties)
+    stiffest = std::max(stiffest, tie.stiffness);
+  round_off_floor = 16. * std::numeric_limits<double>::epsilon() * stiffest *
+                    layout.lattice.cwiseAbs().maxCoeff() / network.force_scale();
   build_pattern();
 }
 
@@ -50,7 +53,7 @@ void NetworkEquilibrium::evaluate(const std::vector<double> &x, const Tensor2<2>
 
 void NetworkEquilibrium::build_pattern()
 {
-  const ParenchymaPatch &patch = network.patch();
+  const CellLayout &layout = network.layout();
   const auto block = [&](const std::size_t node) {
     return unknown[2 * node] < 0 ? fixed : static_cast<std::uint32_t>(unknown[2 * node] / 2);
   };
@@ -60,15 +63,15 @@ void NetworkEquilibrium::build_pattern()
     if (i != fixed && j != fixed)
       pairs.emplace_back(i, j);
   };
-  for (std::size_t c = 0; c < patch.rings.size(); ++c)
-    for (std::uint32_t k = 0; k < patch.rings[c].count; ++k)
+  for (std::size_t c = 0; c < layout.rings.size(); ++c)
+    for (std::uint32_t k = 0; k < layout.rings[c].count; ++k)
       {
-        const WallRing &ring = patch.rings[c];
+        const WallRing &ring = layout.rings[c];
         pair(block(ring.first + k), block(ring.first + (k + 1) % ring.count));
         pair(block(ring.first + k), block(ring.first + (k + 2) % ring.count));
         pair(block(ring.first + k), cell_block(c));
       }
-  for (const LamellaTie &tie : patch.ties)
+  for (const LamellaTie &tie : layout.ties)
     pair(block(tie.a), block(tie.b));
   size = n_free + 2 * n_cells;
   solver.analyse(static_cast<std::uint32_t>(size / 2), pairs);
@@ -76,10 +79,10 @@ void NetworkEquilibrium::build_pattern()
   const auto place = [&](const std::uint32_t i, const std::uint32_t j) {
     return i == fixed || j == fixed ? BlockLdlt::Place{fixed, false} : solver.place(i, j);
   };
-  for (std::size_t c = 0; c < patch.rings.size(); ++c)
-    for (std::uint32_t k = 0; k < patch.rings[c].count; ++k)
+  for (std::size_t c = 0; c < layout.rings.size(); ++c)
+    for (std::uint32_t k = 0; k < layout.rings[c].count; ++k)
       {
-        const WallRing &ring = patch.rings[c];
+        const WallRing &ring = layout.rings[c];
         const std::uint32_t i = block(ring.first + k);
         own.push_back(place(i, i));
         next.push_back(place(i, block(ring.first + (k + 1) % ring.count)));
@@ -94,13 +97,13 @@ void NetworkEquilibrium::build_pattern()
     constant_part[at.index][0] += k;
     constant_part[at.index][3] += k;
   };
-  for (const LamellaTie &tie : patch.ties)
+  for (const LamellaTie &tie : layout.ties)
     {
-      add_isotropic(place(block(tie.a), block(tie.a)), patch.tie_stiffness);
-      add_isotropic(place(block(tie.b), block(tie.b)), patch.tie_stiffness);
-      add_isotropic(place(block(tie.a), block(tie.b)), -patch.tie_stiffness);
+      add_isotropic(place(block(tie.a), block(tie.a)), tie.stiffness);
+      add_isotropic(place(block(tie.b), block(tie.b)), tie.stiffness);
+      add_isotropic(place(block(tie.a), block(tie.b)), -tie.stiffness);
     }
-  for (std::size_t c = 0; c < patch.rings.size(); ++c)
+  for (std::size_t c = 0; c < layout.rings.size(); ++c)
     constant_part[place(cell_block(c), cell_block(c)).index] = {-1., 0., 0., 1.};
 }
 
@@ -118,21 +121,22 @@ void NetworkEquilibrium::assemble(const double shift)
     to[2] += at.transposed ? yx : xy;
     to[3] += yy;
   };
-  const double z0 = network.depth(), B = network.hinge_stiffness();
-  const std::vector<WallRing> &rings = network.patch().rings;
+  const double z0 = network.depth();
+  const std::vector<double> &hinge = network.hinges(now);
+  const std::vector<WallRing> &rings = network.layout().rings;
   for (std::size_t c = 0; c < rings.size(); ++c)
     {
       const std::size_t first = rings[c].first, count = rings[c].count;
       const double half_pressure = 0.5 * now.pressure[c] * z0, b = 0.5 * z0 * std::sqrt(now.stiffness[c]);
       // C_i = -B/l g_i g_(i+1)^T, B of the hinge between them, couples edge i to the next one; carried along the ring
       const std::size_t last = first + count - 1;
-      const double B_first = now.hinge.empty() ? B : now.hinge[first];
+      const double B_first = hinge[first];
       double Pxx = -B_first * now.gx[last] * now.gx[first], Pxy = -B_first * now.gx[last] * now.gy[first],
              Pyx = -B_first * now.gy[last] * now.gx[first], Pyy = -B_first * now.gy[last] * now.gy[first];
       for (std::size_t k = 0; k < count; ++k)
         {
           const std::size_t i = first + k, before = k == 0 ? last : i - 1, after = i == last ? first : i + 1;
-          const double B_after = now.hinge.empty() ? B : now.hinge[after];
+          const double B_after = hinge[after];
           const double Cxx = -B_after * now.gx[i] * now.gx[after], Cxy = -B_after * now.gx[i] * now.gy[after],
                        Cyx = -B_after * now.gy[i] * now.gx[after], Cyy = -B_after * now.gy[i] * now.gy[after];
           const double xy = now.Sxy[before] + now.Sxy[i] - Pxy - Pyx;
@@ -202,7 +206,7 @@ bool NetworkEquilibrium::leave_saddle(std::vector<double> &x, const Tensor2<2> &
     return false;
   evaluate(x, H, NetworkOrder::energy, trial);
   const double here = trial.energy;
-  for (double amplitude = 0.3 * network.patch().spacing; amplitude > 1e-7 * network.patch().spacing; amplitude *= 0.25)
+  for (double amplitude = 0.3 * network.layout().spacing; amplitude > 1e-7 * network.layout().spacing; amplitude *= 0.25)
     for (const double sign : {1., -1.})
       {
         for (std::size_t d = 0; d < x.size(); ++d)
@@ -221,11 +225,11 @@ EquilibriumReport NetworkEquilibrium::solve(std::vector<double> &x, const Tensor
                                             const EquilibriumSettings &settings)
 {
   EquilibriumReport report;
-  const ParenchymaPatch &patch = network.patch();
+  const CellLayout &layout = network.layout();
   const double tolerance = std::max(settings.tolerance, round_off_floor);
   // Against the stiffness of a wall spring. The smallest has to lie below the softest negative curvature
   // of several cells that buckle together, or the way down it takes hundreds of steps.
-  const double spring = patch.tie_stiffness / patch.parameters.lamella_ratio, smallest_shift = 1e-8 * spring,
+  const double spring = layout.spring_stiffness, smallest_shift = 1e-8 * spring,
                largest_shift = 1e2 * spring;
   double shift = 0.;
   bool minimum = true; // the last Hessian was positive definite
@@ -296,7 +300,7 @@ EquilibriumReport NetworkEquilibrium::solve(std::vector<double> &x, const Tensor
       // No edge may change by more than half its length in one step.
       double largest_change = 0., slope = 0.;
       const auto moved = [&](const std::size_t d) { return unknown[d] >= 0 ? step[unknown[d]] : 0.; };
-      for (const WallRing &ring : patch.rings)
+      for (const WallRing &ring : layout.rings)
         for (std::uint32_t k = 0; k < ring.count; ++k)
           {
             const std::size_t i = ring.first + k, j = ring.first + (k + 1) % ring.count;

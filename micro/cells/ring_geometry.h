@@ -1,7 +1,7 @@
 // Nodes and area of a wall ring in interleaved positions x (m: x_0 y_0 x_1 y_1 ...).
 #pragma once
 
-#include "micro/cells/parenchyma.h"
+#include "micro/cells/cell_layout.h"
 
 #include <cstdint>
 #include <vector>

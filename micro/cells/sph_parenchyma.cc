@@ -60,15 +60,15 @@ void SphParameters::check() const
                                 "SPH/Formulation = variational leave monaghan.");
 }
 
-ReferenceCell unannealed_cell(const ParenchymaPatch &patch, const SphParameters &sph)
+ReferenceCell unannealed_cell(const CellLayout &layout, const SphParameters &sph)
 {
   ReferenceCell cell;
-  const ParenchymaParameters &p = patch.parameters;
-  cell.wall_count = patch.rings.front().count;
+  const ParenchymaParameters &p = layout.parameters;
+  cell.wall_count = layout.rings.front().count;
   for (unsigned int k = 0; k < cell.wall_count; ++k)
     {
-      cell.x.push_back(patch.nodes[k][0] - patch.nodes[0][0]);
-      cell.y.push_back(patch.nodes[k][1] - patch.nodes[0][1]);
+      cell.x.push_back(layout.nodes[k][0] - layout.nodes[0][0]);
+      cell.y.push_back(layout.nodes[k][1] - layout.nodes[0][1]);
     }
   // A perfect lattice is the worst start (it melts violently later): jitter by a fifth of the spacing.
   const unsigned int n = sph.particles_per_side;
@@ -123,49 +123,49 @@ std::unique_ptr<CellFluid<2>> make_cell_fluid(const ParenchymaParameters &p, con
   return std::make_unique<SphFluid<2>>(fluid, eos, mass, std::move(damage));
 }
 
-std::unique_ptr<SphPatch> make_sph_patch(const ParenchymaPatch &patch, const SphParameters &sph,
+std::unique_ptr<SphPatch> make_sph_patch(const CellLayout &layout, const SphParameters &sph,
                                          const ReferenceCell &reference)
 {
   auto result = std::make_unique<SphPatch>();
-  result->patch = patch;
-  const ParenchymaParameters &p = patch.parameters;
+  result->layout = layout;
+  const ParenchymaParameters &p = layout.parameters;
   ParticleSystem<2> &system = result->system;
   Particles<2> &particles = system.particles;
-  const std::size_t per_cell = reference.x.size(), cells = patch.rings.size();
+  const std::size_t per_cell = reference.x.size(), cells = layout.rings.size();
   const unsigned int nw = reference.wall_count;
   particles.resize(per_cell * cells);
   for (std::size_t c = 0; c < cells; ++c)
     {
-      const Vector<2> corner = patch.nodes[patch.rings[c].first];
+      const Vector<2> corner = layout.nodes[layout.rings[c].first];
       const std::uint32_t begin = std::uint32_t(c * per_cell);
       particles.groups.push_back({begin, begin + nw, std::uint32_t(begin + per_cell)});
       for (std::size_t k = 0; k < per_cell; ++k)
         {
           particles.x[0][begin + k] = corner[0] + reference.x[k];
           particles.x[1][begin + k] = corner[1] + reference.y[k];
-          particles.inverse_mass[begin + k] = 1. / (k < nw ? patch.node_mass : reference.particle_mass);
+          particles.inverse_mass[begin + k] = 1. / (k < nw ? layout.node_mass[layout.rings[c].first + k] : reference.particle_mass);
         }
     }
   begin_at(particles.x);
-  system.box.H = patch.lattice;
-  system.box.periodic = {patch.periodic_x, patch.periodic_y};
+  system.box.H = layout.lattice;
+  system.box.periodic = layout.periodic;
 
   const NeoHookeanWall law(p.wall_stiffness, p.depth, p.wall_beta);
-  system.add(std::make_unique<RingWall>(law, patch.rest_length, p.wall_bending ? patch.bending_stiffness : 0.,
-                                        patch.spacing, p.nodes_per_side, patch.node_mass));
+  system.add(std::make_unique<RingWall>(law, layout.rest_length.front(), p.bending_stiffness(), layout.spacing, p.nodes_per_side,
+                                        layout.node_mass.front()));
 
-  result->fluid = &system.add(make_cell_fluid(p, sph, patch.spacing, std::vector<double>(cells, reference.particle_mass)));
+  result->fluid = &system.add(make_cell_fluid(p, sph, layout.spacing, std::vector<double>(cells, reference.particle_mass)));
   if (!reference.density.empty())
     for (const Group &g : particles.groups)
       std::copy(reference.density.begin(), reference.density.begin() + std::ptrdiff_t(per_cell),
                 particles.field("density").begin() + g.begin);
 
-  std::vector<LamellaTie> ties = patch.ties;
+  std::vector<LamellaTie> ties = layout.ties;
   for (LamellaTie &tie : ties)
     for (std::uint32_t *node : {&tie.a, &tie.b})
       *node = std::uint32_t(*node / nw * per_cell + *node % nw);
   if (!ties.empty())
-    system.add(std::make_unique<LamellaTies>(std::move(ties), patch.tie_stiffness, patch.node_mass));
+    system.add(std::make_unique<LamellaTies>(std::move(ties), layout.node_mass.front()));
   return result;
 }
 } // namespace turgor

@@ -1,4 +1,4 @@
-// Parenchyma cells filled with SPH fluid: a ParenchymaPatch turned into a particle system.
+// Parenchyma cells filled with SPH fluid: a CellLayout turned into a particle system.
 //
 // Particle order: cell by cell; within a cell the wall ring first, then its fluid. Node k of
 // ring c is particle c * (ring + fluid) + k. Every cell starts as a copy of one reference cell.
@@ -51,15 +51,15 @@ struct ReferenceCell
 
 struct SphPatch
 {
-  ParenchymaPatch patch;
+  CellLayout layout;
   ParticleSystem<2> system;
   CellFluid<2> *fluid = nullptr;
 
   std::uint32_t particles_per_cell() const { return system.particles.groups.front().end; }
 };
 
-/// The particle system of the patch, all cells copies of the reference cell.
-std::unique_ptr<SphPatch> make_sph_patch(const ParenchymaPatch &patch, const SphParameters &sph,
+/// The particle system of the layout, all cells copies of the reference cell.
+std::unique_ptr<SphPatch> make_sph_patch(const CellLayout &layout, const SphParameters &sph,
                                          const ReferenceCell &reference);
 
 /// Pa, p_0: Ordering times Fluid modulus, but not more than 0.3 of turgor. A packing of particles resists shear by a share of p_0 and yields
@@ -74,5 +74,5 @@ std::unique_ptr<CellFluid<2>> make_cell_fluid(const ParenchymaParameters &cell, 
                                               const std::vector<double> &mass, std::shared_ptr<const WallDamage> damage = {});
 
 /// Positions, particle mass and pressure of one cell before annealing: a jittered lattice.
-ReferenceCell unannealed_cell(const ParenchymaPatch &patch, const SphParameters &sph);
+ReferenceCell unannealed_cell(const CellLayout &layout, const SphParameters &sph);
 } // namespace turgor

@@ -19,11 +19,11 @@ Surfaces surfaces_from(const std::string &name)
   throw std::invalid_argument("Surfaces is '" + name + "', but it has to be frozen, free, osmosis or slab.");
 }
 
-double tissue_density(const ParenchymaPatch &patch, const ReferenceCell &reference)
+double tissue_density(const CellLayout &layout, const ReferenceCell &reference)
 {
-  const ParenchymaParameters &p = patch.parameters;
+  const ParenchymaParameters &p = layout.parameters;
   const double fluid = double(reference.x.size() - reference.wall_count) * reference.particle_mass;
-  return (fluid + reference.wall_count * patch.node_mass) / (p.period * p.period * p.depth);
+  return (fluid + reference.wall_count * layout.node_mass.front()) / (p.period * p.period * p.depth);
 }
 
 TissueBlock make_tissue_block(const ParenchymaParameters &cell, const SphParameters &sph,
@@ -32,10 +32,10 @@ TissueBlock make_tissue_block(const ParenchymaParameters &cell, const SphParamet
 {
   TissueBlock block;
   const bool slab = surfaces == Surfaces::slab;
-  const ParenchymaPatch patch = make_parenchyma(cell, columns, rows, false, slab);
-  block.cells = make_sph_patch(patch, sph, reference);
+  const CellLayout layout = make_parenchyma(cell, columns, rows, false, slab);
+  block.cells = make_sph_patch(layout, sph, reference);
   block.width = columns * cell.period;
-  block.density = tissue_density(patch, reference);
+  block.density = tissue_density(layout, reference);
   ParticleSystem<2> &system = block.cells->system;
   Particles<2> &particles = system.particles;
 
@@ -43,7 +43,7 @@ TissueBlock make_tissue_block(const ParenchymaParameters &cell, const SphParamet
   if (surfaces == Surfaces::frozen || slab)
     {
       // The same ties as in the fully periodic grid, those that leave this block turned into what they pull now.
-      const ParenchymaPatch all = make_parenchyma(cell, columns, rows, true, true);
+      const CellLayout all = make_parenchyma(cell, columns, rows, true, true);
       std::vector<DeadForce<2>::Entry> forces;
       for (const LamellaTie &tie : all.ties)
         {
@@ -52,8 +52,8 @@ TissueBlock make_tissue_block(const ParenchymaParameters &cell, const SphParamet
           const std::uint32_t a = tie.a / nw * per_cell + tie.a % nw, b = tie.b / nw * per_cell + tie.b % nw;
           const Vector<2> gap = particles.position(b) - particles.position(a)
                                 + all.lattice * Vector<2>(tie.shift[0], tie.shift[1]);
-          forces.push_back({a, patch.tie_stiffness * gap});
-          forces.push_back({b, -patch.tie_stiffness * gap});
+          forces.push_back({a, tie.stiffness * gap});
+          forces.push_back({b, -tie.stiffness * gap});
         }
       system.add(std::make_unique<DeadForce<2>>(std::move(forces)));
     }
@@ -75,7 +75,7 @@ TissueBlock make_tissue_block(const ParenchymaParameters &cell, const SphParamet
           const double distance = std::abs((row + double(k - side) / side) * cell.period - middle);
           if (!collect)
             nearest = std::min(nearest, distance);
-          else if (distance < nearest + 0.01 * patch.spacing)
+          else if (distance < nearest + 0.01 * layout.spacing)
             block.probe.push_back(node);
         }
   return block;

@@ -38,5 +38,5 @@ TissueBlock make_tissue_block(const ParenchymaParameters &cell, const SphParamet
                               Surfaces surfaces);
 
 /// Reference density of the turgid tissue (kg/m^3): fluid and walls over the period.
-double tissue_density(const ParenchymaPatch &patch, const ReferenceCell &reference);
+double tissue_density(const CellLayout &layout, const ReferenceCell &reference);
 } // namespace turgor

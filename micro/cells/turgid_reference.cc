@@ -22,7 +22,7 @@ double fluid_virial_pressure(const SphPatch &wet, const SphParameters &sph, cons
   ReferenceCell empty = cell;
   empty.x.resize(cell.wall_count);
   empty.y.resize(cell.wall_count);
-  const auto walls = make_sph_patch(wet.patch, sph, empty);
+  const auto walls = make_sph_patch(wet.layout, sph, empty);
   walls->system.compute_forces();
   return -(sigma - walls->system.virial() / volume).trace() / 2.;
 }
@@ -33,12 +33,12 @@ ReferenceCell make_turgid_reference(const ParenchymaParameters &cell, const SphP
 {
   ParenchymaParameters p = cell;
   p.fluid_viscosity = 0.; // the reference does not depend on it; damping brings the fluid to rest
-  const ParenchymaPatch patch = make_parenchyma(p, 1, 1, true, true);
-  ReferenceCell reference = unannealed_cell(patch, sph);
-  const auto wet = make_sph_patch(patch, sph, reference);
+  const CellLayout layout = make_parenchyma(p, 1, 1, true, true);
+  ReferenceCell reference = unannealed_cell(layout, sph);
+  const auto wet = make_sph_patch(layout, sph, reference);
   ParticleSystem<2> &system = wet->system;
   Particles<2> &particles = system.particles;
-  const double volume = patch.lattice.determinant() * p.depth, bulk = 7. * p.fluid_modulus;
+  const double volume = layout.lattice.determinant() * p.depth, bulk = 7. * p.fluid_modulus;
   const double dt = 0.9 * system.stable_time_step();
   // Sound crosses the cell in L/c; damping over a few crossings anneals best.
   const double crossing = p.period / wet->fluid->equation_of_state().sound_speed(p.fluid_density);
@@ -69,7 +69,7 @@ ReferenceCell make_turgid_reference(const ParenchymaParameters &cell, const SphP
     double largest = 0.;
     for (std::size_t i = 0; i < particles.size(); ++i)
       largest = std::max(largest, std::hypot(particles.f[0][i], particles.f[1][i]));
-    return largest / (p.turgor * patch.spacing * p.depth);
+    return largest / (p.turgor * layout.spacing * p.depth);
   };
 
   const unsigned int steps = sph.anneal_steps;

@@ -77,8 +77,7 @@ std::vector<double> WallHistory::pack() const
   return numbers;
 }
 
-void WallHistory::unpack(const std::vector<double> &numbers, const NeoHookeanWall &loaded, const NeoHookeanWall &elastic,
-                         const std::size_t bonds_per_cell)
+void WallHistory::unpack(const std::vector<double> &numbers, const NeoHookeanWall &loaded, const NeoHookeanWall &elastic)
 {
   if (empty() && numbers.empty())
     return;
@@ -97,13 +96,8 @@ void WallHistory::unpack(const std::vector<double> &numbers, const NeoHookeanWal
       permanent[i] = i > 0 && numbers[at] == reached[i - 1] ? permanent[i - 1] : permanent_at(loaded, elastic, numbers[at]);
       reached[i] = numbers[at];
     }
-  std::fill(failed.begin(), failed.end(), 0);
-  for (std::size_t i = 0; i < broken.size(); ++i, ++at)
-    {
-      broken[i] = numbers[at] != 0.;
-      if (broken[i])
-        failed[i / bonds_per_cell] = 1;
-    }
+  for (unsigned char &bond : broken)
+    bond = numbers[at++] != 0.;
   for (double &m : mass)
     {
       m = numbers[at++];

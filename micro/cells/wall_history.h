@@ -57,10 +57,10 @@ public:
   std::size_t failed_cells() const;
   double mean_permanent() const; ///< of all bonds; 1 without flow
 
-  /// To and from plain numbers, for RveState. Throws std::invalid_argument for numbers of another network.
+  /// To and from plain numbers, for RveState. Throws std::invalid_argument for numbers of another network. Which cells have failed follows
+  /// from `broken` and is left to who knows the cells.
   std::vector<double> pack() const;
-  void unpack(const std::vector<double> &numbers, const NeoHookeanWall &loaded, const NeoHookeanWall &elastic,
-              std::size_t bonds_per_cell);
+  void unpack(const std::vector<double> &numbers, const NeoHookeanWall &loaded, const NeoHookeanWall &elastic);
 
   /// Force on a bond, N, and its slope, N.
   double force(const NeoHookeanWall &loaded, const NeoHookeanWall &elastic, double broken_share, std::size_t bond,

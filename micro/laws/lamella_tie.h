@@ -18,6 +18,7 @@ struct LamellaTie
 {
   std::uint32_t a = 0, b = 0;
   std::array<int, 2> shift{{0, 0}};
+  double stiffness = 0.; ///< k, N/m
 };
 
 struct LamellaSpring

@@ -7,10 +7,8 @@
 
 namespace turgor
 {
-LamellaTies::LamellaTies(std::vector<LamellaTie> ties_, const double stiffness, const double node_mass_,
-                         const double breaking_force_)
+LamellaTies::LamellaTies(std::vector<LamellaTie> ties_, const double node_mass_, const double breaking_force_)
   : ties(std::move(ties_))
-  , spring{stiffness}
   , node_mass(node_mass_)
   , breaking_force(breaking_force_)
   , broken(breaking_force_ > 0. ? ties.size() : 0, 0)
@@ -26,8 +24,8 @@ void LamellaTies::declare(Particles<2> &particles)
   for (std::uint32_t t = 0; t < ties.size(); ++t)
     {
       const LamellaTie &tie = ties[t];
-      sides[group_of[tie.a]].push_back({tie.a, tie.b, tie.shift, t});
-      sides[group_of[tie.b]].push_back({tie.b, tie.a, {-tie.shift[0], -tie.shift[1]}, t});
+      sides[group_of[tie.a]].push_back({tie.a, tie.b, tie.shift, t, tie.stiffness});
+      sides[group_of[tie.b]].push_back({tie.b, tie.a, {-tie.shift[0], -tie.shift[1]}, t, tie.stiffness});
     }
 }
 
@@ -35,7 +33,6 @@ void LamellaTies::add_forces(Particles<2> &particles, const Box<2> &box, const s
 {
   const double *x = particles.x[0].data(), *y = particles.x[1].data();
   double *fx = particles.f[0].data(), *fy = particles.f[1].data();
-  const double k = spring.stiffness;
   for (const Side &side : sides[group])
     {
       if (is_broken(side.tie))
@@ -43,8 +40,8 @@ void LamellaTies::add_forces(Particles<2> &particles, const Box<2> &box, const s
       double dx = x[side.other] - x[side.own], dy = y[side.other] - y[side.own];
       dx += side.shift[0] * box.H(0, 0) + side.shift[1] * box.H(0, 1);
       dy += side.shift[0] * box.H(1, 0) + side.shift[1] * box.H(1, 1);
-      fx[side.own] += k * dx;
-      fy[side.own] += k * dy;
+      fx[side.own] += side.stiffness * dx;
+      fy[side.own] += side.stiffness * dy;
     }
 }
 
@@ -53,8 +50,8 @@ double LamellaTies::energy(const Particles<2> &particles, const Box<2> &box, con
   double total = 0.;
   for (const Side &side : sides[group])
     if (!is_broken(side.tie))
-      total += 0.5 * spring.energy(LamellaSpring::gap(particles.position(side.own), particles.position(side.other),
-                                                    side.shift, box.H));
+      total += 0.5 * LamellaSpring{side.stiffness}.energy(
+                       LamellaSpring::gap(particles.position(side.own), particles.position(side.other), side.shift, box.H));
   return total;
 }
 
@@ -67,7 +64,7 @@ Tensor2<2> LamellaTies::image_virial(const Particles<2> &particles, const Box<2>
         continue;
       const Vector<2> shift = box.image(side.shift);
       const Vector<2> d = particles.position(side.other) - particles.position(side.own) + shift;
-      total += 0.5 * spring.force_on_a(d) * shift.transpose();
+      total += 0.5 * LamellaSpring{side.stiffness}.force_on_a(d) * shift.transpose();
     }
   return total;
 }
@@ -76,7 +73,8 @@ Rates LamellaTies::rates(const Particles<2> &) const
 {
   // A corner node carries two ties, each to a node that carries two: Gershgorin on its row.
   Rates bound;
-  bound.wall.frequency_squared = 4. * spring.stiffness / node_mass;
+  for (const LamellaTie &tie : ties)
+    bound.wall.frequency_squared = std::max(bound.wall.frequency_squared, 4. * tie.stiffness / node_mass);
   return bound;
 }
 
@@ -92,7 +90,7 @@ std::vector<std::size_t> LamellaTies::break_overloaded(const Particles<2> &parti
   std::vector<std::size_t> now;
   for (std::size_t t = 0; t < broken.size(); ++t)
     if (!broken[t]
-        && spring.stiffness
+        && ties[t].stiffness
                * LamellaSpring::gap(particles.position(ties[t].a), particles.position(ties[t].b), ties[t].shift, box.H).norm()
              > breaking_force)
       {

@@ -16,9 +16,9 @@ namespace turgor
 class LamellaTies final : public Term<2>
 {
 public:
-  /// Tie entries a, b are particle indices here (not node indices of the patch).
+  /// Tie entries a, b are particle indices here (not node indices of the layout). node_mass: kg, of the lightest node that is tied;
   /// breaking_force: N, 0 for ties that do not break.
-  LamellaTies(std::vector<LamellaTie> ties, double stiffness, double node_mass, double breaking_force = 0.);
+  LamellaTies(std::vector<LamellaTie> ties, double node_mass, double breaking_force = 0.);
 
   std::string name() const override { return "lamella_ties"; }
   void declare(Particles<2> &particles) override;
@@ -35,7 +35,6 @@ public:
   std::size_t broken_count() const;
   bool is_broken(const std::size_t tie) const { return !broken.empty() && broken[tie]; }
   const std::vector<LamellaTie> &all() const { return ties; }
-  double stiffness() const { return spring.stiffness; } ///< N/m
 
 private:
   struct Side ///< a tie seen from the group's own node
@@ -43,9 +42,9 @@ private:
     std::uint32_t own, other;
     std::array<int, 2> shift;
     std::uint32_t tie;
+    double stiffness;
   };
   std::vector<LamellaTie> ties;
-  LamellaSpring spring;
   double node_mass, breaking_force;
   std::vector<unsigned char> broken; ///< one a tie; empty where ties do not break
   std::vector<std::vector<Side>> sides; ///< per group

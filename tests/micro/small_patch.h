@@ -34,7 +34,7 @@ struct SmallPatch
   {
     ParenchymaParameters p = cell;
     p.fluid_viscosity = viscosity;
-    const ParenchymaPatch patch = make_parenchyma(p, columns, rows, true, true);
+    const CellLayout patch = make_parenchyma(p, columns, rows, true, true);
     auto result = make_sph_patch(patch, sph, unannealed_cell(patch, sph));
     Particles<2> &particles = result->system.particles;
     for (std::size_t i = 0; i < particles.size(); ++i)
@@ -50,7 +50,7 @@ struct SmallPatch
   /// One cell with its fluid on a square lattice, at rest.
   std::unique_ptr<SphPatch> lattice() const
   {
-    const ParenchymaPatch patch = make_parenchyma(cell, 1, 1, true, true);
+    const CellLayout patch = make_parenchyma(cell, 1, 1, true, true);
     ReferenceCell reference = unannealed_cell(patch, sph);
     const unsigned int n = sph.particles_per_side;
     for (unsigned int k = 0; k < n * n; ++k)

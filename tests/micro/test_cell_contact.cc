@@ -328,8 +328,8 @@ BOOST_AUTO_TEST_CASE(overloaded_ties_break_on_both_sides)
   p.x[0][16 + 12] = 4.3; // node (0, 4) of the second cell, a further 0.2 away
   std::vector<LamellaTie> list;
   for (std::uint32_t k = 0; k <= 4; ++k)
-    list.push_back({4 + k, 16 + (16 - k) % 16, {{0, 0}}});
-  auto &ties = system.add(std::make_unique<LamellaTies>(list, 10., 1., 2.));
+    list.push_back({4 + k, 16 + (16 - k) % 16, {{0, 0}}, 10.});
+  auto &ties = system.add(std::make_unique<LamellaTies>(list, 1., 2.));
   system.compute_forces();
   BOOST_TEST(p.f[0][8] == 3., boost::test_tools::tolerance(1e-12));
   const auto broken = ties.break_overloaded(p, system.box);
@@ -341,7 +341,7 @@ BOOST_AUTO_TEST_CASE(overloaded_ties_break_on_both_sides)
   BOOST_TEST(p.f[0][7] == 1., boost::test_tools::tolerance(1e-12));
   BOOST_TEST(ties.break_overloaded(p, system.box).empty());
   BOOST_TEST(ties.broken_count() == 1u);
-  LamellaTies read(list, 10., 1., 2.);
+  LamellaTies read(list, 1., 2.);
   const auto list_of = [&](LamellaTies &some) { return [&](Archive &a) { some.archive(a, p); }; };
   const auto from = list_of(ties), to = list_of(read);
   restore(archived(from), to);

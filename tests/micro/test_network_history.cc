@@ -1,5 +1,6 @@
 // Walls that have flowed and broken, cells that have failed: forces and Hessian by differences, potentials, dissipation, packing.
 #include "micro/cells/network_equilibrium.h"
+#include "micro/cells/parenchyma.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -18,12 +19,14 @@ struct Torn
   std::vector<double> x;
   Tensor2<2> H;
 
-  static ParenchymaPatch patch()
+  static CellLayout patch()
   {
     ParenchymaParameters p;
     p.nodes_per_side = 5;
     p.wall_yield = {15., 0.9};
-    return make_parenchyma(p, 2, 2, true, true);
+    CellLayout layout = make_parenchyma(p, 2, 2, true, true);
+    layout.fluid_mass.assign(4, 1000. * 1e-4 * 1e-4 * 50e-6);
+    return layout;
   }
   static WallLimits limits()
   {
@@ -36,22 +39,22 @@ struct Torn
 
   // Bonds stretched by up to 20 %, flowed to random stretches about that, some broken; one cell failed and half empty.
   Torn()
-    : network(patch(), 1000. * 1e-4 * 1e-4 * 50e-6)
+    : network(patch())
   {
     network.set_limits(limits());
     Tensor2<2> F;
     F << 1.1, 0.1, -0.02, 0.99;
-    H = F * network.patch().lattice;
-    x = network.reference_positions();
+    H = F * network.layout().lattice;
+    x = network.layout().positions();
     std::mt19937 random(3);
     std::uniform_real_distribution<double> shift(-0.1, 0.1), stretch(1., 1.25);
     for (std::size_t i = 0; i < x.size(); i += 2)
       {
         const Vector<2> at = F * Vector<2>(x[i], x[i + 1]);
-        x[i] = at[0] + shift(random) * network.patch().spacing;
-        x[i + 1] = at[1] + shift(random) * network.patch().spacing;
+        x[i] = at[0] + shift(random) * network.layout().spacing;
+        x[i + 1] = at[1] + shift(random) * network.layout().spacing;
       }
-    history = network.new_history(network.reference_positions());
+    history = network.new_history(network.layout().positions());
     std::vector<double> numbers = history.pack();
     for (std::size_t i = 0; i < history.reached.size(); ++i)
       numbers[2 + i] = stretch(random);
@@ -81,7 +84,7 @@ BOOST_AUTO_TEST_CASE(force_is_minus_potential_slope)
   NetworkEvaluation e;
   torn.network.evaluate(torn.x, torn.H, NetworkOrder::gradient, e, &torn.history);
   std::vector<double> x = torn.x;
-  const double h = 1e-5 * torn.network.patch().spacing;
+  const double h = 1e-5 * torn.network.layout().spacing;
   double worst = 0., scale = 0.;
   for (std::size_t d = 0; d < x.size(); ++d)
     {
@@ -107,7 +110,7 @@ BOOST_AUTO_TEST_CASE(hessian_is_force_slope)
   const Eigen::Index n = Eigen::Index(torn.x.size()) - 2;
   const Eigen::MatrixXd K = A.topLeftCorner(n, n) + A.topRightCorner(n, A.cols() - n) * A.topRightCorner(n, A.cols() - n).transpose();
   std::vector<double> x = torn.x;
-  const double h = 1e-6 * torn.network.patch().spacing;
+  const double h = 1e-6 * torn.network.layout().spacing;
   double worst = 0.;
   NetworkEvaluation up, down;
   for (Eigen::Index d = 0; d < n; ++d) // node 0 is pinned
@@ -159,7 +162,7 @@ BOOST_AUTO_TEST_CASE(a_bond_flows_along_the_curve_and_springs_back)
 BOOST_AUTO_TEST_CASE(packed_and_unpacked)
 {
   const Torn torn;
-  WallHistory other = torn.network.new_history(torn.network.reference_positions());
+  WallHistory other = torn.network.new_history(torn.network.layout().positions());
   torn.network.unpack(torn.history.pack(), other);
   BOOST_TEST((other.reached == torn.history.reached));
   BOOST_TEST((other.permanent == torn.history.permanent));

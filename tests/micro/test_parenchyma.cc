@@ -22,7 +22,7 @@ BOOST_AUTO_TEST_CASE(ties_join_facing_nodes_once)
     {
       ParenchymaParameters parameters;
       parameters.nodes_per_side = 7;
-      const ParenchymaPatch patch = make_parenchyma(parameters, c.columns, c.rows, c.px, c.py);
+      const CellLayout patch = make_parenchyma(parameters, c.columns, c.rows, c.px, c.py);
       BOOST_TEST(patch.nodes.size() == c.columns * c.rows * 28u);
       const unsigned int vertical_faces = (c.px ? c.columns : c.columns - 1) * c.rows;
       const unsigned int horizontal_faces = (c.py ? c.rows : c.rows - 1) * c.columns;
@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(ties_join_facing_nodes_once)
 
 BOOST_AUTO_TEST_CASE(rings_are_counter_clockwise_squares)
 {
-  const ParenchymaPatch patch = make_parenchyma({}, 2, 2, true, true);
+  const CellLayout patch = make_parenchyma({}, 2, 2, true, true);
   for (const WallRing &ring : patch.rings)
     {
       double area = 0.;
@@ -52,10 +52,10 @@ BOOST_AUTO_TEST_CASE(rings_are_counter_clockwise_squares)
       BOOST_TEST(area == 1e-8, boost::test_tools::tolerance(1e-12));
     }
   // by hand: 1300 kg/m^3 x 1 um x 50 um x 4 um; E t0^3 z0/12 with E t0 = 400 N/m; 5 x 4 G t0 z0 / rest length
-  BOOST_TEST(patch.node_mass == 1300. * 1e-6 * 50e-6 * 4e-6, boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(patch.bending_stiffness == 400. * 1e-12 * 50e-6 / 12., boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(patch.tie_stiffness == 5. * 0.02 / patch.rest_length, boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(std::abs(patch.lambda_0 - 1.02575) < 5e-6);
+  BOOST_TEST(patch.node_mass[7] == 1300. * 1e-6 * 50e-6 * 4e-6, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(patch.hinge[7] == 400. * 1e-12 * 50e-6 / 12. / 4e-6, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(patch.ties[7].stiffness == 5. * 0.02 / patch.rest_length[7], boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(std::abs(patch.spacing / patch.rest_length[7] - 1.02575) < 5e-6);
 }
 
 BOOST_AUTO_TEST_CASE(wrong_parameters_are_named)

@@ -32,7 +32,7 @@ BOOST_DATA_TEST_CASE(force_is_minus_energy_gradient, boost::unit_test::data::mak
   ParticleSystem<2> &system = patch->system;
   system.compute_forces();
   const Particles<2> at = system.particles;
-  const double scale = largest_force(at), h = 1e-6 * patch->patch.spacing;
+  const double scale = largest_force(at), h = 1e-6 * patch->layout.spacing;
   for (std::size_t i = 0; i < at.size(); i += 7)
     for (int d = 0; d < 2; ++d)
       {
@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(volumes_fill_the_cell_and_packing_does_not_decide_the_press
 {
   // The annealed cell, and the same sheared affinely: other packings of the same mass in the same volume. The mean
   // pressure is that of the mass over the volume up to the second order in the spread of densities.
-  const ParenchymaPatch patch = make_parenchyma(cell, 1, 1, true, true);
+  const CellLayout patch = make_parenchyma(cell, 1, 1, true, true);
   const auto cells = make_sph_patch(patch, sph, make_turgid_reference(cell, sph));
   Particles<2> &p = cells->system.particles;
   const Group &g = p.groups[0];

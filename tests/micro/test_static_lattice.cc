@@ -1,5 +1,5 @@
 // The static block of cells: balance of forces, frozen surfaces, the slab's closed form, water.
-#include "micro/cells/turgid_network.h"
+#include "micro/cells/parenchyma.h"
 #include "run/input_entries.h"
 #include "micro/scenes/tissue/static_lattice.h"
 
@@ -23,7 +23,7 @@ const EquilibriumSettings settings{1e-9, 300};
 
 double largest_shift(const LatticeBlock &block)
 {
-  const std::vector<double> flat = turgid_reference(block.network->patch()).positions;
+  const std::vector<double> flat = block.reference;
   double largest = 0.;
   for (std::size_t i = 0; i < flat.size(); ++i)
     largest = std::max(largest, std::abs(block.relaxed[i] - flat[i]));
@@ -85,10 +85,10 @@ BOOST_AUTO_TEST_CASE(free_cells_bulge_and_osmosis_restores_turgor)
   double taken_up = 0.;
   for (std::size_t c = 0; c < 9; ++c)
     {
-      BOOST_TEST(fixed.network->fluid_mass(c) == fixed.network->fluid_mass());
+      BOOST_TEST(fixed.network->fluid_mass(c) == fixed.network->fluid_mass(0));
       BOOST_TEST(fixed.pressure()[c] < fixed.reference_pressure);
       BOOST_TEST(osmotic.pressure()[c] == osmotic.reference_pressure, boost::test_tools::tolerance(1e-6));
-      taken_up += osmotic.network->fluid_mass(c) - osmotic.network->fluid_mass();
+      taken_up += osmotic.network->fluid_mass(c) - fixed.network->fluid_mass(c);
     }
   BOOST_TEST(taken_up > 0.); // as a whole: swelling neighbours may squeeze water out of a cell at the clamp
 }
@@ -105,15 +105,15 @@ BOOST_AUTO_TEST_CASE(the_way_of_loading_does_not_matter)
 
 BOOST_AUTO_TEST_CASE(water_held_at_a_pressure_has_its_forces_from_the_energy)
 {
-  HydrostaticNetwork network(make_parenchyma(coarse_cell(), 2, 1, false, false), 6e-10);
+  HydrostaticNetwork network(make_parenchyma(coarse_cell(), 2, 1, false, false));
   network.hold_pressure(150e3);
-  std::vector<double> x = network.reference_positions();
+  std::vector<double> x = network.layout().positions();
   for (std::size_t i = 0; i < x.size(); ++i)
-    x[i] += 0.02 * network.patch().spacing * std::sin(3. * double(i));
-  const Tensor2<2> H = network.patch().lattice;
+    x[i] += 0.02 * network.layout().spacing * std::sin(3. * double(i));
+  const Tensor2<2> H = network.layout().lattice;
   NetworkEvaluation at, side;
   network.evaluate(x, H, NetworkOrder::gradient, at);
-  const double h = 1e-4 * network.patch().spacing;
+  const double h = 1e-4 * network.layout().spacing;
   for (std::size_t i = 0; i < x.size(); i += 7)
     {
       double difference = 0.;

@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(force_is_minus_energy_gradient_when_density_follows)
     std::fill(p.v[d].begin(), p.v[d].end(), 0.);
   system.compute_forces();
   const Particles<2> at = p;
-  const double h = 1e-6 * patch->patch.spacing;
+  const double h = 1e-6 * patch->layout.spacing;
   for (std::size_t i = 0; i < at.size(); i += 7)
     for (int d = 0; d < 2; ++d)
       {
@@ -367,12 +367,12 @@ BOOST_AUTO_TEST_CASE(the_input_file_selects_it)
   SphParameters read;
   InputEntries prm;
   read.add_parameters(prm);
-  const ParenchymaPatch patch = make_parenchyma(cell, 1, 1, true, true);
+  const CellLayout patch = make_parenchyma(cell, 1, 1, true, true);
   const auto fluid_name = [&] {
     read.particles_per_side = 9;
     ParenchymaParameters p = cell;
     p.fluid_viscosity = 1.;
-    const ParenchymaPatch viscous = make_parenchyma(p, 1, 1, true, true);
+    const CellLayout viscous = make_parenchyma(p, 1, 1, true, true);
     return make_sph_patch(viscous, read, unannealed_cell(viscous, read))->fluid->name();
   };
   BOOST_TEST(fluid_name() == "sph_fluid_viscous");

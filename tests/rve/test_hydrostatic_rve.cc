@@ -1,6 +1,8 @@
 // The hydrostatic RVE: closed form, tangent order, objectivity, extremes, bad input.
 #include "rve/flat_wall_closed_form.h"
 #include "rve/hydrostatic_rve.h"
+#include "micro/cells/turgid_layout.h"
+#include "tests/micro/unlike_cells.h"
 #include "tests/rve/matrix.h"
 
 #include <boost/test/unit_test.hpp>
@@ -36,7 +38,7 @@ BOOST_AUTO_TEST_SUITE(hydrostatic_rve)
 
 BOOST_AUTO_TEST_CASE(reference_is_free_of_stress)
 {
-  const HydrostaticRve rve({}, {});
+  const HydrostaticRve rve(ParenchymaParameters(), {});
   const RveAnswer<2> at_rest = answer(rve, Tensor2<2>::Identity());
   BOOST_TEST(at_rest.sigma.norm() < 1e-6 * 200e3);
   BOOST_TEST(std::abs(at_rest.energy) < 1e-9 * 200e3);
@@ -123,12 +125,40 @@ BOOST_AUTO_TEST_CASE(tangent_is_second_order_limit_of_differences)
     }
 }
 
+// Cells of their own sizes, strengths and masses: the stress is the slope of the energy, the tangent that of the stress; a turned RVE turns its answer.
+BOOST_AUTO_TEST_CASE(unlike_cells_answer_as_one_material)
+{
+  HydrostaticRveSettings settings;
+  settings.equilibrium.tolerance = 1e-12;
+  const CellLayout layout = turgid(test::unlike_cells());
+  const HydrostaticRve rve(layout, settings);
+  const double volume = layout.lattice.determinant() * layout.parameters.depth;
+  BOOST_TEST(rve.density() * volume == layout.total_fluid_mass() + layout.total_wall_mass(), boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(std::abs(answer(rve, Tensor2<2>::Identity()).sigma.trace()) < 1e-6 * 200e3);
+  const Tensor2<2> F = matrix(1.005, 0.03, -0.01, 0.998);
+  const RveAnswer<2> at = answer(rve, F, Tensor2<2>::Zero(), true);
+  BOOST_REQUIRE(at.diagnostics.converged);
+  const double h = 2e-4;
+  for (int k = 0; k < 4; ++k)
+    {
+      Tensor2<2> dF = Tensor2<2>::Zero();
+      dF(k / 2, k % 2) = h;
+      const RveAnswer<2> plus = answer(rve, F + dF), minus = answer(rve, F - dF);
+      BOOST_TEST(std::abs((plus.energy - minus.energy) / (2. * h) - at.P(k / 2, k % 2)) < 1e-4 * at.P.norm());
+      for (int r = 0; r < 4; ++r)
+        BOOST_TEST(std::abs((plus.P(r / 2, r % 2) - minus.P(r / 2, r % 2)) / (2. * h) - at.tangent(r, k))
+                   < 1e-4 * at.tangent.cwiseAbs().maxCoeff());
+    }
+  const Tensor2<2> Q = matrix(0.8, -0.6, 0.6, 0.8);
+  BOOST_TEST((answer(rve, Q * F).sigma - Q * at.sigma * Q.transpose()).norm() < 1e-7 * 200e3);
+}
+
 // P is the slope of the energy the answer carries.
 BOOST_AUTO_TEST_CASE(stress_is_energy_slope)
 {
   for (const bool relaxed : {true, false})
     {
-      const HydrostaticRve rve({}, relaxed ? HydrostaticRveSettings{} : cauchy_born());
+      const HydrostaticRve rve(ParenchymaParameters(), relaxed ? HydrostaticRveSettings{} : cauchy_born());
       const Tensor2<2> F = matrix(1.01, 0.15, 0.02, 0.995), P = answer(rve, F).P;
       const double h = 1e-3;
       for (int k = 0; k < 4; ++k)
@@ -144,7 +174,7 @@ BOOST_AUTO_TEST_CASE(stress_is_energy_slope)
 
 BOOST_AUTO_TEST_CASE(objective)
 {
-  const HydrostaticRve rve({}, {});
+  const HydrostaticRve rve(ParenchymaParameters(), {});
   const Tensor2<2> Q = matrix(0.8, -0.6, 0.6, 0.8), F = matrix(1.02, 0.3, 0., 0.99);
   const Tensor2<2> sigma = answer(rve, F).sigma;
   BOOST_TEST((answer(rve, Q * F).sigma - Q * sigma * Q.transpose()).norm() < 1e-6 * sigma.norm());
@@ -175,7 +205,7 @@ BOOST_AUTO_TEST_CASE(patch_answers_as_one_cell)
 
 BOOST_AUTO_TEST_CASE(same_bits_whatever_the_workspace_saw)
 {
-  const HydrostaticRve rve({}, {});
+  const HydrostaticRve rve(ParenchymaParameters(), {});
   const auto used = rve.make_workspace();
   rve.evaluate(rve.initial_state(), matrix(1.2, 0.5, 0.1, 0.9), Tensor2<2>::Zero(), {0., true}, *used);
   const Tensor2<2> F = matrix(1.01, 0.1, 0., 1.);
@@ -186,7 +216,7 @@ BOOST_AUTO_TEST_CASE(same_bits_whatever_the_workspace_saw)
 
 BOOST_AUTO_TEST_CASE(extremes_converge_or_say_why)
 {
-  const HydrostaticRve rve({}, {});
+  const HydrostaticRve rve(ParenchymaParameters(), {});
   const auto check = [&](const Tensor2<2> &F) {
     const RveAnswer<2> a = answer(rve, F);
     BOOST_TEST(a.sigma.allFinite());
@@ -217,7 +247,7 @@ BOOST_AUTO_TEST_CASE(buckled_patch_does_not_depend_on_the_way)
 {
   HydrostaticRveSettings settings;
   settings.columns = settings.rows = 2;
-  const HydrostaticRve rve({}, settings);
+  const HydrostaticRve rve(ParenchymaParameters(), settings);
   const auto workspace = rve.make_workspace();
   RveState<2> state = rve.initial_state();
   for (const double a : {0.99, 0.98, 0.97, 0.96, 0.95})
@@ -236,7 +266,7 @@ BOOST_AUTO_TEST_CASE(buckled_patch_does_not_depend_on_the_way)
 
 BOOST_AUTO_TEST_CASE(wrong_input_throws)
 {
-  const HydrostaticRve rve({}, {});
+  const HydrostaticRve rve(ParenchymaParameters(), {});
   BOOST_CHECK_THROW(answer(rve, matrix(1., 0., 0., -1.)), std::invalid_argument);
   BOOST_CHECK_THROW(answer(rve, matrix(1., 1., 1., 1.)), std::invalid_argument);
   BOOST_CHECK_THROW(answer(rve, matrix(std::numeric_limits<double>::quiet_NaN(), 0., 0., 1.)), std::invalid_argument);

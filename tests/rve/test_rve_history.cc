@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_SUITE(rve_history)
 
 BOOST_AUTO_TEST_CASE(without_it_a_state_has_none)
 {
-  const HydrostaticRve rve({}, {});
+  const HydrostaticRve rve(ParenchymaParameters(), {});
   BOOST_TEST(rve.initial_state().history.empty());
   BOOST_TEST(!rve.has_history());
   const HydrostaticRve reversible(yielding_cell(), {});
@@ -311,13 +311,13 @@ BOOST_AUTO_TEST_CASE(torn_patch_goes_on)
 BOOST_AUTO_TEST_CASE(wrong_input_throws)
 {
   HydrostaticRveSettings settings = plastic();
-  BOOST_CHECK_THROW(HydrostaticRve({}, settings), std::invalid_argument); // plastic, but nothing yields
+  BOOST_CHECK_THROW(HydrostaticRve(ParenchymaParameters(), settings), std::invalid_argument); // plastic, but nothing yields
   settings = breaking(0.9);
   BOOST_CHECK_THROW(HydrostaticRve(yielding_cell(), settings), std::invalid_argument);
   settings = plastic();
   settings.rule = HydrostaticRule::cauchy_born;
   BOOST_CHECK_THROW(HydrostaticRve(yielding_cell(), settings), std::invalid_argument);
-  const HydrostaticRve rve(yielding_cell(), plastic()), plain({}, {});
+  const HydrostaticRve rve(yielding_cell(), plastic()), plain(ParenchymaParameters(), {});
   const auto workspace = rve.make_workspace();
   RveState<2> foreign = rve.initial_state();
   foreign.history.pop_back();

@@ -35,7 +35,7 @@ Tensor2<2> image_virial(const ParticleSystem<2> &system)
   return total;
 }
 
-std::unique_ptr<SphPatch> without_fluid(const ParenchymaPatch &patch, const SphParameters &sph, ReferenceCell reference)
+std::unique_ptr<SphPatch> without_fluid(const CellLayout &patch, const SphParameters &sph, ReferenceCell reference)
 {
   reference.x.resize(reference.wall_count);
   reference.y.resize(reference.wall_count);

@@ -41,7 +41,7 @@ private:
   const CellEndurance &scene;
   RunContext &context;
   const ReferenceCell reference;
-  const ParenchymaPatch patch;
+  const CellLayout patch;
   const std::unique_ptr<SphPatch> wet, walls;
   ParticleSystem<2> &system;
   WatchedSteps<2> integrator;

@@ -59,7 +59,7 @@ void Stability::deform(RunContext &context, SphPatch &wet) const
 {
   ParticleSystem<2> &system = wet.system;
   const Tensor2<2> F = parse_tensor(F_text, "F"), G = F - Tensor2<2>::Identity();
-  const Tensor2<2> H0 = wet.patch.lattice;
+  const Tensor2<2> H0 = wet.layout.lattice;
   KickDriftKick<2> integrator(system);
   const double size = G.cwiseAbs().maxCoeff();
   const unsigned int parts = unsigned(std::ceil(size / 0.01)), rest = size > 0. ? 40 : 0;
@@ -145,7 +145,7 @@ Stability::Trial Stability::attempt(RunContext &context, SphPatch &wet, const st
 void Stability::run(RunContext &context)
 {
   const ReferenceCell reference = anneal_reference(context, cell, sph);
-  const ParenchymaPatch patch = make_parenchyma(cell, 1, 1, true, true);
+  const CellLayout patch = make_parenchyma(cell, 1, 1, true, true);
   const auto wet = make_sph_patch(patch, sph, reference);
   ParticleSystem<2> &system = wet->system;
   context.active(system.term_names(), system.particles.field_names());

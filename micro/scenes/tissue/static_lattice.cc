@@ -1,6 +1,7 @@
 #include "micro/scenes/tissue/static_lattice.h"
 
-#include "micro/cells/turgid_network.h"
+#include "micro/cells/parenchyma.h"
+#include "micro/cells/turgid_layout.h"
 #include "run/field_output.h"
 #include "run/input_entries.h"
 #include "micro/scenes/shared_entries.h"
@@ -19,15 +20,14 @@ LatticeBlock::LatticeBlock(const ParenchymaParameters &cell, const unsigned int 
   : surfaces(surfaces_)
 {
   const bool slab = surfaces == Surfaces::slab;
-  const ParenchymaPatch patch = make_parenchyma(cell, columns, rows, false, slab);
-  const TurgidReference reference = turgid_reference(patch);
-  network = std::make_unique<HydrostaticNetwork>(patch, reference.fluid_mass);
-  x = relaxed = reference.positions;
+  const CellLayout layout = turgid_parenchyma(cell, columns, rows, false, slab);
+  network = std::make_unique<HydrostaticNetwork>(layout);
+  x = relaxed = reference = layout.positions();
   width = columns * cell.period;
   const double cell_volume = cell.period * cell.period * cell.depth;
-  density = (reference.fluid_mass + patch.rings[0].count * patch.node_mass) / cell_volume;
+  density = (layout.fluid_mass[0] + layout.wall_mass(0)) / cell_volume;
   NetworkEvaluation at_reference;
-  network->evaluate(x, patch.lattice, NetworkOrder::gradient, at_reference);
+  network->evaluate(x, layout.lattice, NetworkOrder::gradient, at_reference);
   reference_pressure = at_reference.pressure[0];
 
   // Clamp: the left side of the first column (its last side and corner 0). Probe: as near the middle of the right side
@@ -35,7 +35,7 @@ LatticeBlock::LatticeBlock(const ParenchymaParameters &cell, const unsigned int 
   const std::uint32_t side = cell.nodes_per_side;
   for (unsigned int row = 0; row < rows; ++row)
     for (std::uint32_t k = 3 * side; k <= 4 * side; ++k)
-      clamped.push_back(patch.rings[std::size_t(row) * columns].first + k % (4 * side));
+      clamped.push_back(layout.rings[std::size_t(row) * columns].first + k % (4 * side));
   const double middle = 0.5 * rows * cell.period;
   double nearest = std::numeric_limits<double>::infinity();
   for (const bool collect : {false, true})
@@ -45,19 +45,18 @@ LatticeBlock::LatticeBlock(const ParenchymaParameters &cell, const unsigned int 
           const double distance = std::abs((row + double(k - side) / side) * cell.period - middle);
           if (!collect)
             nearest = std::min(nearest, distance);
-          else if (distance < nearest + 0.01 * patch.spacing)
-            probe.push_back(patch.rings[std::size_t(row) * columns + columns - 1].first + k);
+          else if (distance < nearest + 0.01 * layout.spacing)
+            probe.push_back(layout.rings[std::size_t(row) * columns + columns - 1].first + k);
         }
   if (surfaces == Surfaces::frozen || slab)
-    freeze(patch.lattice, slab);
+    freeze(make_parenchyma(cell, columns, rows, true, true), slab);
   equilibrium = std::make_unique<NetworkEquilibrium>(*network, clamped);
 }
 
 // The ties of the fully periodic grid that leave the block become what they pull in the reference.
-void LatticeBlock::freeze(const Tensor2<2> &lattice, const bool slab)
+void LatticeBlock::freeze(const CellLayout &all, const bool slab)
 {
-  const ParenchymaPatch &patch = network->patch();
-  const ParenchymaPatch all = make_parenchyma(patch.parameters, patch.columns, patch.rows, true, true);
+  const Tensor2<2> &lattice = all.lattice;
   dead.assign(x.size(), 0.);
   for (const LamellaTie &tie : all.ties)
     {
@@ -67,8 +66,8 @@ void LatticeBlock::freeze(const Tensor2<2> &lattice, const bool slab)
         {
           const double gap =
             x[2 * tie.b + d] - x[2 * tie.a + d] + lattice(d, 0) * tie.shift[0] + lattice(d, 1) * tie.shift[1];
-          dead[2 * tie.a + d] += patch.tie_stiffness * gap;
-          dead[2 * tie.b + d] -= patch.tie_stiffness * gap;
+          dead[2 * tie.a + d] += tie.stiffness * gap;
+          dead[2 * tie.b + d] -= tie.stiffness * gap;
         }
     }
   network->set_dead_forces(dead);
@@ -77,7 +76,7 @@ void LatticeBlock::freeze(const Tensor2<2> &lattice, const bool slab)
 LatticeEffort LatticeBlock::relax(const EquilibriumSettings &settings)
 {
   const auto solve = [&] {
-    const EquilibriumReport report = equilibrium->solve(x, network->patch().lattice, settings);
+    const EquilibriumReport report = equilibrium->solve(x, network->layout().lattice, settings);
     if (!report.converged)
       throw RunFailed("The unloaded block finds no equilibrium: " + report.message +
                       " Smaller Cell/Turgor or a larger Tolerance may help.");
@@ -113,7 +112,7 @@ LatticeEffort LatticeBlock::load(const double pressure, const EquilibriumSetting
       const double next = std::min(1., reached + increment);
       network->set_body_acceleration({0., -next * acceleration});
       std::vector<double> there = x;
-      const EquilibriumReport report = equilibrium->solve(there, network->patch().lattice, settings);
+      const EquilibriumReport report = equilibrium->solve(there, network->layout().lattice, settings);
       effort.iterations += report.iterations;
       effort.factorisations += report.factorisations;
       effort.escapes += report.escapes;
@@ -151,7 +150,7 @@ Vector<2> LatticeBlock::probe_displacement() const
 
 Vector<2> LatticeBlock::centroid(const std::vector<double> &at, const std::size_t cell) const
 {
-  const WallRing &ring = network->patch().rings[cell];
+  const WallRing &ring = network->layout().rings[cell];
   const Vector<2> origin(at[2 * ring.first], at[2 * ring.first + 1]);
   Vector<2> moment = Vector<2>::Zero();
   double twice_area = 0.;
@@ -169,7 +168,7 @@ Vector<2> LatticeBlock::centroid(const std::vector<double> &at, const std::size_
 std::vector<Vector<2>> LatticeBlock::cell_displacement() const
 {
   std::vector<Vector<2>> result;
-  for (std::size_t c = 0; c < network->patch().rings.size(); ++c)
+  for (std::size_t c = 0; c < network->layout().rings.size(); ++c)
     result.push_back(centroid(x, c) - centroid(relaxed, c));
   return result;
 }
@@ -185,10 +184,10 @@ Vector<2> LatticeBlock::clamp_reaction() const
 
 Vector<2> LatticeBlock::weight() const
 {
-  const ParenchymaPatch &patch = network->patch();
-  double mass = patch.node_mass * double(patch.nodes.size());
-  for (std::size_t c = 0; c < patch.rings.size(); ++c)
-    mass += network->fluid_mass(c);
+  const CellLayout &layout = network->layout();
+  double mass = layout.total_wall_mass();
+  for (const double fluid : layout.fluid_mass)
+    mass += fluid;
   return {0., -mass * acceleration};
 }
 
@@ -231,7 +230,7 @@ FieldFrame StaticLattice::frame_of(const LatticeBlock &block, const std::vector<
   FieldFrame frame;
   frame.time = share_of_load;
   NamedField u{"displacement [m]", 3, {}, false}, pressure{"pressure [Pa]", 1, {}, false}, cells{"cell", 1, {}, false};
-  const std::vector<WallRing> &rings = block.network->patch().rings;
+  const std::vector<WallRing> &rings = block.network->layout().rings;
   for (std::size_t c = 0; c < rings.size() && !x.empty(); ++c)
     for (std::size_t i = rings[c].first; i < rings[c].first + rings[c].count; ++i)
       {
@@ -269,7 +268,7 @@ void StaticLattice::run(RunContext &context)
   context.progress(0.1, "relaxing without load");
   const LatticeEffort relaxing = block.relax(settings);
   double bulge = 0.;
-  const std::vector<double> flat = turgid_reference(block.network->patch()).positions;
+  const std::vector<double> flat = block.reference;
   for (std::size_t i = 0; i < flat.size(); ++i)
     bulge = std::max(bulge, std::abs(block.relaxed[i] - flat[i]));
   const double relaxed_pressure = *std::min_element(block.pressure().begin(), block.pressure().end());

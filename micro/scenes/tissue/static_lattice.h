@@ -54,7 +54,7 @@ public:
 
   std::unique_ptr<HydrostaticNetwork> network;
   std::vector<std::uint32_t> clamped, probe; ///< nodes
-  std::vector<double> relaxed, x;            ///< m, node positions before and under the load
+  std::vector<double> reference, relaxed, x; ///< m, node positions in the periodic grid, before and under the load
   std::vector<double> failed;                ///< m, where the last search that found nothing has ended
   double width = 0.;                         ///< m
   double density = 0.;                       ///< kg/m^3 of the reference
@@ -62,7 +62,7 @@ public:
   double reference_pressure = 0.;            ///< Pa
 
 private:
-  void freeze(const Tensor2<2> &lattice, bool slab);
+  void freeze(const CellLayout &all, bool slab);
   Vector<2> centroid(const std::vector<double> &at, std::size_t cell) const;
 
   Surfaces surfaces;

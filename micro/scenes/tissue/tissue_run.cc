@@ -92,7 +92,7 @@ void TissueLoading::Run::begin_squeezing()
   const Particles<2> &p = system.particles;
   if (tissue->ties)
     for (const LamellaTie &tie : tissue->ties->all())
-      tie_stress = std::max(tie_stress, tissue->ties->stiffness() * (p.position(tie.a) - p.position(tie.b)).norm()
+      tie_stress = std::max(tie_stress, tie.stiffness * (p.position(tie.a) - p.position(tie.b)).norm()
                                           / (tissue->spacing * scene.cell.depth));
   const double most = tissue->largest_stretch();
   if (failure && most > scene.brick.critical_stretch)
@@ -150,7 +150,7 @@ bool TissueLoading::Run::processes()
       for (const std::size_t t : now)
         {
           const LamellaTie &tie = tissue->ties->all()[t];
-          released += 0.5 * tissue->ties->stiffness()
+          released += 0.5 * tie.stiffness
                       * (system.particles.position(tie.a) - system.particles.position(tie.b)).squaredNorm();
           broken_ties.push_back(double(tissue->tie_from_end[t]));
         }
