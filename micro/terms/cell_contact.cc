@@ -1,7 +1,6 @@
 #include "micro/terms/cell_contact.h"
 
 #include "run/archive.h"
-#include "micro/geometry/bins.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +9,6 @@
 
 namespace turgor
 {
-namespace
-{
-std::uint32_t next_in(const Group &g, const std::uint32_t k) { return k + 1 < g.fluid ? k + 1 : g.begin; }
-} // namespace
-
 CellContact::CellContact(const CellContactParameters &parameters_, std::shared_ptr<const WallDamage> damage_)
   : parameters(parameters_)
   , damage(std::move(damage_))
@@ -67,12 +61,15 @@ bool CellContact::stale()
         wild = wild || !(r2 < std::numeric_limits<double>::infinity());
         most = std::max(most, r2);
       }
-  moved = std::sqrt(most);
+  // an image moves with the periods as well
+  const Tensor2<2> dH = box.H - box_at_build.H;
+  moved = std::sqrt(most) + 0.5 * (most_shift[0] * dH.col(0).norm() + most_shift[1] * dH.col(1).norm());
   return wild || moved > 0.5 * parameters.skin;
 }
 
-void CellContact::prepare(const Particles<2> &particles, const Box<2> &)
+void CellContact::prepare(const Particles<2> &particles, const Box<2> &now)
 {
+  box = now;
   place(particles, y);
   if (!stale())
     return;
@@ -83,81 +80,10 @@ void CellContact::prepare(const Particles<2> &particles, const Box<2> &)
       place(particles, y); // fluid that is out now
     }
   origin = y;
+  box_at_build = box;
   build();
   update_ranges();
   ++builds;
-}
-
-void CellContact::build()
-{
-  bonds.clear();
-  nears.clear();
-  moved = 0.;
-  for (auto *lists : {&of_points, &of_rings})
-    for (auto &list : *lists)
-      list.clear();
-
-  // Middles of the bonds that hold, in bins; a point looks as far as its reach and half the longest bond.
-  std::vector<double> middle[2];
-  std::vector<std::uint32_t> node, ring;
-  double longest2 = 0., lo[2] = {0., 0.}, hi[2] = {0., 0.};
-  for (std::size_t c = 0; c < groups.size(); ++c)
-    for (std::uint32_t k = groups[c].begin; k < groups[c].fluid; ++k)
-      {
-        const std::uint32_t next = next_in(groups[c], k);
-        const double ex = origin[0][next] - origin[0][k], ey = origin[1][next] - origin[1][k];
-        if ((damage && damage->cells[c].bond_broken[k - groups[c].begin]) || !(std::abs(ex) + std::abs(ey) < 1e300))
-          continue;
-        longest2 = std::max(longest2, ex * ex + ey * ey);
-        for (int d = 0; d < 2; ++d)
-          {
-            const double m = 0.5 * (origin[d][k] + origin[d][next]);
-            lo[d] = node.empty() ? m : std::min(lo[d], m);
-            hi[d] = node.empty() ? m : std::max(hi[d], m);
-            middle[d].push_back(m);
-          }
-        node.push_back(k);
-        ring.push_back(std::uint32_t(c));
-      }
-  if (node.empty())
-    return;
-  const double range = std::max(parameters.range, parameters.fluid_range) + parameters.skin, reach = range + 0.5 * std::sqrt(longest2);
-  const double *const at[2] = {middle[0].data(), middle[1].data()};
-  const Bins<2> bins(at, std::uint32_t(node.size()), 0.5 * reach * (1. + 1e-9), lo, hi);
-
-  std::vector<std::uint32_t> found;
-  for (std::size_t c = 0; c < groups.size(); ++c)
-    for (std::uint32_t i = groups[c].begin; i < points_end(c); ++i)
-      {
-        const double p[2] = {origin[0][i], origin[1][i]};
-        if (!(std::abs(p[0]) + std::abs(p[1]) < 1e300))
-          continue;
-        const bool fluid = i >= groups[c].fluid;
-        found.clear();
-        bins.near(p, [&](const std::uint32_t b) {
-          const std::uint32_t k = node[b], next = next_in(groups[ring[b]], k);
-          if (ring[b] == c && (fluid || k == i || next == i))
-            return; // fluid and its own wall are the fluid's matter
-          const double ex = origin[0][next] - origin[0][k], ey = origin[1][next] - origin[1][k];
-          const double qx = p[0] - origin[0][k], qy = p[1] - origin[1][k], l2 = ex * ex + ey * ey;
-          const double t = l2 > 0. ? std::clamp((qx * ex + qy * ey) / l2, 0., 1.) : 0.;
-          const double rx = qx - t * ex, ry = qy - t * ey;
-          if (rx * rx + ry * ry < range * range)
-            found.push_back(b);
-        });
-        std::sort(found.begin(), found.end());
-        for (std::size_t k = 0; k < found.size();)
-          {
-            const std::uint32_t r = ring[found[k]], first = std::uint32_t(bonds.size());
-            for (; k < found.size() && ring[found[k]] == r; ++k)
-              bonds.push_back(node[found[k]]);
-            of_points[c].push_back(std::uint32_t(nears.size()));
-            of_rings[r].push_back(std::uint32_t(nears.size()));
-            nears.push_back({i, r, first, std::uint32_t(bonds.size()), fluid, 0.});
-            Hit hit;
-            nears.back().slack = distance(nears.back(), hit) - (fluid ? parameters.fluid_range : parameters.range);
-          }
-      }
 }
 
 void CellContact::update_ranges()
@@ -186,11 +112,12 @@ double CellContact::distance(const Near &near, Hit &hit) const
 {
   const Group &g = groups[near.ring];
   const double *px = y[0].data(), *py = y[1].data();
-  const double x = px[near.point], z = py[near.point];
+  const Vector<2> away = box.image(near.shift);
+  const double x = px[near.point] - away[0], z = py[near.point] - away[1];
   double least = std::numeric_limits<double>::infinity();
   for (std::uint32_t k = near.first; k < near.last; ++k)
     {
-      const std::uint32_t a = bonds[k], b = next_in(g, a);
+      const std::uint32_t a = bonds[k], b = wall_node_after(g, a);
       const double ex = px[b] - px[a], ey = py[b] - py[a], qx = x - px[a], qy = z - py[a];
       const double l2 = ex * ex + ey * ey, t = l2 > 0. ? std::clamp((qx * ex + qy * ey) / l2, 0., 1.) : 0.;
       const double rx = qx - t * ex, ry = qy - t * ey, r2 = rx * rx + ry * ry;
@@ -259,6 +186,20 @@ double CellContact::energy(const Particles<2> &, const Box<2> &, const std::size
   return total;
 }
 
+Tensor2<2> CellContact::image_virial(const Particles<2> &, const Box<2> &, const std::size_t group) const
+{
+  Tensor2<2> total = Tensor2<2>::Zero();
+  for (const auto *entries : {&of_points[group], &of_rings[group]})
+    for (const std::uint32_t n : *entries)
+      if (nears[n].shift != std::array<int, 2>{})
+        {
+          const Hit hit = touch(nears[n]);
+          if (hit.overlap > 0.)
+            total += 0.5 * Vector<2>(hit.force[0], hit.force[1]) * box.image(nears[n].shift).transpose();
+        }
+  return total;
+}
+
 double CellContact::deepest() const
 {
   double most = 0.;
@@ -270,8 +211,9 @@ double CellContact::deepest() const
 
 std::size_t CellContact::crossed_bonds() const
 {
-  const auto left = [&](const std::uint32_t a, const std::uint32_t b, const std::uint32_t p) {
-    return (y[0][b] - y[0][a]) * (y[1][p] - y[1][a]) - (y[1][b] - y[1][a]) * (y[0][p] - y[0][a]) > 0.;
+  // p and its ring are moved by `away` against the bond from a to b
+  const auto left = [&](const std::uint32_t a, const std::uint32_t b, const std::uint32_t p, const Vector<2> &away) {
+    return (y[0][b] - y[0][a]) * (y[1][p] + away[1] - y[1][a]) - (y[1][b] - y[1][a]) * (y[0][p] + away[0] - y[0][a]) > 0.;
   };
   std::set<std::pair<std::uint32_t, std::uint32_t>> crossed;
   for (std::size_t c = 0; c < groups.size(); ++c)
@@ -280,10 +222,12 @@ std::size_t CellContact::crossed_bonds() const
         for (const std::uint32_t a : {near.point, near.point > groups[c].begin ? near.point - 1 : groups[c].fluid - 1})
           for (std::uint32_t k = near.first; k < near.last; ++k)
             {
-              const std::uint32_t b = next_in(groups[c], a), e = bonds[k], f = next_in(groups[near.ring], e);
-              if ((damage && damage->cells[c].bond_broken[a - groups[c].begin]) || a == e || b == e || a == f)
+              const std::uint32_t b = wall_node_after(groups[c], a), e = bonds[k], f = wall_node_after(groups[near.ring], e);
+              const bool same_ring = near.shift == std::array<int, 2>{};
+              if ((damage && damage->cells[c].bond_broken[a - groups[c].begin]) || (same_ring && (a == e || b == e || a == f)))
                 continue;
-              if (left(a, b, e) != left(a, b, f) && left(e, f, a) != left(e, f, b))
+              const Vector<2> away = box.image(near.shift);
+              if (left(a, b, e, away) != left(a, b, f, away) && left(e, f, a, -away) != left(e, f, b, -away))
                 crossed.emplace(std::min(a, e), std::max(a, e));
             }
   return crossed.size();
@@ -305,11 +249,15 @@ Rates CellContact::rates(const Particles<2> &particles) const
 void CellContact::archive(Archive &a, Particles<2> &particles)
 {
   a.section("cell contact");
-  a(origin, broken_at_build, fluid_range);
+  a(origin, box.periodic, box.H, box_at_build.H, broken_at_build, fluid_range);
   if (!a.loading() || origin[0].empty())
     return;
-  y = origin; // slack is that of the build
+  box_at_build.periodic = box.periodic;
+  const Box<2> now = box;
+  box = box_at_build; // slack is that of the build
+  y = origin;
   build();
+  box = now;
   place(particles, y);
   stale(); // how far everything has moved since
 }

@@ -17,8 +17,11 @@
 // foreign face if that is less than rho_f, and follows this distance up to rho_f. So no energy appears when a cell fails
 // while a neighbour bulges into it, nor while the range grows. It is brought up to date when lists are built.
 //
-// Lists of near (point, ring) with the bonds in reach are rebuilt when something listed has moved half a skin, or a bond has
-// broken. Every pair is evaluated from both sides: a group writes its own particles only.
+// In a periodic box points also touch the images of rings, their own ring's too: ring + H s with whole periods s; what an image feels its ring
+// does. Near(point, ring) then carries its s, everything else is the same, and the stress is f_p (x) H s a pair.
+//
+// Lists of near (point, ring) with the bonds in reach are rebuilt when something listed has moved half a skin (images against points: a
+// skin), or a bond has broken. Every pair is evaluated from both sides: a group writes its own particles only.
 #pragma once
 
 #include "micro/engine/term.h"
@@ -52,6 +55,7 @@ public:
   void prepare(const Particles<2> &particles, const Box<2> &box) override;
   void add_forces(Particles<2> &particles, const Box<2> &box, std::size_t group) override;
   double energy(const Particles<2> &particles, const Box<2> &box, std::size_t group) const override;
+  Tensor2<2> image_virial(const Particles<2> &particles, const Box<2> &box, std::size_t group) const override;
   Rates rates(const Particles<2> &particles) const override;
   void archive(Archive &a, Particles<2> &particles) override;
 
@@ -67,6 +71,7 @@ private:
   {
     std::uint32_t point, ring, first, last; ///< bonds [first, last) of `bonds`
     bool fluid;
+    std::array<int, 2> shift; ///< periods by which the ring is moved
     double slack; ///< m, distance when the list was built - range
   };
   struct Hit
@@ -79,8 +84,11 @@ private:
 
   void place(const Particles<2> &particles, Particles<2>::Components &at) const;
   bool stale();
-  void build();         ///< from origin, which y is
+  void build();         ///< from origin, which y is, and the box at that time
   void update_ranges();
+  static std::uint32_t wall_node_after(const Group &g, const std::uint32_t k) { return k + 1 < g.fluid ? k + 1 : g.begin; }
+  struct Bonds;
+  Bonds bonds_and_images() const;
   double distance(const Near &near, Hit &hit) const;
   Hit touch(const Near &near) const;
   std::uint32_t points_end(std::size_t group) const;
@@ -88,6 +96,8 @@ private:
   CellContactParameters parameters;
   std::shared_ptr<const WallDamage> damage;
   Particles<2>::Components y, origin;     ///< m, points of all particles now, and when lists were built (empty: none yet)
+  Box<2> box, box_at_build;
+  std::array<int, 2> most_shift{};        ///< of all entries of `nears`
   std::vector<Group> groups;
   std::vector<std::uint32_t> broken_at_build;  ///< bonds, per group
   std::vector<double> fluid_range;        ///< rho_i, m, of every particle; empty without damage
