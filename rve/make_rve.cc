@@ -28,7 +28,7 @@ std::unique_ptr<Rve<2>> make_rve(const RveParameters &p)
           settings.rows = p.rows;
           settings.equilibrium = {p.equilibrium_tolerance(), p.max_iterations};
           settings.walls = p.wall_limits();
-          return std::make_unique<HydrostaticRve>(p.yielding_cell(), settings);
+          return std::make_unique<HydrostaticRve>(turgid_tissue(p.structure, p.yielding_cell(), p.columns, p.rows), settings);
         }
       SphRveSettings settings;
       settings.rule = p.rule == "cauchy_born"         ? SphRule::cauchy_born :

@@ -56,8 +56,8 @@ void RveParameters::add_parameters(InputEntries &prm)
                     "Cell fluid: hydrostatic (one pressure per cell plus the viscous stress of F_dot) or sph "
                     "(particles). Units: none.",
                     Selection("hydrostatic|sph"));
-  prm.add_parameter("Columns", columns, "Number of cells of the RVE along x. Units: 1.", Integer(1, 100));
-  prm.add_parameter("Rows", rows, "Number of cells of the RVE along y. Units: 1.", Integer(1, 100));
+  prm.add_parameter("Columns", columns, "Number of cells of the RVE along x (before Structure/Rotation). Units: 1.", Integer(1, 100));
+  prm.add_parameter("Rows", rows, "Number of cells of the RVE along y (before Structure/Rotation). Units: 1.", Integer(1, 100));
   prm.add_parameter("Tolerance", tolerance,
                     "Largest unbalanced force on a wall node or particle at equilibrium, over turgor * node spacing * "
                     "depth: 1e-13 to 0.1, or 0 for what suits the fluid, which is 1e-9 with Fluid = hydrostatic and 1e-3 "
@@ -85,6 +85,9 @@ void RveParameters::add_parameters(InputEntries &prm)
                     "more than 16 % may take up to twice as many for every 16 %, and half and quarter steps where the cells "
                     "need them. Units: steps.",
                     Integer(0, 10000000));
+  prm.leave_subsection();
+  prm.enter_subsection("Structure");
+  structure.add_parameters(prm);
   prm.leave_subsection();
   prm.enter_subsection("SPH");
   sph.add_parameters(prm);
@@ -124,6 +127,12 @@ void RveParameters::add_parameters(InputEntries &prm)
 void RveParameters::check() const
 {
   equilibrium_tolerance();
+  structure.check();
+  if (structure.measured())
+    structure.given(); // for what is wrong with its file
+  if (fluid != "hydrostatic" && (!structure.square() || structure.rotation != 0.))
+    throw std::invalid_argument("Structure/Structure = " + structure.kind + " and Structure/Rotation need 'RVE/Fluid = hydrostatic' (it is " + fluid
+                                + "): RVEs with particles have square cells as they lie.");
   make_parenchyma(yielding_cell(), columns, rows, true, true);
   const WallLimits limits = wall_limits();
   limits.check(yield);

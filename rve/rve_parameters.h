@@ -1,8 +1,9 @@
-// The user's entries for an RVE: subsections "RVE" (rule, fluid, size, accuracy), "Wall" (yielding and failure) and "Cell"
-// (micro/cells/parenchyma.h). Declared once, used by every scene that has RVEs.
+// The user's entries for an RVE: subsections "RVE" (rule, fluid, size, accuracy), "Structure" (micro/cells/tissue_structure.h), "Wall" (yielding
+// and failure) and "Cell" (micro/cells/parenchyma.h). Declared once, used by every scene that has RVEs.
 #pragma once
 
 #include "micro/cells/sph_parenchyma.h"
+#include "micro/cells/tissue_structure.h"
 #include "micro/cells/wall_history.h"
 
 #include <string>
@@ -15,6 +16,7 @@ struct RveParameters
   std::string rule = "elastic_equilibrium"; ///< cauchy_born | elastic_equilibrium | constrained_runs
   std::string fluid = "hydrostatic";        ///< hydrostatic | sph
   unsigned int columns = 1, rows = 1;       ///< cells in the RVE
+  TissueStructure structure;                ///< how they lie
   double tolerance = 0.;                    ///< as entered, 0: what suits the fluid; see equilibrium_tolerance()
   unsigned int max_iterations = 300;        ///< Newton iterations of one call
   double window = 1e-7;                     ///< s, tau_0 of the averaged virial stress (Eq. 3.17)
@@ -38,7 +40,7 @@ struct RveParameters
   ParenchymaParameters yielding_cell() const;
   WallLimits wall_limits() const;
 
-  /// Declares subsections "RVE", "SPH", "Wall" and "Cell" in the current subsection of prm.
+  /// Declares subsections "RVE", "Structure", "SPH", "Wall" and "Cell" in the current subsection of prm.
   void add_parameters(InputEntries &prm);
   /// Throws std::invalid_argument, entry and allowed range in one sentence.
   void check() const;

@@ -6,8 +6,11 @@
 #include "run/run_context.h"
 #include "run/judged.h"
 #include "rve/deformation_path.h"
+#include "rve/error_and_offset.h"
 #include "rve/flat_wall_closed_form.h"
+#include "rve/free_side.h"
 #include "rve/make_rve.h"
+#include "rve/structure_report.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,25 +23,6 @@ namespace turgor
 {
 namespace
 {
-/// found = offset + (1 + error) exact by least squares: what an RVE is off in proportion, and what it is off at no load.
-struct ErrorAndOffset
-{
-  double n = 0., x = 0., y = 0., xx = 0., xy = 0.;
-
-  void add(const double exact, const double found)
-  {
-    n += 1.;
-    x += exact;
-    y += found;
-    xx += exact * exact;
-    xy += exact * found;
-  }
-  /// Whether there are two values to tell them apart by.
-  bool exists() const { return n * xx - x * x > 1e-12 * n * xx; }
-  double error() const { return (n * xy - x * y) / (n * xx - x * x) - 1.; }
-  double offset() const { return (y - (1. + error()) * x) / n; }
-};
-
 const char *const component_names[4] = {"xx", "xy", "yx", "yy"};
 
 std::string printed(const Tensor2<2> &F)
@@ -100,6 +84,10 @@ void RveResponse::declare_parameters(InputEntries &prm)
                     "Its rate, xx, xy; yx, yy; empty: the slope of the path, or zero where F is given by hand. "
                     "Units: 1/s.",
                     Anything());
+  prm.add_parameter("Free component", free_component,
+                    "Component of F whose values on the path are not imposed but found so that the stress P there is zero, as of tissue "
+                    "with free sides; none: F is as it is given. Needs RVE/Fluid = hydrostatic. Units: none.",
+                    Selection("none|xx|yy"));
   prm.leave_subsection();
   rve.add_parameters(prm);
 }
@@ -116,6 +104,8 @@ void RveResponse::check() const
     }
   else if (!(parse_tensor(F_by_hand, "Path/F").determinant() > 0.))
     throw InputError("Path/F is '" + F_by_hand + "', but its determinant has to be positive.");
+  if (free_component != "none" && rve.fluid != "hydrostatic")
+    throw InputError("Path/Free component is " + free_component + ", but it needs 'RVE/Fluid = hydrostatic' (it is " + rve.fluid + ").");
   rve.check();
 }
 
@@ -166,6 +156,8 @@ void RveResponse::run(RunContext &context)
   const std::unique_ptr<Series> table = context.series("stress", columns);
 
   RveState<2> state = cells->initial_state();
+  if (!rve.structure.square())
+    report_structure(context, rve.structure, *cells, *workspace);
   double last_time = todo.front().first, cpu = 0., largest_deviation = 0.,
          largest_pressure_deviation = 0., worst = 0.;
   long iterations = 0, compared = 0;
@@ -176,10 +168,17 @@ void RveResponse::run(RunContext &context)
   for (std::size_t i = 0; i < todo.size(); ++i)
     {
       const double time = todo[i].first;
-      const auto &[F, F_dot] = todo[i].second;
+      auto [F, F_dot] = todo[i].second;
       RveRequest request;
       request.time_since_commit = time - last_time;
-      answer = cells->evaluate(state, F, F_dot, request, *workspace);
+      if (free_component == "none")
+        answer = cells->evaluate(state, F, F_dot, request, *workspace);
+      else
+        {
+          const int k = free_component == "xx" ? 0 : 1;
+          F(k, k) = state.F(k, k); // where the search begins
+          answer = answer_with_free_side(*cells, state, F, F_dot, request, k, *workspace);
+        }
       if (!answer.diagnostics.converged)
         {
           std::ostringstream sentence;
@@ -198,7 +197,7 @@ void RveResponse::run(RunContext &context)
       const Tensor2<2> L = F_dot * F.inverse();
       const Tensor2<2> elastic = answer.sigma - rve.cell.fluid_viscosity * (L + L.transpose() + L.trace() * Tensor2<2>::Identity());
       moduli.add(F, elastic);
-      const bool applies = closed.applies(F);
+      const bool applies = rve.structure.square() && rve.structure.rotation == 0. && closed.applies(F);
       Tensor2<2> exact = Tensor2<2>::Zero();
       double exact_pressure = 0., deviation = 0.;
       if (applies)
@@ -229,6 +228,8 @@ void RveResponse::run(RunContext &context)
                          number_text(todo.size()) + " points was written.");
     }
 
+  if (!rve.structure.square())
+    write_outlines(context, *cells, cells->initial_state(), state);
   for (int c = 0; c < 4; ++c)
     context.result(std::string("final_sigma_") + component_names[c], answer.sigma(c / 2, c % 2), "Pa");
   context.result("final_pressure", answer.pressure, "Pa");

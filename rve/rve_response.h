@@ -19,6 +19,7 @@ private:
   RveParameters rve;
   std::string path = "0 : 1, 0; 0, 1 | 1e-3 : 1, 0.3; 0, 1";
   std::string F_by_hand, F_dot_by_hand;
+  std::string free_component = "none"; ///< of F, found so that P there is zero
   unsigned int points = 31;
 };
 

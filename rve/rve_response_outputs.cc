@@ -5,6 +5,7 @@ namespace turgor
 Outputs RveResponse::outputs() const
 {
   const char *closed = "where the closed form of flat walls applies to a point";
+  const char *other = "with Structure other than square", *given = "with Structure polygons or image";
   const char *stretched = "where the closed form gives two different values";
   Outputs all;
   all
@@ -12,6 +13,17 @@ Outputs RveResponse::outputs() const
               {"final_pressure", "Pa", "Mean pressure of the fluid at the last point."},
               {"shear_modulus", "Pa", "Shear stress sigma_xy, less the viscous one, over F_xy + F_yx, at the first point at which only these differ from the undeformed state.", "where there is such a point with 2 % of shear at most"},
               {"stretch_modulus", "Pa", "sigma_xx - sigma_yy, less the viscous ones, over F_xx - F_yy (twice the shear modulus of an isotropic material), at the first point at which only these differ from the undeformed state.", "where there is such a point with 2 % of stretch at most"},
+              {"modulus_*", "Pa", "Young's modulus of the undeformed tissue in its plane, sides free, along x, y or at 45 degrees between them.", other},
+              {"held_modulus_*", "Pa", "Stress over strain of the undeformed tissue along that axis where the sides are held.", other},
+              {"shear_modulus_axes", "Pa", "Shear modulus of the undeformed tissue for stretch along x with shortening along y.", other},
+              {"shear_modulus_45", "Pa", "Shear modulus of the undeformed tissue for simple shear along x, which is stretch at 45 degrees.", other},
+              {"period_*", "m", "That component (row, column) of the lattice at turgor, whose columns are the periods of the RVE.", other},
+              {"given_cells", "", "Number of cells of the tissue in Structure/Tissue file.", given},
+              {"given_mean_area", "m^2", "Mean area of its cells.", given},
+              {"given_area_scatter", "1", "Standard deviation of its cells' areas over their mean.", given},
+              {"given_aspect", "1", "Mean over its cells of the longer over the shorter axis of the ellipse with the same second moments.", given},
+              {"given_contacts", "1", "Mean number of other cells that share a wall with one of its cells, those at its rim included.", given},
+              {"given_void_fraction", "1", "Area of the spaces its cells enclose over that of cells and enclosed spaces.", given},
               {"evaluations", "", "Number of points at which the stress was asked for."},
               {"iterations", "", "Number of Newton iterations (dynamic rules: micro steps) of all evaluations."},
               {"cpu_time_per_evaluation", "s", "CPU time inside the RVE over the number of evaluations."},
@@ -37,7 +49,13 @@ Outputs RveResponse::outputs() const
             {"stress_spread", "Pa", "Root mean square of the stress about its mean over the window of averaging; 0 without a window."},
             {"iterations", "", "Number of Newton iterations (dynamic rules: micro steps) of this evaluation."},
             {"residual", "1", "Largest force left unbalanced on a node, over turgor times node spacing times depth."},
-            {"cpu_time", "s", "CPU time of this evaluation inside the RVE."}});
+            {"cpu_time", "s", "CPU time of this evaluation inside the RVE."}})
+    .table("cells", "One row for each wall node of the RVE, cell by cell, with Structure other than square.",
+           {{"cell", "", "Number of the cell, from 1.", other},
+            {"x", "m", "Position along x at turgor, undeformed.", other},
+            {"y", "m", "Position along y at turgor, undeformed.", other},
+            {"end_x", "m", "Position along x at the last point of the path.", other},
+            {"end_y", "m", "Position along y at the last point of the path.", other}});
   return all;
 }
 } // namespace turgor

@@ -1,12 +1,15 @@
 """The picture of an rve_response run: the path of deformation, stress against strain, pressure.
 
-main(directory) reads stress.csv and writes rve_response.png. A path of several parts has a stress-strain curve for each of the two components
+main(directory) reads stress.csv and writes rve_response.png; of tissue that is not square also rve_cells.png, from cells.csv and the periods in
+summary.json. A path of several parts has a stress-strain curve for each of the two components
 of F that lead most of it.
 """
+import json
 import os
 import sys
 
 import numpy as np
+from matplotlib.collections import PolyCollection
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from drawing import ACCENT, ALONG, INK, plt, read_table, style  # noqa: E402
@@ -24,6 +27,35 @@ def parts_of_path(strain):
     length = {c: steps[c][leading == c].sum() for c in COMPONENTS}
     chosen = [c for c in sorted(COMPONENTS, key=lambda one: -length[one])[:2] if length[c] > 0.02 * max(length.values())]
     return [(c, [(k, k + 1) for k in np.flatnonzero(leading == c)]) for c in chosen]
+
+
+def draw_cells(directory, F):
+    """The piece of tissue at turgor and at the last F, with its periodic images; None without cells.csv."""
+    path, summary = os.path.join(directory, "cells.csv"), os.path.join(directory, "summary.json")
+    if not (os.path.exists(path) and os.path.exists(summary)):
+        return None
+    table = read_table(path)
+    with open(summary, encoding="utf-8") as file:
+        found = json.load(file)["results"]
+    H = 1e6 * np.array([found[f"period_{c}"]["value"] for c in COMPONENTS]).reshape(2, 2)
+    figure, axes = plt.subplots(1, 2, figsize=(11, 5.4), layout="constrained")
+    for axis, (x, y), lattice, title in zip(axes, (("x", "y"), ("end_x", "end_y")), (H, F @ H), ("at turgor", "at the end of the path")):
+        nodes = 1e6 * np.column_stack([table[f"{x} [m]"], table[f"{y} [m]"]])
+        cells = [nodes[table["cell"] == c] for c in np.unique(table["cell"])]
+        for shift in [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1)]:
+            axis.add_collection(PolyCollection([cell + lattice @ shift for cell in cells], facecolors="#dbe7c9" if shift == (0, 0) else "#f1f3ee",
+                                               edgecolors=INK if shift == (0, 0) else "#aab2b8", linewidths=1.1))
+        low, high = nodes.min(axis=0), nodes.max(axis=0)
+        middle, half = (low + high) / 2, 0.62 * max(high - low)
+        axis.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] - half, middle[1] + half), aspect="equal")
+        axis.set_xlabel(f"{title}: x [µm]", color=INK)
+        axis.set_ylabel("y [µm]", color=INK)
+        style(axis)
+    figure.suptitle("The piece of tissue (dark) among its periodic images", color=INK, fontsize=12)
+    made = os.path.join(directory, "rve_cells.png")
+    figure.savefig(made, dpi=130)
+    plt.close(figure)
+    return made
 
 
 def main(directory):
@@ -67,7 +99,8 @@ def main(directory):
     made = os.path.join(directory, "rve_response.png")
     figure.savefig(made, dpi=130)
     plt.close(figure)
-    return [made]
+    cells = draw_cells(directory, np.array([table[f"F_{c} [1]"][-1] for c in COMPONENTS]).reshape(2, 2))
+    return [made, cells] if cells else [made]
 
 
 if __name__ == "__main__":

@@ -4,10 +4,13 @@
 #include "rve/deformation_path.h"
 #include "rve/make_rve.h"
 #include "rve/rve_response.h"
+#include "tests/temporary_directory.h"
 #include "run/archive.h"
 
 #include <boost/test/unit_test.hpp>
 
+#include <cmath>
+#include <fstream>
 #include <map>
 
 using namespace turgor;
@@ -112,6 +115,50 @@ BOOST_AUTO_TEST_CASE(factory_refuses_what_does_not_exist)
   p = {};
   p.tolerance = 1e-20;
   BOOST_CHECK_EXCEPTION(make_rve(p), InputError, says("allowed are 0"));
+}
+
+BOOST_AUTO_TEST_CASE(tissue_that_is_not_square_tells_its_periods_and_moduli)
+{
+  Memory memory;
+  run(memory, "subsection Path\nset Keyframes = 0 : 1, 0; 0, 1 | 1 : 1, 0; 0, 0.95\nset Points = 6\nset F_dot = 0, 0; 0, 0\nset Free component = xx\nend\n"
+              "subsection Structure\nset Structure = brick\nset Rotation = 90\nend\nsubsection Cell\nset Nodes per side = 6\nend\n");
+  BOOST_TEST(memory.results.at("modulus_x") == memory.results.at("modulus_y"), boost::test_tools::tolerance(0.05));
+  BOOST_TEST(memory.results.at("modulus_45") < 0.7 * memory.results.at("modulus_x"));
+  BOOST_TEST(std::abs(memory.results.at("period_xx")) < 1e-9); // turned by a right angle
+  BOOST_TEST(memory.results.at("period_yx") > 80e-6);
+  BOOST_TEST(memory.results.at("points_with_closed_form") == 0.);
+  BOOST_TEST(std::abs(memory.results.at("final_sigma_xx")) < 1.);
+  BOOST_TEST(memory.results.at("final_sigma_yy") < -50e3);
+  BOOST_TEST(memory.header.front().name == "cell");
+  const auto refused = [&](const std::string &entries, const std::string &words) {
+    BOOST_CHECK_EXCEPTION(run(memory, entries), std::exception,
+                          [words](const std::exception &e) { return std::string(e.what()).find(words) != std::string::npos; });
+  };
+  refused("subsection Structure\nset Structure = hexagon\nend\nsubsection RVE\nset Fluid = sph\nend\n", "need 'RVE/Fluid = hydrostatic'");
+  refused("subsection Structure\nset Structure = image\nend\n", "Structure/Tissue file is none");
+  refused("subsection Structure\nset Tissue file = cells.png\nend\n", "Structure = square has none");
+  refused("subsection Structure\nset Corner jitter = 0.1\nend\n", "Structure/Corner jitter is 0.1");
+  refused("subsection Path\nset Free component = yy\nend\nsubsection RVE\nset Fluid = sph\nend\n", "Path/Free component is yy");
+}
+
+BOOST_AUTO_TEST_CASE(a_table_of_polygons_is_measured)
+{
+  const test::TemporaryDirectory directory;
+  const std::string file = (directory.path / "cells.csv").string();
+  std::ofstream(file) << "cell,x,y\n1,0,0\n1,2e-4,0\n1,2e-4,1e-4\n1,0,1e-4\n2,0,1e-4\n2,1e-4,1e-4\n2,1e-4,2e-4\n2,0,2e-4\n3,1e-4,1e-4\n3,2e-4,1e-4\n"
+                         "3,2e-4,2e-4\n3,1e-4,2e-4\n";
+  Memory memory;
+  run(memory, "subsection Path\nset F = 1, 0.01; 0, 1\nend\nsubsection RVE\nset Columns = 2\nset Rows = 2\nend\n"
+              "subsection Structure\nset Structure = polygons\nset Tissue file = " + file + "\nend\nsubsection Cell\nset Nodes per side = 6\nend\n");
+  const auto near = boost::test_tools::tolerance(1e-9);
+  BOOST_TEST(memory.results.at("given_cells") == 3.);
+  BOOST_TEST(memory.results.at("given_mean_area") == 4e-8 / 3., near);
+  BOOST_TEST(memory.results.at("given_area_scatter") == std::sqrt(2.) / 4., near); // 1.5, 0.75, 0.75
+  BOOST_TEST(memory.results.at("given_aspect") == 4. / 3., near);
+  BOOST_TEST(memory.results.at("given_contacts") == 2., near);
+  BOOST_TEST(memory.results.at("given_void_fraction") == 0.);
+  std::ofstream(file) << "cell,x,y\n1,0,0\n1,2e-4,0\n";
+  BOOST_CHECK_EXCEPTION(run(memory, "subsection Structure\nset Structure = polygons\nset Tissue file = " + file + "\nend\n"), InputError, says("2 corners"));
 }
 
 // An entry left alone must let either fluid reach equilibrium, one to its round-off, one to what particles can.

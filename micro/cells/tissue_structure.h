@@ -1,0 +1,55 @@
+// How the cells of a tissue lie: the entries of the subsection Structure, one set for every scene, and the tissue they make.
+//
+//   square   square cells (parenchyma.h), of the inflated side Cell/Period
+//   hexagon  regular honeycomb            |
+//   brick    rows moved by half a cell    |  flat walls without stress, cells of the mean area Cell/Period^2 before turgor stretches them
+//   voronoi  Laguerre cells of given areas|
+//   polygons, image   Laguerre cells as large, and of areas as different, as the cells of a tissue that is given: corners in a table, or a
+//            segmented picture; what is given is bounded, an RVE is periodic
+//
+//   TissueStructure structure; structure.add_parameters(prm); ... structure.check();
+//   HydrostaticNetwork network(turgid_tissue(structure, cell, 4, 4));
+//
+// A table of polygons has the columns cell, x, y (m): one row a corner, those of a cell one after the other. In and out: m, degrees where it
+// says so.
+#pragma once
+
+#include "micro/cells/cell_layout.h"
+#include "micro/geometry/tiling.h"
+
+#include <string>
+
+namespace turgor
+{
+class InputEntries;
+struct TissueStructure
+{
+  std::string kind = "square"; ///< square | hexagon | brick | voronoi | polygons | image
+  unsigned int seed = 1;
+  double rotation = 0.;        ///< degrees, counter-clockwise
+  double jitter = 0.;          ///< of hexagons' and bricks' corners, over Cell/Period
+  double area_scatter = 0.2;   ///< of Laguerre cells: standard deviation of their areas over the mean
+  unsigned int ordering = 5;   ///< of Laguerre cells: rounds in which seeds go to the centroids of their cells
+
+  std::string file = "none";   ///< of polygons or image
+  double pixel = 1e-6;         ///< m
+  unsigned int line_width = 2; ///< pixels, of the lines without label between cells
+
+  bool measured() const { return kind == "polygons" || kind == "image"; }
+  /// The tissue of the file, bounded. Throws InputError where it is none.
+  Tiling given() const;
+
+  bool square() const { return kind == "square"; }
+
+  /// Declares the entries above in the current subsection of prm.
+  void add_parameters(InputEntries &prm);
+  /// Throws std::invalid_argument, entry and what is allowed in one sentence.
+  void check() const;
+
+  /// columns x rows cells before they are turned, without sides shorter than `shortest` (m).
+  Tiling tiling(double side, unsigned int columns, unsigned int rows, double shortest) const;
+};
+
+/// columns x rows periodic cells at turgor, turned: the reference F = I of an RVE. Throws std::invalid_argument.
+CellLayout turgid_tissue(const TissueStructure &structure, ParenchymaParameters cell, unsigned int columns, unsigned int rows);
+} // namespace turgor
