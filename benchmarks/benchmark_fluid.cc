@@ -7,7 +7,7 @@
 // Counters: cpu_ns_particle (CPU time of all threads, a step, over particles), cpu_ns_neighbour (over the neighbours
 // within the support), neighbours, list_bytes_particle. The time column is wall time. TURGOR_SIMD=avx2 or portable measures those sweeps.
 #include "micro/cells/sph_parenchyma.h"
-#include "micro/cells/turgid_reference.h"
+#include "micro/cells/annealed_cells.h"
 #include "micro/engine/kick_drift_kick.h"
 
 #include <benchmark/benchmark.h>
@@ -26,7 +26,7 @@ void step(benchmark::State &state)
   ParenchymaParameters cell;
   cell.fluid_viscosity = state.range(1) ? 1. : 0.;
   SphParameters sph;
-  static const ReferenceCell reference = make_turgid_reference(cell, sph);
+  static const ReferenceCell reference = anneal_square_cell(cell, sph);
   const auto patch = make_sph_patch(make_parenchyma(cell, cells, cells, true, true), sph, reference);
   ParticleSystem<2> &system = patch->system;
   system.threads = threads;

@@ -5,7 +5,7 @@
 // force: the force sweep (target: at most 1.2 ns per neighbour). density: the density sweep with the wall's part; pairs_only: the
 // same with no wall in reach, so that the difference of the two is the wall. viscosity: all of an impulse. Lists have the skin of a run. No EOS to speak of.
 #include "micro/cells/sph_parenchyma.h"
-#include "micro/cells/turgid_reference.h"
+#include "micro/cells/annealed_cells.h"
 #include "micro/terms/sph_lists.h"
 
 #include <benchmark/benchmark.h>
@@ -32,7 +32,7 @@ struct Cell
   {
     const ParenchymaParameters cell;
     const SphParameters sph;
-    static const ReferenceCell reference = make_turgid_reference(cell, sph);
+    static const ReferenceCell reference = anneal_square_cell(cell, sph);
     patch = make_sph_patch(make_parenchyma(cell, 1, 1, true, true), sph, reference);
     const Particles<2> &p = patch->system.particles;
     const Group &g = p.groups[0];

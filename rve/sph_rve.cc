@@ -1,7 +1,7 @@
 #include "rve/sph_rve.h"
 
-#include "micro/cells/tissue_block.h"
-#include "micro/cells/turgid_reference.h"
+#include "micro/cells/annealed_cells.h"
+#include "micro/cells/parenchyma.h"
 #include "run/cpu_clock.h"
 #include "run/number_text.h"
 #include "run/stop_flag.h"
@@ -37,28 +37,38 @@ struct SphRve::Scratch final : Rve<2>::Workspace
 };
 
 SphRve::SphRve(const ParenchymaParameters &cell, const SphRveSettings &settings_)
+  : SphRve(make_parenchyma(cell, settings_.columns, settings_.rows, true, true),
+           std::vector<CellContents>(
+             std::size_t(settings_.columns) * settings_.rows,
+             anneal_square_cell(cell, settings_.sph, [](double) { stop_here("while the reference cell was annealed"); })),
+           settings_)
+{}
+
+SphRve::SphRve(CellLayout layout_, std::vector<CellContents> contents_, const SphRveSettings &settings_)
   : settings(settings_)
-  , layout(make_parenchyma(cell, settings.columns, settings.rows, true, true))
-  , reference_cell(make_turgid_reference(cell, settings.sph, [](double) { stop_here("while the reference cell was annealed"); }))
+  , layout(std::move(layout_))
+  , contents(std::move(contents_))
 {
-  const auto cells = make_sph_patch(layout, settings.sph, reference_cell);
+  const auto cells = make_sph_patch(layout, settings.sph, contents);
+  particles = cells->system.particles.size();
+  reference_density = cells->density();
   ParticleSystem<2> &system = cells->system;
   dt = settings.step_fraction * system.stable_time_step();
   system.compute_forces();
   reference_energy = system.potential_energy();
   SphMotion::store(*cells, start.unknowns);
   Scratch scratch;
-  scratch.cells = make_sph_patch(layout, settings.sph, reference_cell);
+  scratch.cells = make_sph_patch(layout, settings.sph, contents);
   const Tensor2<2> I = Tensor2<2>::Identity(), rest = Tensor2<2>::Zero();
   stiffness = 1.2 * acoustic_bound(affine_tangent(scratch, start, I, rest, Varied::F));
   // 3 mu is Newton's own; the thesis's fluid answers a rate more stiffly near walls.
-  viscosity = std::max(3. * cell.fluid_viscosity, acoustic_bound(affine_tangent(scratch, start, I, rest, Varied::F_dot)));
+  viscosity = std::max(3. * layout.parameters.fluid_viscosity, acoustic_bound(affine_tangent(scratch, start, I, rest, Varied::F_dot)));
 }
 
 std::unique_ptr<Rve<2>::Workspace> SphRve::make_workspace() const
 {
   auto scratch = std::make_unique<Scratch>();
-  scratch->cells = make_sph_patch(layout, settings.sph, reference_cell);
+  scratch->cells = make_sph_patch(layout, settings.sph, contents);
   return scratch;
 }
 
@@ -74,8 +84,6 @@ double SphRve::burst() const
 {
   return settings.rule == SphRule::constrained_runs ? 2. * SphMotion::half_burst(settings, dt) * dt * settings.bursts : 0.;
 }
-
-double SphRve::density() const { return tissue_density(layout, reference_cell); }
 
 Tensor4<2> SphRve::affine_tangent(Scratch &scratch, const RveState<2> &at, const Tensor2<2> &F, const Tensor2<2> &F_dot,
                                   const Varied varied) const
@@ -226,17 +234,16 @@ RveAnswer<2> SphRve::evaluate(const RveState<2> &committed, const Tensor2<2> &F,
 std::vector<std::vector<Vector<2>>> SphRve::outlines(const RveState<2> &state) const
 {
   std::vector<std::vector<Vector<2>>> cells;
-  const std::size_t n = particle_count(), per_cell = reference_cell.x.size();
+  const std::size_t n = particles;
+  std::size_t begin = 0;
   const bool affine = state.unknowns.empty();
   for (std::size_t c = 0; c < layout.rings.size(); ++c)
     {
       cells.emplace_back();
-      for (std::size_t k = 0; k < reference_cell.wall_count; ++k)
-        {
-          const std::size_t i = c * per_cell + k;
+      for (std::size_t i = begin; i < begin + contents[c].wall_count; ++i)
           cells.back().push_back(affine ? Vector<2>(state.F * SphMotion::at(start.unknowns, i, n, 0)) :
                                          SphMotion::at(state.unknowns, i, n, 0));
-        }
+      begin += contents[c].x.size();
     }
   return cells;
 }

@@ -30,14 +30,16 @@ namespace turgor
 class SphRve final : public Rve<2>
 {
 public:
-  /// Anneals the reference cell (seconds). Throws std::invalid_argument for settings outside their range.
+  /// Square cells, copies of one that is annealed first (seconds). Throws std::invalid_argument for settings outside their range.
   SphRve(const ParenchymaParameters &cell, const SphRveSettings &settings);
+  /// Cells of any layout that is periodic both ways, with what they hold at F = I (annealed_cells.h).
+  SphRve(CellLayout layout, std::vector<CellContents> contents, const SphRveSettings &settings);
 
   std::unique_ptr<Workspace> make_workspace() const override;
   RveState<2> initial_state() const override;
   RveAnswer<2> evaluate(const RveState<2> &committed, const Tensor2<2> &F, const Tensor2<2> &F_dot,
                         const RveRequest &request, Workspace &workspace) const override;
-  double density() const override;
+  double density() const override { return reference_density; }
   double stiffness_bound() const override { return stiffness; }
   double viscosity_bound() const override { return viscosity; }
   Tensor2<2> lattice() const override { return layout.lattice; }
@@ -47,13 +49,11 @@ public:
   double micro_step() const override { return dt; }
   double burst() const override;
 
-  const ReferenceCell &reference() const { return reference_cell; }
+  std::size_t particle_count() const { return particles; }
   double time_step() const { return dt; }
 
 private:
   struct Scratch;
-
-  std::size_t particle_count() const { return reference_cell.x.size() * layout.rings.size(); }
 
   /// One try, each time step split into `refinement`. broke: the cells did not hold, which shorter steps may cure.
   RveAnswer<2> attempt(Scratch &scratch, const RveState<2> &committed, const Tensor2<2> &F, const Tensor2<2> &F_dot,
@@ -72,7 +72,9 @@ private:
 
   SphRveSettings settings;
   CellLayout layout;
-  ReferenceCell reference_cell;
+  std::vector<CellContents> contents;
+  std::size_t particles = 0;
+  double reference_density = 0.; ///< kg/m^3
   RveState<2> start;      ///< positions at F = I, velocities 0
   double dt = 0.;         ///< s
   double reference_energy = 0.;

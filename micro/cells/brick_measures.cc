@@ -14,7 +14,7 @@ std::uint32_t BrickTissue::to_junction(const std::size_t cell, const std::uint32
 {
   const std::uint32_t ring = system.particles.groups[cell].wall_count();
   std::uint32_t least = ring;
-  for (const std::uint32_t j : junctions[cell])
+  for (const std::uint32_t j : layout.junctions[cell])
     {
       const std::uint32_t d = (node + ring - j) % ring;
       least = std::min({least, d, ring - d});
@@ -108,7 +108,7 @@ double BrickTissue::angle_deviation() const
   double squares = 0.;
   std::size_t count = 0;
   for (std::size_t c = 0; c < p.groups.size(); ++c)
-    for (const std::uint32_t node : junctions[c])
+    for (const std::uint32_t node : layout.junctions[c])
       {
         const Group &g = p.groups[c];
         const std::uint32_t ring = g.wall_count(), reach = std::max(1u, ring / 16);

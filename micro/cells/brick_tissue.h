@@ -1,16 +1,11 @@
-// An aggregate of cells laid like bricks, before it is inflated (thesis 3.3.2): rows of rectangles of side Period,
-// every second row moved by half a cell, corners moved at random a little; walls free of stress, fluid free of pressure. Osmosis
-// then makes the honeycomb by itself.
+// An aggregate of cells laid like bricks (brick_layout.h), before it is inflated (thesis 3.3.2): walls free of stress, fluid free of pressure. Osmosis
+// then makes the honeycomb by itself. Where walls are tied all along (dense) there are no spaces; where they are not (sparse: not within `gap` of a
+// wall's end) the corners round and open the space between three cells. Walls that are not tied hold each other by contact.
 //
-// Every cell is a hexagon from the start: its four corners, and the corners of the row below and above in the middle of its
-// lower and upper side. Facing walls carry nodes at the same places and are tied one to one; dense: all along; sparse: not
-// within `gap` of a wall's end, so that the corners round and open the space between three cells. Walls that are not tied
-// hold each other by contact.
-//
-// Particles: cell by cell, row by row; within a cell the ring (counter-clockwise from the lower left corner, 4 n nodes: h, h, n, h, h,
-// n bonds on the hexagon's sides with h = n/2), then its fluid.
+// Particles: cell by cell, row by row; within a cell the ring, then its fluid.
 #pragma once
 
+#include "micro/cells/brick_layout.h"
 #include "micro/cells/sph_parenchyma.h"
 #include "micro/terms/cell_contact.h"
 #include "micro/terms/enclosed_fluid.h"
@@ -47,6 +42,7 @@ struct BrickParameters
 
 struct BrickTissue
 {
+  BrickLayout layout; ///< as laid
   ParticleSystem<2> system;
   RingWall *wall = nullptr;
   CellFluid<2> *fluid = nullptr; ///< of particles; null where one pressure fills the cells
@@ -57,8 +53,6 @@ struct BrickTissue
   double spacing = 0.;                ///< m, mean length of a bond at rest
   double spring_stiffness = 0.;       ///< N/m, of one wall spring at rest
   double node_mass = 0.;              ///< kg
-  std::vector<std::uint32_t> tie_from_end; ///< per tie: bonds between it and the nearer end of the wall that two cells share
-  std::vector<std::vector<std::uint32_t>> junctions; ///< per cell: its nodes (in the ring) where three cells meet
 
   /// Bonds between a node of the ring and the nearest place where three cells meet; the whole ring where there is none.
   std::uint32_t to_junction(std::size_t cell, std::uint32_t node) const;

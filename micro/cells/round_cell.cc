@@ -292,7 +292,8 @@ std::unique_ptr<RoundCell<dim>> make_round_cell(const RoundCellParameters &param
       std::vector<RingShape> shape(1);
       shape[0].rest_length.assign(nw, chord);
       shape[0].rest_angle.assign(nw, 2. * pi / nw);
-      cell->wall = &cell->system.add(std::make_unique<RingWall>(p.ring_law(), shape, B, chord, node_mass));
+      shape[0].hinge.assign(nw, B / chord);
+      cell->wall = &cell->system.add(std::make_unique<RingWall>(p.ring_law(), shape, chord, node_mass));
       std::fill(particles.inverse_mass.begin(), particles.inverse_mass.end(), 1. / node_mass);
     }
   if (can_fail)

@@ -1,8 +1,11 @@
 #include "micro/cells/sph_parenchyma.h"
 
+#include "micro/cells/even_points.h"
+#include "micro/cells/ring_geometry.h"
 #include "micro/laws/counter_random.h"
 #include "run/start_disturbance.h"
 #include "run/input_entries.h"
+#include "run/number_text.h"
 #include "micro/terms/lamella_ties.h"
 #include "micro/terms/ring_wall.h"
 #include "micro/terms/sph_fluid.h"
@@ -60,11 +63,72 @@ void SphParameters::check() const
                                 "SPH/Formulation = variational leave monaghan.");
 }
 
-ReferenceCell unannealed_cell(const CellLayout &layout, const SphParameters &sph)
+CellContents CellContents::without_fluid() const
 {
-  ReferenceCell cell;
+  CellContents dry = *this;
+  dry.x.resize(wall_count);
+  dry.y.resize(wall_count);
+  dry.density.clear();
+  return dry;
+}
+
+double SphPatch::density() const
+{
   const ParenchymaParameters &p = layout.parameters;
-  cell.wall_count = layout.rings.front().count;
+  double of_fluid = 0.;
+  for (std::size_t c = 0; c < layout.cells(); ++c)
+    of_fluid += double(system.particles.groups[c].fluid_count()) * fluid->particle_mass()[c];
+  return (of_fluid + layout.total_wall_mass()) / (layout.lattice.determinant() * p.depth);
+}
+
+std::vector<Vector<2>> fluid_places(const std::vector<Vector<2>> &ring, const std::size_t count, const unsigned int seed,
+                                    const std::uint64_t first_draw)
+{
+  std::vector<Vector<2>> places;
+  for (const EvenPoint &point : even_points(ring, count))
+    {
+      // a perfect lattice melts violently later
+      const std::uint64_t counter = 2 * (first_draw + places.size());
+      Vector<2> at;
+      for (int d = 0; d < 2; ++d)
+        at[d] = point.at[d] + 0.1 * (2. * random_uniform(seed, counter + std::uint64_t(d)) - 1.) * point.size[d];
+      places.push_back(at);
+    }
+  return places;
+}
+
+std::vector<CellContents> unannealed_cells(const CellLayout &layout, const SphParameters &sph)
+{
+  const double share = std::pow(layout.parameters.period / sph.particles_per_side, 2); // m^2 of a particle
+  const std::vector<double> x = layout.positions();
+  std::vector<CellContents> cells;
+  std::uint64_t draw = 0;
+  for (std::size_t c = 0; c < layout.cells(); ++c)
+    {
+      const WallRing &ring = layout.rings[c];
+      std::vector<Vector<2>> places(layout.nodes.begin() + ring.first, layout.nodes.begin() + std::ptrdiff_t(ring.end()));
+      const std::size_t count = std::size_t(std::max(36., std::round(polygon_area(x, ring) / share)));
+      const std::vector<Vector<2>> fluid = fluid_places(places, count, sph.seed, draw);
+      draw += count;
+      places.insert(places.end(), fluid.begin(), fluid.end());
+      CellContents cell;
+      cell.wall_count = ring.count;
+      cell.particle_mass = layout.fluid_mass[c] / double(count);
+      for (const Vector<2> &at : places)
+        {
+          cell.x.push_back(at[0] - layout.nodes[ring.first][0]);
+          cell.y.push_back(at[1] - layout.nodes[ring.first][1]);
+        }
+      cells.push_back(std::move(cell));
+    }
+  return cells;
+}
+
+CellContents unannealed_cell(const CellLayout &layout, const SphParameters &sph)
+{
+  CellContents cell;
+  const ParenchymaParameters &p = layout.parameters;
+  cell.wall_count = layout.rings[0].count;
   for (unsigned int k = 0; k < cell.wall_count; ++k)
     {
       cell.x.push_back(layout.nodes[k][0] - layout.nodes[0][0]);
@@ -123,49 +187,81 @@ std::unique_ptr<CellFluid<2>> make_cell_fluid(const ParenchymaParameters &p, con
   return std::make_unique<SphFluid<2>>(fluid, eos, mass, std::move(damage));
 }
 
-std::unique_ptr<SphPatch> make_sph_patch(const CellLayout &layout, const SphParameters &sph,
-                                         const ReferenceCell &reference)
+std::unique_ptr<RingWall> make_walls(const CellLayout &layout)
 {
+  const ParenchymaParameters &p = layout.parameters;
+  std::vector<RingShape> shapes;
+  for (const WallRing &ring : layout.rings)
+    {
+      const auto of_ring = [&ring](const std::vector<double> &all) {
+        return std::vector<double>(all.begin() + ring.first, all.begin() + std::ptrdiff_t(ring.end()));
+      };
+      shapes.push_back({of_ring(layout.rest_length), of_ring(layout.rest_angle), of_ring(layout.hinge)});
+    }
+  const auto [shortest, longest] = std::minmax_element(layout.rest_length.begin(), layout.rest_length.end());
+  return std::make_unique<RingWall>(p.wall_law(), std::move(shapes), layout.spacing,
+                                    *std::min_element(layout.node_mass.begin(), layout.node_mass.end()), *shortest == *longest);
+}
+
+std::unique_ptr<SphPatch> make_sph_patch(const CellLayout &layout, const SphParameters &sph, const CellContents &copied)
+{
+  return make_sph_patch(layout, sph, std::vector<CellContents>(layout.cells(), copied));
+}
+
+std::unique_ptr<SphPatch> make_sph_patch(const CellLayout &layout, const SphParameters &sph, const std::vector<CellContents> &contents)
+{
+  if (contents.size() != layout.cells())
+    throw std::invalid_argument("Cells need contents each: there are " + number_text(layout.cells()) + " cells and " + number_text(contents.size())
+                                + " contents.");
   auto result = std::make_unique<SphPatch>();
   result->layout = layout;
-  const ParenchymaParameters &p = layout.parameters;
   ParticleSystem<2> &system = result->system;
   Particles<2> &particles = system.particles;
-  const std::size_t per_cell = reference.x.size(), cells = layout.rings.size();
-  const unsigned int nw = reference.wall_count;
-  particles.resize(per_cell * cells);
-  for (std::size_t c = 0; c < cells; ++c)
+  std::size_t count = 0;
+  for (const CellContents &cell : contents)
+    count += cell.x.size();
+  particles.resize(count);
+  std::vector<double> mass;
+  std::uint32_t begin = 0;
+  for (std::size_t c = 0; c < layout.cells(); ++c)
     {
-      const Vector<2> corner = layout.nodes[layout.rings[c].first];
-      const std::uint32_t begin = std::uint32_t(c * per_cell);
-      particles.groups.push_back({begin, begin + nw, std::uint32_t(begin + per_cell)});
-      for (std::size_t k = 0; k < per_cell; ++k)
+      const WallRing &ring = layout.rings[c];
+      const CellContents &cell = contents[c];
+      if (cell.wall_count != ring.count)
+        throw std::invalid_argument("The contents of a cell belong to a ring of another number of nodes.");
+      const std::uint32_t size = std::uint32_t(cell.x.size());
+      particles.groups.push_back({begin, begin + ring.count, begin + size});
+      for (std::uint32_t k = 0; k < size; ++k)
         {
-          particles.x[0][begin + k] = corner[0] + reference.x[k];
-          particles.x[1][begin + k] = corner[1] + reference.y[k];
-          particles.inverse_mass[begin + k] = 1. / (k < nw ? layout.node_mass[layout.rings[c].first + k] : reference.particle_mass);
+          particles.x[0][begin + k] = layout.nodes[ring.first][0] + cell.x[k];
+          particles.x[1][begin + k] = layout.nodes[ring.first][1] + cell.y[k];
+          particles.inverse_mass[begin + k] = 1. / (k < ring.count ? layout.node_mass[ring.first + k] : cell.particle_mass);
         }
+      for (std::uint32_t k = 0; k < ring.count; ++k)
+        result->particle_of.push_back(begin + k);
+      mass.push_back(cell.particle_mass);
+      begin += size;
     }
   begin_at(particles.x);
   system.box.H = layout.lattice;
   system.box.periodic = layout.periodic;
-
-  const NeoHookeanWall law(p.wall_stiffness, p.depth, p.wall_beta);
-  system.add(std::make_unique<RingWall>(law, layout.rest_length.front(), p.bending_stiffness(), layout.spacing, p.nodes_per_side,
-                                        layout.node_mass.front()));
-
-  result->fluid = &system.add(make_cell_fluid(p, sph, layout.spacing, std::vector<double>(cells, reference.particle_mass)));
-  if (!reference.density.empty())
-    for (const Group &g : particles.groups)
-      std::copy(reference.density.begin(), reference.density.begin() + std::ptrdiff_t(per_cell),
-                particles.field("density").begin() + g.begin);
-
-  std::vector<LamellaTie> ties = layout.ties;
-  for (LamellaTie &tie : ties)
-    for (std::uint32_t *node : {&tie.a, &tie.b})
-      *node = std::uint32_t(*node / nw * per_cell + *node % nw);
-  if (!ties.empty())
-    system.add(std::make_unique<LamellaTies>(std::move(ties), layout.node_mass.front()));
+  system.add(make_walls(layout));
+  result->fluid = &system.add(make_cell_fluid(layout.parameters, sph, layout.spacing, mass));
+  for (std::size_t c = 0; c < layout.cells(); ++c)
+    if (!contents[c].density.empty())
+      std::copy(contents[c].density.begin(), contents[c].density.end(), particles.field("density").begin() + particles.groups[c].begin);
+  if (!layout.ties.empty())
+    {
+      std::vector<LamellaTie> ties = layout.ties;
+      double lightest = HUGE_VAL;
+      for (LamellaTie &tie : ties)
+        for (std::uint32_t *node : {&tie.a, &tie.b})
+          {
+            lightest = std::min(lightest, layout.node_mass[*node]);
+            *node = result->particle(*node);
+          }
+      system.add(std::make_unique<LamellaTies>(std::move(ties), lightest));
+    }
   return result;
 }
 } // namespace turgor

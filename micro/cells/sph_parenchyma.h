@@ -1,12 +1,13 @@
 // Parenchyma cells filled with SPH fluid: a CellLayout turned into a particle system.
 //
-// Particle order: cell by cell; within a cell the wall ring first, then its fluid. Node k of
-// ring c is particle c * (ring + fluid) + k. Every cell starts as a copy of one reference cell.
+// Particle order: cell by cell; within a cell the wall ring first, then its fluid. What a cell holds (CellContents) is its own, or a copy
+// of that of one reference cell where cells are alike.
 #pragma once
 
 #include "micro/cells/parenchyma.h"
 #include "micro/engine/particle_system.h"
 #include "micro/terms/cell_fluid.h"
+#include "micro/terms/ring_wall.h"
 #include "micro/terms/wall_damage.h"
 
 #include <cstdint>
@@ -35,19 +36,20 @@ struct SphParameters
   void add_parameters(InputEntries &prm);
 };
 
-/// One annealed, turgid, stress-balanced cell of a periodic grid: positions (m) relative to the cell's
-/// lower left corner, wall ring first, and the mass of a fluid particle (kg).
-struct ReferenceCell
+/// Where a cell's particles are, and the mass of a fluid particle (kg).
+struct CellContents
 {
   unsigned int wall_count = 0;
-  std::vector<double> x, y;
+  std::vector<double> x, y;    ///< m, relative to the layout's place of the cell's first node; wall ring first
   std::vector<double> density; ///< kg/m^3 of every particle where the formulation carries it on, else empty
   double particle_mass = 0.;
-  double residual_stress[3]{}; ///< Pa, sxx, syy, sxy left over at F = I
-  double mean_pressure = 0.;   ///< Pa, mean EOS pressure at F = I
-  double residual = 0.;        ///< largest unbalanced force / (turgor spacing depth)
-  double fluid_pressure = 0.;  ///< Pa, virial pressure of the fluid at F = I
+
+  std::size_t fluid_count() const { return x.size() - wall_count; }
+  CellContents without_fluid() const;
 };
+
+/// The walls of the layout.
+std::unique_ptr<RingWall> make_walls(const CellLayout &layout);
 
 struct SphPatch
 {
@@ -55,12 +57,17 @@ struct SphPatch
   ParticleSystem<2> system;
   CellFluid<2> *fluid = nullptr;
 
-  std::uint32_t particles_per_cell() const { return system.particles.groups.front().end; }
+  std::uint32_t particle(std::uint32_t node) const { return particle_of[node]; } ///< of a node of the layout
+  double density() const; ///< kg/m^3, fluid and walls over the lattice
+
+  std::vector<std::uint32_t> particle_of;
 };
 
-/// The particle system of the layout, all cells copies of the reference cell.
-std::unique_ptr<SphPatch> make_sph_patch(const CellLayout &layout, const SphParameters &sph,
-                                         const ReferenceCell &reference);
+/// The particle system of the layout; one CellContents a cell.
+std::unique_ptr<SphPatch> make_sph_patch(const CellLayout &layout, const SphParameters &sph, const std::vector<CellContents> &contents);
+
+/// All cells copies of one.
+std::unique_ptr<SphPatch> make_sph_patch(const CellLayout &layout, const SphParameters &sph, const CellContents &copied);
 
 /// Pa, p_0: Ordering times Fluid modulus, but not more than 0.3 of turgor. A packing of particles resists shear by a share of p_0 and yields
 /// only beyond it; from about turgor on it holds the walls' shape, and an aggregate does not come to rest (0.3 of 1 kPa: in 2 000 steps,
@@ -73,6 +80,13 @@ constexpr double most_ordering = 0.3;
 std::unique_ptr<CellFluid<2>> make_cell_fluid(const ParenchymaParameters &cell, const SphParameters &sph, double wall_spacing,
                                               const std::vector<double> &mass, std::shared_ptr<const WallDamage> damage = {});
 
-/// Positions, particle mass and pressure of one cell before annealing: a jittered lattice.
-ReferenceCell unannealed_cell(const CellLayout &layout, const SphParameters &sph);
+/// One square cell before annealing: fluid on a jittered lattice.
+CellContents unannealed_cell(const CellLayout &layout, const SphParameters &sph);
+
+/// Cells of any shape before annealing: the fluid mass of the layout, spread evenly (even_points.h) in as many particles as the cell's area is to
+/// that of Particles per side in a square of side Period.
+std::vector<CellContents> unannealed_cells(const CellLayout &layout, const SphParameters &sph);
+
+/// `count` places spread evenly within a ring, whatever its shape, a little at random; first_draw: of the random numbers.
+std::vector<Vector<2>> fluid_places(const std::vector<Vector<2>> &ring, std::size_t count, unsigned int seed, std::uint64_t first_draw);
 } // namespace turgor

@@ -19,15 +19,8 @@ Surfaces surfaces_from(const std::string &name)
   throw std::invalid_argument("Surfaces is '" + name + "', but it has to be frozen, free, osmosis or slab.");
 }
 
-double tissue_density(const CellLayout &layout, const ReferenceCell &reference)
-{
-  const ParenchymaParameters &p = layout.parameters;
-  const double fluid = double(reference.x.size() - reference.wall_count) * reference.particle_mass;
-  return (fluid + reference.wall_count * layout.node_mass.front()) / (p.period * p.period * p.depth);
-}
-
 TissueBlock make_tissue_block(const ParenchymaParameters &cell, const SphParameters &sph,
-                              const ReferenceCell &reference, const unsigned int columns, const unsigned int rows,
+                              const CellContents &reference, const unsigned int columns, const unsigned int rows,
                               const Surfaces surfaces)
 {
   TissueBlock block;
@@ -35,11 +28,10 @@ TissueBlock make_tissue_block(const ParenchymaParameters &cell, const SphParamet
   const CellLayout layout = make_parenchyma(cell, columns, rows, false, slab);
   block.cells = make_sph_patch(layout, sph, reference);
   block.width = columns * cell.period;
-  block.density = tissue_density(layout, reference);
+  block.density = block.cells->density();
   ParticleSystem<2> &system = block.cells->system;
   Particles<2> &particles = system.particles;
 
-  const std::uint32_t nw = reference.wall_count, per_cell = std::uint32_t(reference.x.size());
   if (surfaces == Surfaces::frozen || slab)
     {
       // The same ties as in the fully periodic grid, those that leave this block turned into what they pull now.
@@ -49,7 +41,7 @@ TissueBlock make_tissue_block(const ParenchymaParameters &cell, const SphParamet
         {
           if (tie.shift[0] == 0 && (slab || tie.shift[1] == 0))
             continue;
-          const std::uint32_t a = tie.a / nw * per_cell + tie.a % nw, b = tie.b / nw * per_cell + tie.b % nw;
+          const std::uint32_t a = block.cells->particle(tie.a), b = block.cells->particle(tie.b);
           const Vector<2> gap = particles.position(b) - particles.position(a)
                                 + all.lattice * Vector<2>(tie.shift[0], tie.shift[1]);
           forces.push_back({a, tie.stiffness * gap});
@@ -63,7 +55,7 @@ TissueBlock make_tissue_block(const ParenchymaParameters &cell, const SphParamet
   const std::uint32_t side = cell.nodes_per_side;
   for (unsigned int row = 0; row < rows; ++row)
     for (std::uint32_t k = 3 * side; k <= 4 * side; ++k)
-      particles.inverse_mass[std::size_t(row) * columns * per_cell + k % nw] = 0.;
+      particles.inverse_mass[particles.groups[std::size_t(row) * columns].begin + k % (4 * side)] = 0.;
 
   double nearest = std::numeric_limits<double>::infinity();
   const double middle = 0.5 * rows * cell.period;
@@ -71,7 +63,7 @@ TissueBlock make_tissue_block(const ParenchymaParameters &cell, const SphParamet
     for (unsigned int row = 0; row < rows; ++row)
       for (std::uint32_t k = side; k <= 2 * side; ++k)
         {
-          const std::uint32_t node = (row * columns + columns - 1) * per_cell + k;
+          const std::uint32_t node = particles.groups[row * columns + columns - 1].begin + k;
           const double distance = std::abs((row + double(k - side) / side) * cell.period - middle);
           if (!collect)
             nearest = std::min(nearest, distance);

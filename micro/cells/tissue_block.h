@@ -34,9 +34,6 @@ struct TissueBlock
 };
 
 TissueBlock make_tissue_block(const ParenchymaParameters &cell, const SphParameters &sph,
-                              const ReferenceCell &reference, unsigned int columns, unsigned int rows,
+                              const CellContents &reference, unsigned int columns, unsigned int rows,
                               Surfaces surfaces);
-
-/// Reference density of the turgid tissue (kg/m^3): fluid and walls over the period.
-double tissue_density(const CellLayout &layout, const ReferenceCell &reference);
 } // namespace turgor

@@ -1,6 +1,6 @@
 // The turgid reference of cells whose fluid is at rest (hydrostatic_network.h): node positions in equilibrium at the layout's own lattice,
 // and fluid masses, all changed by one factor, with which the mean of the virial stress there is zero (to 1e-10 of turgor or what round-off of
-// the masses allows), by secant steps. What is left is the deviator, 0 by symmetry where the lattice is that of square cells. turgid_reference.h has
+// the masses allows), by secant steps. What is left is the deviator, 0 by symmetry where the lattice is that of square cells. annealed_cells.h has
 // the reference of cells filled with particles.
 //
 //   const HydrostaticNetwork network(turgid_parenchyma(parameters, 2, 2, true, true));

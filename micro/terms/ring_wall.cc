@@ -2,41 +2,31 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace turgor
 {
-RingWall::RingWall(const NeoHookeanWall &law, const double rest_length_, const double bending_stiffness,
-                   const double spacing_, const unsigned int nodes_per_side_, const double node_mass_)
+RingWall::RingWall(const NeoHookeanWall &law, std::vector<RingShape> shapes_, const double spacing_, const double node_mass_,
+                   const bool one_length_)
   : yielding_law(law)
   , elastic_law(law.elastic())
-  , rest_length(rest_length_)
-  , bending(bending_stiffness / spacing_)
+  , shapes(std::move(shapes_))
   , spacing(spacing_)
-  , nodes_per_side(nodes_per_side_)
   , node_mass(node_mass_)
-{}
-
-RingWall::RingWall(const NeoHookeanWall &law, std::vector<RingShape> shapes_, const double bending_stiffness,
-                   const double spacing_, const double node_mass_)
-  : RingWall(law, spacing_, bending_stiffness, spacing_, 0, node_mass_)
+  , shortest(spacing_)
+  , one_length(one_length_)
 {
-  shapes = std::move(shapes_);
-  for (const RingShape &shape : shapes) // the shortest bond is the stiffest
-    for (const double length : shape.rest_length)
-      rest_length = std::min(rest_length, length);
-}
-
-double RingWall::rest_angle(const std::size_t group, const std::uint32_t node) const
-{
-  if (!shapes.empty())
-    return shapes[group].rest_angle[node];
-  return nodes_per_side > 0 && node % nodes_per_side == 0 ? std::numbers::pi / 2. : 0.;
+  for (const RingShape &shape : shapes)
+    {
+      for (const double length : shape.rest_length) // the shortest bond is the stiffest
+        shortest = std::min(shortest, length);
+      for (const double hinge : shape.hinge)
+        stiffest_hinge = std::max(stiffest_hinge, hinge);
+    }
 }
 
 double RingWall::rest(const std::size_t group, const std::size_t bond) const
 {
-  const double length = shapes.empty() ? rest_length : shapes[group].rest_length[bond];
+  const double length = shapes[group].rest_length[bond];
   return flow ? length * flow->permanent[group][bond] : length;
 }
 
@@ -55,7 +45,7 @@ double RingWall::stretch(const Particles<2> &particles, const std::size_t group,
   const Group &g = particles.groups[group];
   const std::uint32_t a = g.begin + std::uint32_t(bond), b = a + 1 < g.fluid ? a + 1 : g.begin;
   return std::hypot(particles.x[0][b] - particles.x[0][a], particles.x[1][b] - particles.x[1][a])
-         / (shapes.empty() ? rest_length : shapes[group].rest_length[bond]);
+         / shapes[group].rest_length[bond];
 }
 
 double RingWall::bearable_stretch(const double stretch) const
@@ -77,8 +67,9 @@ void RingWall::add_forces(Particles<2> &particles, const Box<2> &, const std::si
   const std::uint32_t n = g.wall_count();
   const double *x = particles.x[0].data() + g.begin, *y = particles.x[1].data() + g.begin;
   double *fx = particles.f[0].data() + g.begin, *fy = particles.f[1].data() + g.begin;
-  const double inverse_rest = 1. / rest_length;
-  const bool alike = shapes.empty() && !flow;
+  const double inverse_rest = 1. / shortest;
+  const bool alike = one_length && !flow, bends = stiffest_hinge > 0.;
+  const double *hinge = shapes[group].hinge.data(), *angle_at_rest = shapes[group].rest_angle.data();
   const NeoHookeanWall &law = flow ? elastic_law : yielding_law;
 
   // Edge k joins nodes k and k + 1; its gradient of energy is kept for both ends.
@@ -101,11 +92,11 @@ void RingWall::add_forces(Particles<2> &particles, const Box<2> &, const std::si
       const bool now_broken = damage && broken(group, k);
       const double t = now_broken ? 0. : law.force(alike ? l * inverse_rest : l / rest(group, k)) / l;
       double gx = t * ex, gy = t * ey; // dE/d(edge)
-      if (bending > 0. && !before_broken && !now_broken)
+      if (bends && !before_broken && !now_broken)
         {
           // hinge at node k between the edge before (p) and this one (e)
           const double theta = std::atan2(px * ey - py * ex, px * ex + py * ey);
-          const double moment = bending * (theta - rest_angle(group, k));
+          const double moment = hinge[k] * (theta - angle_at_rest[k]);
           const double on_p = moment / previous2, on_e = moment / l2;
           const double hx = on_p * py, hy = -on_p * px; // -moment * perp(p)/|p|^2
           if (k == 0)
@@ -148,7 +139,6 @@ double RingWall::energy(const Particles<2> &particles, const Box<2> &, const std
 {
   const Group &g = particles.groups[group];
   const std::uint32_t n = g.wall_count();
-  const WallBending hinge{bending};
   const NeoHookeanWall &law = flow ? elastic_law : yielding_law;
   double total = 0.;
   for (std::uint32_t k = 0; k < n; ++k)
@@ -159,8 +149,8 @@ double RingWall::energy(const Particles<2> &particles, const Box<2> &, const std
         continue;
       const double length = rest(group, k);
       total += length * law.energy((c - b).norm() / length);
-      if (bending > 0. && !broken(group, (k + n - 1) % n))
-        total += hinge.energy(b - a, c - b, rest_angle(group, k));
+      if (stiffest_hinge > 0. && !broken(group, (k + n - 1) % n))
+        total += WallBending{shapes[group].hinge[k]}.energy(b - a, c - b, shapes[group].rest_angle[k]);
     }
   return total;
 }
@@ -169,8 +159,8 @@ Rates RingWall::rates(const Particles<2> &) const
 {
   // Highest mode of a chain of masses: 2 sqrt(k/m) axially; 4 sqrt(B/(l^3 m)) in bending.
   Rates bound;
-  bound.wall.frequency_squared = 4. * elastic_law.derivative(1.) / rest_length / node_mass
-                                 + 16. * bending / (spacing * spacing * node_mass);
+  bound.wall.frequency_squared = 4. * elastic_law.derivative(1.) / shortest / node_mass
+                                 + 16. * stiffest_hinge / (spacing * spacing * node_mass);
   return bound;
 }
 } // namespace turgor

@@ -13,25 +13,22 @@
 
 namespace turgor
 {
-/// Rest state of one cell's ring, where cells are not alike.
+/// One cell's ring as it is without stress.
 struct RingShape
 {
   std::vector<double> rest_length; ///< m, of bond k
   std::vector<double> rest_angle;  ///< rad, turning angle at node k
+  std::vector<double> hinge;       ///< N m, B/l at node k; 0: none
 };
 
 class RingWall final : public BondedWall<2>
 {
 public:
-  /// rest_length (m) of every edge; bending_stiffness B (N m^2, 0: none), hinge spacing (m);
-  /// corners: nodes_per_side > 0 gives every nodes_per_side-th hinge, from node 0 on, a rest angle of pi/2.
-  RingWall(const NeoHookeanWall &law, double rest_length, double bending_stiffness, double spacing,
-           unsigned int nodes_per_side, double node_mass);
-  /// One shape per cell.
-  RingWall(const NeoHookeanWall &law, std::vector<RingShape> shapes, double bending_stiffness, double spacing,
-           double node_mass);
+  /// One shape per cell. spacing (m, of nodes) and node_mass (kg, of the lightest) are for the stable step. one_length: all bonds have the same rest
+  /// length, whose reciprocal multiplies; a division a bond less, and the last bit is another one.
+  RingWall(const NeoHookeanWall &law, std::vector<RingShape> shapes, double spacing, double node_mass, bool one_length = false);
 
-  std::string name() const override { return bending > 0. ? "neo_hookean_wall+bending" : "neo_hookean_wall"; }
+  std::string name() const override { return stiffest_hinge > 0. ? "neo_hookean_wall+bending" : "neo_hookean_wall"; }
   void declare(Particles<2> &) override {}
   void add_forces(Particles<2> &particles, const Box<2> &box, std::size_t group) override;
   double energy(const Particles<2> &particles, const Box<2> &box, std::size_t group) const override;
@@ -53,15 +50,13 @@ public:
   double tension(const Particles<2> &particles, std::size_t group, std::size_t bond) const;
 
 private:
-  double rest_angle(std::size_t group, std::uint32_t node) const;
   double rest(std::size_t group, std::size_t bond) const; ///< m, flow included
   bool broken(std::size_t group, std::size_t bond) const;
 
   /// The law while loaded, with its yielding; with plastic flow (set_flow) the bonds themselves follow its elastic part.
   NeoHookeanWall yielding_law, elastic_law;
-  double rest_length, bending, spacing;
-  unsigned int nodes_per_side;
-  double node_mass;
-  std::vector<RingShape> shapes; ///< per group; empty where all cells are alike
+  std::vector<RingShape> shapes; ///< per group
+  double spacing, node_mass, shortest, stiffest_hinge = 0.; ///< m, kg, m of bonds at rest, N m
+  bool one_length;
 };
 } // namespace turgor

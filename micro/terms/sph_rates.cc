@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace turgor
 {
@@ -20,22 +22,27 @@ Rates SphFluid<dim>::rates(const Particles<dim> &particles) const
   if (parameters.viscosity > 0.) // the longest step whose impulses are exact enough (sph_impulses.h)
     bound.fluid.frequency_squared =
       std::max(bound.fluid.frequency_squared, 4. / std::pow(SphImpulses<dim>::longest_time(R / 2.6, parameters.viscosity / rho), 2));
-  if (particles.groups.empty())
-    return bound;
-  const Group &g = particles.groups.front(); // all cells start as copies
-  if (g.wall_count() == 0)
-    return bound;
-  const double lightest =
-    *std::max_element(particles.inverse_mass.begin() + g.begin, particles.inverse_mass.begin() + g.fluid);
-  const WallBulk wall = WallView<dim>::bulk(particles, g, {parameters.depth, false, mesh.get()});
-  // All nodes together against the fluid's bulk modulus: B sum_k |dV/dx_k|^2 / (V m_node).
-  if (parameters.exact_volume)
-    bound.wall.frequency_squared = rho * c * c * wall.slopes_squared / wall.volume * lightest;
-  if (parameters.barrier > 0.)
-    { // Two faces at once (along an edge); a node has as many particles before it as spacings fit into its area.
-      const double range = barrier_range * R, stiffness = 4. * parameters.barrier / (range * range);
-      bound.fluid.frequency_squared += stiffness / rho;
-      bound.wall.frequency_squared += stiffness * wall.node_area * (R / 2.6) * lightest;
+  const Rates of_fluid = bound;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> seen;
+  for (const Group &g : particles.groups)
+    {
+      // cells of as many nodes and particles are about alike: the first stands for them
+      if (g.wall_count() == 0 || !seen.emplace(g.wall_count(), g.fluid_count()).second)
+        continue;
+      const double lightest = *std::max_element(particles.inverse_mass.begin() + g.begin, particles.inverse_mass.begin() + g.fluid);
+      const WallBulk wall = WallView<dim>::bulk(particles, g, {parameters.depth, false, mesh.get()});
+      Rates own = of_fluid;
+      // All nodes together against the fluid's bulk modulus: B sum_k |dV/dx_k|^2 / (V m_node).
+      if (parameters.exact_volume)
+        own.wall.frequency_squared = rho * c * c * wall.slopes_squared / wall.volume * lightest;
+      if (parameters.barrier > 0.)
+        { // Two faces at once (along an edge); a node has as many particles before it as spacings fit into its area.
+          const double range = barrier_range * R, stiffness = 4. * parameters.barrier / (range * range);
+          own.fluid.frequency_squared += stiffness / rho;
+          own.wall.frequency_squared += stiffness * wall.node_area * (R / 2.6) * lightest;
+        }
+      bound.wall.frequency_squared = std::max(bound.wall.frequency_squared, own.wall.frequency_squared);
+      bound.fluid.frequency_squared = std::max(bound.fluid.frequency_squared, own.fluid.frequency_squared);
     }
   return bound;
 }

@@ -377,15 +377,12 @@ Rates ThesisFluid<dim>::rates(const Particles<dim> &particles) const
   // The repulsion has no upper bound; the step is for up to five times the force that holds turgor, on
   // one pair, both sides of it moving.
   const double stiffness = 2. * wall_law.stiffness_at(5. * parameters.holding_force);
+  double lightest[2] = {0., 0.}; // inverse masses: wall, fluid
   for (const Group &g : particles.groups)
-    {
-      double lightest[2] = {0., 0.}; // inverse masses: wall, fluid
-      for (std::uint32_t i = g.begin; i < g.end; ++i)
-        lightest[i >= g.fluid] = std::max(lightest[i >= g.fluid], particles.inverse_mass[i]);
-      bound.wall.frequency_squared += stiffness * lightest[0];
-      bound.fluid.frequency_squared += stiffness * lightest[1];
-      break; // all cells start as copies
-    }
+    for (std::uint32_t i = g.begin; i < g.end; ++i)
+      lightest[i >= g.fluid] = std::max(lightest[i >= g.fluid], particles.inverse_mass[i]);
+  bound.wall.frequency_squared += stiffness * lightest[0];
+  bound.fluid.frequency_squared += stiffness * lightest[1];
   return bound;
 }
 

@@ -2,6 +2,7 @@
 // symmetry, or with its fluid on a lattice, so that sums can be done by hand.
 #pragma once
 
+#include "micro/cells/parenchyma.h"
 #include "micro/cells/sph_parenchyma.h"
 #include "micro/laws/counter_random.h"
 
@@ -51,7 +52,7 @@ struct SmallPatch
   std::unique_ptr<SphPatch> lattice() const
   {
     const CellLayout patch = make_parenchyma(cell, 1, 1, true, true);
-    ReferenceCell reference = unannealed_cell(patch, sph);
+    CellContents reference = unannealed_cell(patch, sph);
     const unsigned int n = sph.particles_per_side;
     for (unsigned int k = 0; k < n * n; ++k)
       {

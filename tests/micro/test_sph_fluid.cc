@@ -1,6 +1,6 @@
 // The fluid, wall and lamella terms of a patch of cells: F = -dE/dx by finite differences,
 // momentum, gamma against direct quadrature, both instruction sets against each other.
-#include "micro/cells/turgid_reference.h"
+#include "micro/cells/annealed_cells.h"
 #include "micro/engine/kick_drift_kick.h"
 #include "micro/terms/sph_fluid.h"
 #include "run/archive.h"
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(volumes_fill_the_cell_and_packing_does_not_decide_the_press
   // The annealed cell, and the same sheared affinely: other packings of the same mass in the same volume. The mean
   // pressure is that of the mass over the volume up to the second order in the spread of densities.
   const CellLayout patch = make_parenchyma(cell, 1, 1, true, true);
-  const auto cells = make_sph_patch(patch, sph, make_turgid_reference(cell, sph));
+  const auto cells = make_sph_patch(patch, sph, anneal_square_cell(cell, sph));
   Particles<2> &p = cells->system.particles;
   const Group &g = p.groups[0];
   const EquationOfState &eos = cells->fluid->equation_of_state();

@@ -82,12 +82,12 @@ BOOST_AUTO_TEST_CASE(bricks_by_hand)
         BOOST_TEST((p.position(tie.a) - p.position(tie.b)).norm() < 1e-12 * cell.period);
       // 6 upright walls of 9 nodes; 2 rows of 5 half walls of 5 nodes. A gap of 20 um takes the nodes at 0 and 12.5 um, at both ends
       BOOST_TEST(tissue->ties->all().size() == (gap > 0. ? 6u * 5u + 10u * 1u : 6u * 9u + 10u * 5u));
-      BOOST_TEST(tissue->tie_from_end.size() == tissue->ties->all().size());
-      BOOST_TEST(*std::min_element(tissue->tie_from_end.begin(), tissue->tie_from_end.end()) == (gap > 0. ? 2u : 0u));
-      BOOST_TEST(*std::max_element(tissue->tie_from_end.begin(), tissue->tie_from_end.end()) == 4u);
+      BOOST_TEST(tissue->layout.tie_from_end.size() == tissue->ties->all().size());
+      BOOST_TEST(*std::min_element(tissue->layout.tie_from_end.begin(), tissue->layout.tie_from_end.end()) == (gap > 0. ? 2u : 0u));
+      BOOST_TEST(*std::max_element(tissue->layout.tie_from_end.begin(), tissue->layout.tie_from_end.end()) == 4u);
       // laid: no holes; the middle cell has six neighbours' corners, 2 of its angles are flat
       BOOST_TEST(tissue->void_fraction() < 0.005);
-      BOOST_TEST(tissue->junctions[4].size() == 6u);
+      BOOST_TEST(tissue->layout.junctions[4].size() == 6u);
       BOOST_TEST(tissue->to_junction(4, 2) == 2u);
       double area = 0.;
       for (std::size_t c = 0; c < 9; ++c)

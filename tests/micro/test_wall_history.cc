@@ -38,8 +38,9 @@ struct Ring
         p.inverse_mass[k] = 1e12;
         shape.rest_length.push_back((10. + 0.1 * k) * 1e-6);
         shape.rest_angle.push_back(k % 3 == 0 ? 0.9 : 0.3);
+        shape.hinge.push_back(1e-16 / 10e-6);
       }
-    wall = &system.add(std::make_unique<RingWall>(law, std::vector<RingShape>{shape}, 1e-16, 10e-6, 1e-12));
+    wall = &system.add(std::make_unique<RingWall>(law, std::vector<RingShape>{shape}, 10e-6, 1e-12));
   }
 
   void require_conservative()

@@ -211,7 +211,7 @@ void sph_row(const int rule)
   ParenchymaParameters cell;
   cell.fluid_viscosity = 1.;
   const SphRve rve(cell, settings_of(rule));
-  const std::size_t positions = 2 * rve.reference().x.size();
+  const std::size_t positions = 2 * rve.particle_count();
   row(std::string("sph, ") + rule_names[rule], ask(rve, loads(100), 1e-5, 12, rule == 0 ? 0 : positions));
 }
 
@@ -308,7 +308,7 @@ BOOST_AUTO_TEST_CASE(perturbed_starts, *boost::unit_test::disabled() * boost::un
       std::vector<Tensor2<2>> answers;
       for (std::uint64_t start = 0; start < 6; ++start)
         {
-          const RveAnswer<2> a = rve.evaluate(disturbed(rve.initial_state(), 2 * rve.reference().x.size(),
+          const RveAnswer<2> a = rve.evaluate(disturbed(rve.initial_state(), 2 * rve.particle_count(),
                                                         start > 0 ? disturbance(cell) : 0., 100 + start),
                                               F, zero, {}, *workspace);
           if (a.diagnostics.converged)

@@ -34,14 +34,6 @@ Tensor2<2> image_virial(const ParticleSystem<2> &system)
       }
   return total;
 }
-
-std::unique_ptr<SphPatch> without_fluid(const CellLayout &patch, const SphParameters &sph, ReferenceCell reference)
-{
-  reference.x.resize(reference.wall_count);
-  reference.y.resize(reference.wall_count);
-  reference.density.clear();
-  return make_sph_patch(patch, sph, reference);
-}
 } // namespace
 
 CellEndurance::Run::Run(const CellEndurance &scene_, RunContext &context_)
@@ -50,7 +42,7 @@ CellEndurance::Run::Run(const CellEndurance &scene_, RunContext &context_)
   , reference(anneal_reference(context, scene.cell, scene.sph))
   , patch(make_parenchyma(scene.cell, 1, 1, true, true))
   , wet(make_sph_patch(patch, scene.sph, reference))
-  , walls(without_fluid(patch, scene.sph, reference))
+  , walls(make_sph_patch(patch, scene.sph, reference.without_fluid()))
   , system(wet->system)
   , integrator(system, scene.step_fraction, collision_spacings, scene.cell.fluid_viscosity / scene.cell.fluid_density)
   , last(std::uint64_t(scene.steps))

@@ -1,6 +1,7 @@
 // One run of `cell_endurance`: the cell, a dry copy of its walls, what is measured at each sample and what it adds up to.
 #pragma once
 
+#include "micro/cells/annealed_cells.h"
 #include "micro/engine/watched_steps.h"
 #include "micro/scenes/instruments/cell_endurance.h"
 

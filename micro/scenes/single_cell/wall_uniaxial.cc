@@ -27,7 +27,8 @@ public:
     p.resize(nodes);
     p.groups.push_back({0, nodes, nodes});
     std::fill(p.inverse_mass.begin(), p.inverse_mass.end(), 1e12);
-    wall = &system.add(std::make_unique<RingWall>(law, bond, 0., bond, 0, 1e-12));
+    const std::vector<double> none(nodes, 0.);
+    wall = &system.add(std::make_unique<RingWall>(law, std::vector<RingShape>{{std::vector<double>(nodes, bond), none, none}}, bond, 1e-12, true));
     if (plastic)
       {
         flow = std::make_shared<WallFlow>(1, nodes);

@@ -152,7 +152,7 @@ bool TissueLoading::Run::processes()
           const LamellaTie &tie = tissue->ties->all()[t];
           released += 0.5 * tie.stiffness
                       * (system.particles.position(tie.a) - system.particles.position(tie.b)).squaredNorm();
-          broken_ties.push_back(double(tissue->tie_from_end[t]));
+          broken_ties.push_back(double(tissue->layout.tie_from_end[t]));
         }
       if (!now.empty())
         {
