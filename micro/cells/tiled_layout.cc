@@ -29,7 +29,7 @@ struct CutSide
 void cut(std::vector<double> &at, const double to, const double spacing, const int least)
 {
   const double from = at.back();
-  const int n = std::max(least, int(std::lround((to - from) / spacing)));
+  const int n = std::max(least, int(std::floor((to - from) / spacing + 0.5 + 1e-6))); // halves go up whatever round-off does to them
   for (int k = 1; k < n; ++k)
     at.push_back(from + (to - from) * k / n);
   at.push_back(to);
@@ -51,6 +51,17 @@ CutSide cut_side(const double length, const double spacing, const double gap_bef
   if (gap_after > 0.)
     cut(side.at, length, spacing, 1);
   return side;
+}
+
+/// The same wall from its other side.
+CutSide seen_from_behind(const CutSide &front)
+{
+  CutSide back;
+  for (auto at = front.at.rbegin(); at != front.at.rend(); ++at)
+    back.at.push_back(front.at.back() - *at);
+  back.first_tied = front.bonds() + 1 - front.last_tied;
+  back.last_tied = front.bonds() + 1 - front.first_tied;
+  return back;
 }
 
 /// How many cells have a corner there.
@@ -105,7 +116,9 @@ CellLayout lay_cells(const Tiling &tiling, const ParenchymaParameters &p, const 
           const TilingCorner &from = corners[k], &to = corners[(k + 1) % corners.size()];
           const auto gap_at = [&](const TilingCorner &corner) { return facing[c][k].exists() && meet[corner.vertex] > 2 ? gap : 0.; };
           const double length = tiling.side_length(c, k);
-          sides[c].push_back(cut_side(length, layout.spacing, gap_at(from), gap_at(to)));
+          const FacingSide &other = facing[c][k];
+          const bool cut_already = other.exists() && (other.cell < c || (other.cell == c && other.side < k));
+          sides[c].push_back(cut_already ? seen_from_behind(sides[other.cell][other.side]) : cut_side(length, layout.spacing, gap_at(from), gap_at(to)));
           first[c].push_back(std::uint32_t(layout.nodes.size()));
           for (std::size_t i = 0; i < sides[c][k].bonds(); ++i)
             layout.nodes.push_back(tiling.place(from) + sides[c][k].at[i] / length * (tiling.place(to) - tiling.place(from)));
@@ -127,8 +140,6 @@ CellLayout lay_cells(const Tiling &tiling, const ParenchymaParameters &p, const 
         if (!other.exists() || other.cell < c || (other.cell == c && other.side < k))
           continue; // each tie once
         const CutSide &side = sides[c][k];
-        if (sides[other.cell][other.side].bonds() != side.bonds())
-          throw std::logic_error("Both sides of a wall have to be cut alike.");
         for (std::size_t i = side.first_tied; i < side.last_tied; ++i)
           layout.ties.push_back({node(c, k, i), node(other.cell, other.side, side.bonds() - i), other.shift,
                                  p.lamella_ratio * layout.spring_stiffness * side.share(i) / layout.spacing});

@@ -104,6 +104,19 @@ BOOST_AUTO_TEST_CASE(bricks_have_the_nodes_and_ties_one_counts_by_hand)
   BOOST_CHECK_THROW(lay_cells(brick_tiling(L), cell_of(12), -1e-6), std::invalid_argument);
 }
 
+BOOST_AUTO_TEST_CASE(walls_of_half_a_bond_more_are_cut_alike_everywhere)
+{
+  // half sides of 12.5 spacings: 13 bonds, wherever the cell is and however it is turned
+  for (const double gap : {0., 20e-6})
+    for (const Tiling &t : {replicated(brick_tiling(L), 3, 3), rotated(replicated(brick_tiling(L), 5, 2), 0.3)})
+      {
+        const CellLayout layout = lay_cells(t, cell_of(25), gap);
+        for (const WallRing &ring : layout.rings)
+          BOOST_TEST(ring.count == (gap > 0. ? 4u * (5u + 3u + 5u) + 2u * 25u : 4u * 13u + 2u * 25u));
+        require_facing_nodes_together(layout);
+      }
+}
+
 BOOST_AUTO_TEST_CASE(voronoi_walls_face_each_other_node_by_node)
 {
   TissueStructure voronoi;
