@@ -13,7 +13,6 @@
 // friction_iterations: their number at 10^4 cells, by pair over medium friction and digits of the tolerance, all directions the same.
 // The time column is wall time.
 #include "micro/laws/counter_random.h"
-#include "micro/engine/gathered.h"
 #include "micro/engine/overdamped.h"
 #include "micro/engine/space_order.h"
 #include "micro/terms/sphere_motion.h"
@@ -56,7 +55,7 @@ Particles<3> ball(const std::size_t n)
       p.field("radius")[i] = R_0 * (1. + 0.05 * (random_uniform(1, 4 * i + 3) - 0.5));
       p.field("modulus")[i] = 590.;
     }
-  gather(p, space_order(p, 2. * R_0));
+  p.gather(space_order(p, 2. * R_0));
   return p;
 }
 

@@ -1,7 +1,7 @@
 #include "micro/cells/cell_population.h"
 
 #include "run/archive.h"
-#include "micro/engine/gathered.h"
+#include "run/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,55 +14,64 @@ CellPopulation::CellPopulation()
 {
   particles.declare("radius");
   particles.declare("modulus");
+  particles.cells.declare<std::uint64_t>("id");
+  particles.cells.declare<std::uint8_t>("state");
 }
 
 std::size_t CellPopulation::count(const CellState which) const
 {
-  return std::size_t(std::count(state.begin(), state.end(), which));
+  const std::vector<std::uint8_t> &states = particles.cells.column<std::uint8_t>("state");
+  return std::size_t(std::count(states.begin(), states.end(), std::uint8_t(which)));
 }
 
 std::size_t CellPopulation::add(const Vector<3> &x, const double radius, const double modulus)
 {
   const std::size_t i = size();
   particles.resize(i + 1);
+  particles.cells.resize(i + 1);
   for (int d = 0; d < 3; ++d)
     particles.x[d][i] = x[d];
   particles.field("radius")[i] = radius;
   particles.field("modulus")[i] = modulus;
   particles.groups = {{0, 0, std::uint32_t(i + 1)}};
-  id.push_back(next_id++);
-  state.push_back(CellState::proliferating);
+  id()[i] = next_id++;
   return i;
 }
 
-void CellPopulation::gather(const std::vector<std::uint32_t> &source)
+void CellPopulation::gather(const Rearrangement &places)
 {
-  turgor::gather(particles, source);
-  particles.groups = {{0, 0, std::uint32_t(source.size())}};
-  id = gathered(id, source);
-  state = gathered(state, source);
+  particles.gather(places);
+  particles.cells.gather(places);
+  particles.groups = {{0, 0, std::uint32_t(places.size())}};
+  for (std::size_t k = 0; k < places.size(); ++k)
+    if (places.source[k] == Rearrangement::fresh)
+      id()[k] = next_id++;
+}
+
+std::vector<std::string> CellPopulation::field_names() const
+{
+  std::vector<std::string> names = particles.field_names();
+  for (const std::string &name : particles.cells.names())
+    if (name != "id" && name != "state")
+      names.push_back(name);
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 void CellPopulation::archive(Archive &a)
 {
   a.section("cells");
-  a(next_id, id);
+  a(next_id, particles.cells);
   if (a.loading())
     {
-      state.resize(size());
       particles.resize(size());
       particles.groups = {{0, 0, std::uint32_t(size())}};
     }
-  a.fixed(state);
   for (int d = 0; d < 3; ++d)
     a.fixed(particles.x[d], particles.v[d]);
-  const std::vector<std::string> declared = particles.field_names();
-  std::vector<std::string> names = declared;
-  a(names);
-  if (names != declared)
-    throw ArchiveError("The checkpoint's cells do not belong to this scene: their fields are others.");
-  for (const std::string &name : names)
-    a.fixed(particles.field(name));
+  a(particles.fields);
+  if (particles.fields.size() != size())
+    throw ArchiveError("The checkpoint holds fields of " + number_text(particles.fields.size()) + " cells beside " + number_text(size()) + " cells.");
 }
 
 double sphere_volume(const double radius) { return 4. / 3. * std::numbers::pi * radius * radius * radius; }

@@ -1,14 +1,15 @@
 // The state of a population of centre-based cells (thesis 2.2.2, Appendix C) whose number changes: a plain structure that
 // contacts, friction and the processes between steps read and write.
 //
-//   particles    x (m), v (m/s), f (N); fields `radius` (m) and `modulus` (Pa, E/(1 - nu^2)), which the contacts need, and
-//                whatever a process declares (`reference_volume` m^3, `strain`, `phase`, ...): a scene carries what it uses
-//   id           of a cell for its life, never used again; both daughters of a division are new cells. Whatever is drawn at
-//                random for a cell is a function of its id (cell_variability.h), so that it needs no storage and no order
-//   state        what the cell does
+//   particles         x (m), v (m/s), f (N); fields `radius` (m) and `modulus` (Pa, E/(1 - nu^2)), which contacts read of a sphere,
+//                     and `reference_volume` (m^3) where a process declares it
+//   particles.cells   a table with whatever processes declare of a cell (`strain`, `phase`, ...), and always
+//     id              of a cell for its life, never used again; both daughters of a division are new cells. Whatever is drawn
+//                     at random for a cell is a function of its id (cell_variability.h), so that it needs no storage and no order
+//     state           what the cell does (CellState)
 //
-// Cells are divided, removed and sorted by one operation: gather(source) puts what cell source[k] was at place k. The same
-// source goes to SphereContacts, Overdamped and the surroundings, so that all history follows its cell.
+// Cells are divided, removed and sorted by one operation, gather (rearrangement.h). The same places go to SphereContacts,
+// Overdamped and the surroundings, so that all history follows its cell.
 #pragma once
 
 #include "micro/engine/particles.h"
@@ -29,24 +30,36 @@ enum class CellState : std::uint8_t
   lysed          ///< dead, only the solid part is left
 };
 
+/// States of all cells, as they are read: states[i].
+struct CellStates
+{
+  const std::uint8_t *values;
+  CellState operator[](const std::size_t i) const { return CellState(values[i]); }
+  bool alive(const std::size_t i) const { return (*this)[i] == CellState::proliferating || (*this)[i] == CellState::quiescent; }
+};
+
 struct CellPopulation
 {
   CellPopulation();
 
   Particles<3> particles;
-  std::vector<std::uint64_t> id;
-  std::vector<CellState> state;
   std::uint64_t next_id = 0; ///< ids given so far
 
-  std::size_t size() const { return id.size(); }
-  bool alive(const std::size_t i) const { return state[i] == CellState::proliferating || state[i] == CellState::quiescent; }
+  std::size_t size() const { return particles.cells.size(); }
+  std::vector<std::uint64_t> &id() { return particles.cells.column<std::uint64_t>("id"); }
+  const std::vector<std::uint64_t> &id() const { return particles.cells.column<std::uint64_t>("id"); }
+  CellStates state() const { return {particles.cells.column<std::uint8_t>("state").data()}; }
+  void set_state(const std::size_t i, const CellState now) { particles.cells.column<std::uint8_t>("state")[i] = std::uint8_t(now); }
   std::size_t count(CellState which) const;
 
   /// A new cell at rest with its id, fields zero but for the radius (m) and the modulus (Pa); its place.
   std::size_t add(const Vector<3> &x, double radius, double modulus);
 
-  /// Cell k is what source[k] was, with its id.
-  void gather(const std::vector<std::uint32_t> &source);
+  /// Cells in other places; a repeated one with the id it had, a fresh one with the next.
+  void gather(const Rearrangement &places);
+
+  /// Names of what its particles and cells carry beside place, id and state.
+  std::vector<std::string> field_names() const;
 
   void archive(Archive &a);
   /// Fields have to be declared before. Throws std::runtime_error for a checkpoint with other fields.

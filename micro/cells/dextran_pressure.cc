@@ -92,7 +92,7 @@ void DextranPressure::add_forces(Particles<3> &particles)
       particles.f[d][cells[k]] += F_0 * forces[k][d];
 }
 
-void DextranPressure::gather(const std::vector<std::uint32_t> &)
+void DextranPressure::gather(const Rearrangement &)
 {
   cells.clear(); // found again by the next update
 }

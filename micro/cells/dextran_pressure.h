@@ -41,7 +41,7 @@ public:
   void update(const CellPopulation &population, double t) override;
   void advance(const Particles<3> &particles, double dt) override;
   void add_forces(Particles<3> &particles) override;
-  void gather(const std::vector<std::uint32_t> &source) override;
+  void gather(const Rearrangement &places) override;
   std::vector<Value> values(const CellPopulation &) const override;
   void archive(Archive &a) override;
 

@@ -41,7 +41,7 @@ public:
   double depth_of(const Vector<3> &x) const override { return R - x.norm(); }
   void advance(const Particles<3> &particles, double dt) override;
   void add_virial(const Particles<3> &, std::vector<Tensor2<3>> &virial) const override;
-  void gather(const std::vector<std::uint32_t> &) override { touches.clear(); }
+  void gather(const Rearrangement &) override { touches.clear(); }
   std::vector<Value> values(const CellPopulation &) const override;
   void archive(Archive &a) override;
 

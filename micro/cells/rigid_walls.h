@@ -40,7 +40,7 @@ public:
   double energy_of(const Vector<3> &x, double radius, double reference, double modulus) const override;
   void advance(const Particles<3> &, double dt) override;
   void add_virial(const Particles<3> &, std::vector<Tensor2<3>> &virial) const override;
-  void gather(const std::vector<std::uint32_t> &) override { touches.clear(); }
+  void gather(const Rearrangement &) override { touches.clear(); }
   void archive(Archive &a) override;
 
   const RigidWall &operator[](const std::size_t k) const { return walls[k]; }

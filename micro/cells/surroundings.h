@@ -47,8 +47,8 @@ public:
   /// virial[i] += sum of f (x) r over its contacts with cell i (N m): f on the cell, r from its centre to the contact.
   virtual void add_virial(const Particles<3> &, std::vector<Tensor2<3>> & /*virial*/) const {}
 
-  /// Cell k is what source[k] was.
-  virtual void gather(const std::vector<std::uint32_t> & /*source*/) {}
+  /// The cells have other places.
+  virtual void gather(const Rearrangement &) {}
 
   /// J, of one more cell at x (m) with radius and uncompressed radius (m) and modulus (Pa), all else being what it was at the last
   /// add_forces; infinite where it cannot be. What a division chooses its place by.

@@ -1,7 +1,6 @@
 #include "micro/engine/overdamped.h"
 
 #include "run/archive.h"
-#include "micro/engine/gathered.h"
 #include "micro/solve/step_too_long.h"
 #include "run/parallel.h"
 #include "run/start_disturbance.h"
@@ -171,13 +170,13 @@ void Overdamped<dim>::move_at_random(Particles<dim> &particles, const double h)
 }
 
 template <int dim>
-void Overdamped<dim>::gather(const std::vector<std::uint32_t> &source)
+void Overdamped<dim>::gather(const Rearrangement &places)
 {
   jumped = true;
   dt = std::min(dt, 2. * after_jump);
   for (auto &v : v_before)
     if (!v.empty())
-      v = gathered(v, source);
+      v = places.of(v);
 }
 
 template <int dim>

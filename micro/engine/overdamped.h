@@ -53,8 +53,8 @@ public:
   /// One accepted step of at most `limit` (s); its length. Throws std::runtime_error when the step would become shorter than the least one.
   double step(Particles<dim> &particles, double limit);
 
-  /// The bodies have other places, body k is what source[k] was.
-  void gather(const std::vector<std::uint32_t> &source);
+  /// The bodies have other places.
+  void gather(const Rearrangement &places);
 
   std::uint64_t rejected() const { return rejections; }
   double next_step() const { return dt; }

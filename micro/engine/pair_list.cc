@@ -143,20 +143,23 @@ void PairList<dim>::build(const Particles<dim> &particles, const std::vector<dou
 }
 
 template <int dim>
-void PairList<dim>::gather(const std::vector<std::uint32_t> &source, std::vector<unsigned char> &touching)
+void PairList<dim>::gather(const Rearrangement &places, std::vector<unsigned char> &touching)
 {
+  const std::vector<std::uint32_t> &source = places.source;
   if (std::find(touching.begin(), touching.end(), 1) == touching.end())
     return restore({}, source.size(), touching);
   // copies[first_copy[i] .. first_copy[i + 1]): the new places of the sphere that was i
   const std::size_t n_before = first_pair.size() - 1;
   std::vector<std::uint32_t> first_copy(n_before + 1, 0), copies(source.size());
   for (const std::uint32_t i : source)
-    ++first_copy[i + 1];
+    if (i != Rearrangement::fresh)
+      ++first_copy[i + 1];
   for (std::size_t i = 0; i < n_before; ++i)
     first_copy[i + 1] += first_copy[i];
   std::vector<std::uint32_t> next = first_copy;
   for (std::uint32_t k = 0; k < source.size(); ++k)
-    copies[next[source[k]]++] = k;
+    if (source[k] != Rearrangement::fresh)
+      copies[next[source[k]]++] = k;
   std::vector<Pair> held;
   for (std::size_t p = 0; p < touching.size(); ++p)
     if (touching[p])

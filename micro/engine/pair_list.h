@@ -39,9 +39,9 @@ public:
   const std::vector<std::uint32_t> &own() const { return pair_of; }
   const std::vector<std::uint32_t> &other() const { return other_of; }
 
-  /// The spheres have other places, sphere k is what source[k] was: the list shrinks to the pairs that touch (all its history;
+  /// The spheres have other places: the list shrinks to the pairs that touch (all its history;
   /// a pair belongs to every copy of its spheres) and is stale.
-  void gather(const std::vector<std::uint32_t> &source, std::vector<unsigned char> &touching);
+  void gather(const Rearrangement &places, std::vector<unsigned char> &touching);
 
   /// The list becomes the given history (sorted by i, then j; i < j < n) of n spheres, and is stale. Throws
   /// std::runtime_error for pairs that are none.

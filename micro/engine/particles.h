@@ -6,15 +6,15 @@
 // results do not depend on the number of threads.
 //
 // Beyond position, velocity and force (x[d][i], SI units) a particle has only the fields
-// that a term or integrator declared when the scene was put together.
+// that a term or integrator declared when the scene was put together. What belongs to a cell and not to its nodes (its
+// phase, its volume) is in a table of its own.
 #pragma once
 
+#include "micro/engine/table.h"
 #include "micro/geometry/tensor.h"
 
 #include <array>
 #include <cstdint>
-#include <map>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -41,6 +41,8 @@ public:
   Components f;                     ///< N
   std::vector<double> inverse_mass; ///< 1/kg; 0 for a clamped particle
   std::vector<Group> groups;
+  Table fields; ///< of each particle
+  Table cells;  ///< of each cell; empty where no process has declared anything
 
   void resize(std::size_t n)
   {
@@ -51,8 +53,7 @@ public:
         f[d].resize(n, 0.);
       }
     inverse_mass.resize(n, 0.);
-    for (auto &field : fields)
-      field.second.resize(n, 0.);
+    fields.resize(n);
   }
 
   std::size_t size() const { return inverse_mass.size(); }
@@ -74,32 +75,24 @@ public:
   }
 
   /// Makes a scalar field (once); called by whoever needs it, at set-up.
-  void declare(const std::string &name) { fields[name].resize(size(), 0.); }
+  void declare(const std::string &name) { fields.declare(name); }
 
-  bool has(const std::string &name) const { return fields.count(name) > 0; }
+  bool has(const std::string &name) const { return fields.has(name); }
 
   /// Throws std::logic_error for a field that nobody declared.
-  std::vector<double> &field(const std::string &name)
-  {
-    const auto found = fields.find(name);
-    if (found == fields.end())
-      throw std::logic_error("particle field '" + name + "' was not declared by any term");
-    return found->second;
-  }
-  const std::vector<double> &field(const std::string &name) const
-  {
-    return const_cast<Particles *>(this)->field(name);
-  }
+  std::vector<double> &field(const std::string &name) { return fields.column(name); }
+  const std::vector<double> &field(const std::string &name) const { return fields.column(name); }
 
-  std::vector<std::string> field_names() const
-  {
-    std::vector<std::string> names;
-    for (const auto &field : fields)
-      names.push_back(field.first);
-    return names;
-  }
+  std::vector<std::string> field_names() const { return fields.names(); }
 
-private:
-  std::map<std::string, std::vector<double>> fields;
+  /// Particles in other places; groups and cells are the caller's.
+  void gather(const Rearrangement &places)
+  {
+    for (int d = 0; d < dim; ++d)
+      for (std::vector<double> *values : {&x[d], &v[d], &f[d]})
+        *values = places.of(*values);
+    inverse_mass = places.of(inverse_mass);
+    fields.gather(places);
+  }
 };
 } // namespace turgor

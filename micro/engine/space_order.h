@@ -1,7 +1,7 @@
 // Particles in an order in which near ones in space are near in memory: along a Morton curve (the bits of the three bin numbers
 // interleaved). Ties keep their order, so the result depends on positions alone.
 //
-// In: positions (m), width of a bin (m). Out: source, for gather (gathered.h): place k is for particle source[k].
+// In: positions (m), width of a bin (m). Out: where the particles go (rearrangement.h).
 #pragma once
 
 #include "micro/engine/particles.h"
@@ -12,7 +12,7 @@
 
 namespace turgor
 {
-inline std::vector<std::uint32_t> space_order(const Particles<3> &particles, const double width)
+inline Rearrangement space_order(const Particles<3> &particles, const double width)
 {
   const std::size_t n = particles.size();
   const auto spread = [](std::uint64_t v) { // 21 bits, two zeros between any two
@@ -34,9 +34,9 @@ inline std::vector<std::uint32_t> space_order(const Particles<3> &particles, con
   for (std::size_t i = 0; i < n; ++i)
     keys[i].second = std::uint32_t(i);
   std::sort(keys.begin(), keys.end());
-  std::vector<std::uint32_t> source(n);
+  Rearrangement places{std::vector<std::uint32_t>(n)};
   for (std::size_t k = 0; k < n; ++k)
-    source[k] = keys[k].second;
-  return source;
+    places.source[k] = keys[k].second;
+  return places;
 }
 } // namespace turgor

@@ -3,7 +3,6 @@
 #include "micro/cells/cell_stress.h"
 #include "micro/cells/depth_below_surface.h"
 #include "micro/cells/outer_cells.h"
-#include "micro/engine/gathered.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,21 +15,22 @@ CellLife::CellLife(const CellLifeParameters &parameters_)
   , V_0(sphere_volume(parameters_.birth_radius))
 {}
 
-void CellLife::declare_fields(Particles<3> &particles) const
+void CellLife::declare(Particles<3> &particles) const
 {
-  for (const char *name : {"reference_volume", "strain", "phase", "cycle_time", "bulk_modulus"})
-    particles.declare(name);
+  particles.declare("reference_volume");
+  for (const char *name : {"strain", "phase", "cycle_time", "bulk_modulus"})
+    particles.cells.declare(name);
   if (parameters.death.rim == Rim::necrotic)
-    particles.declare("volume_at_death");
+    particles.cells.declare("volume_at_death");
 }
 
 void CellLife::draw(CellPopulation &cells, const std::size_t i) const
 {
   const CellVariability &vary = parameters.variability;
-  const std::uint64_t id = cells.id[i];
+  const std::uint64_t id = cells.id()[i];
   Particles<3> &p = cells.particles;
-  p.field("cycle_time")[i] = vary(parameters.cycle_time, id, Varied::cycle_time);
-  p.field("bulk_modulus")[i] = vary(parameters.bulk_modulus, id, Varied::bulk_modulus);
+  p.cells.column("cycle_time")[i] = vary(parameters.cycle_time, id, Varied::cycle_time);
+  p.cells.column("bulk_modulus")[i] = vary(parameters.bulk_modulus, id, Varied::bulk_modulus);
   p.field("modulus")[i] = vary(parameters.modulus, id, Varied::modulus) / (1. - parameters.poisson * parameters.poisson);
 }
 
@@ -38,17 +38,17 @@ void CellLife::add(CellPopulation &cells, const Vector<3> &x, const double phase
 {
   const std::size_t i = cells.add(x, parameters.birth_radius, parameters.modulus);
   draw(cells, i);
-  const double T = cells.particles.field("cycle_time")[i];
+  const double T = cells.particles.cells.column("cycle_time")[i];
   double V_ref = V_0, reached = 0.;
   parameters.cycle.advance(parameters.growth, V_0, T, 1., phase * T, reached, V_ref);
   cells.particles.field("reference_volume")[i] = V_ref;
-  cells.particles.field("phase")[i] = phase;
+  cells.particles.cells.column("phase")[i] = phase;
   cells.particles.field("radius")[i] = sphere_radius(V_ref);
 }
 
 double CellLife::volume(const CellPopulation &cells, const std::size_t i) const
 {
-  return compressed_volume(cells.particles.field("reference_volume")[i], cells.particles.field("strain")[i]);
+  return compressed_volume(cells.particles.field("reference_volume")[i], cells.particles.cells.column("strain")[i]);
 }
 
 const std::vector<double> &CellLife::measure_pressures(const CellPopulation &cells, const SphereContacts &contacts,
@@ -58,7 +58,7 @@ const std::vector<double> &CellLife::measure_pressures(const CellPopulation &cel
   cell_virials(cells.particles, contacts, threads, virial);
   for (const auto &around : surroundings)
     around->add_virial(cells.particles, virial);
-  const std::vector<double> &V_ref = cells.particles.field("reference_volume"), &eps = cells.particles.field("strain");
+  const std::vector<double> &V_ref = cells.particles.field("reference_volume"), &eps = cells.particles.cells.column("strain");
   pressure.resize(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
     pressure[i] = -virial[i].trace() / (3. * compressed_volume(V_ref[i], eps[i]));
@@ -88,13 +88,15 @@ std::vector<unsigned char> CellLife::below_rim(const Particles<3> &p, const std:
 void CellLife::advance(CellPopulation &cells, const SphereContacts &contacts,
                        const std::vector<std::unique_ptr<Surroundings>> &surroundings, const double dt,
                        const unsigned int threads,
-                       const std::function<void(const std::vector<std::uint32_t> &)> &gather_others)
+                       const std::function<void(const Rearrangement &)> &gather_others)
 {
   measure_pressures(cells, contacts, surroundings, threads);
   Particles<3> &p = cells.particles;
-  std::vector<double> &V_ref = p.field("reference_volume"), &eps = p.field("strain"), &phase = p.field("phase"),
-                      &T = p.field("cycle_time"), &K = p.field("bulk_modulus"), &R = p.field("radius");
-  std::vector<double> *V_at_death = p.has("volume_at_death") ? &p.field("volume_at_death") : nullptr;
+  std::vector<double> &V_ref = p.field("reference_volume"), &R = p.field("radius"), &eps = p.cells.column("strain"),
+                      &phase = p.cells.column("phase"), &T = p.cells.column("cycle_time"), &K = p.cells.column("bulk_modulus");
+  std::vector<double> *V_at_death = p.cells.has("volume_at_death") ? &p.cells.column("volume_at_death") : nullptr;
+  std::vector<std::uint64_t> &id = cells.id();
+  const CellStates state = cells.state();
   const CellDeath &death = parameters.death;
   const CellCycle &cycle = parameters.cycle;
   const std::vector<unsigned char> below = below_rim(p, surroundings);
@@ -111,16 +113,16 @@ void CellLife::advance(CellPopulation &cells, const SphereContacts &contacts,
   for (std::uint32_t i = 0; i < cells.size(); ++i)
     {
       const double rest = parameters.volume.strain_at_rest(pressure[i], K[i]);
-      if (!cells.alive(i))
+      if (!state.alive(i))
         {
-          const double T_lys = parameters.variability(death.lysis_time, cells.id[i], Varied::lysis_time);
+          const double T_lys = parameters.variability(death.lysis_time, id[i], Varied::lysis_time);
           eps[i] = relaxed_strain(eps[i], rest, dt, death.linear ? parameters.relaxation : T_lys);
           const double before = V_ref[i];
           V_ref[i] = death.drained(V_ref[i], (*V_at_death)[i], T_lys, dt);
           drained += before - V_ref[i];
-          if (cells.state[i] == CellState::necrotic && death.ended(V_ref[i], (*V_at_death)[i], eps[i], rest))
+          if (state[i] == CellState::necrotic && death.ended(V_ref[i], (*V_at_death)[i], eps[i], rest))
             {
-              cells.state[i] = CellState::lysed;
+              cells.set_state(i, CellState::lysed);
               gone[i] = death.remove;
               any_gone = any_gone || death.remove;
               drained += death.remove ? V_ref[i] : 0.;
@@ -131,17 +133,17 @@ void CellLife::advance(CellPopulation &cells, const SphereContacts &contacts,
       const bool deep = below[i];
       if (deep && death.rim == Rim::necrotic
           && death.dies(HUGE_VAL, pressure[i],
-                        parameters.variability(death.necrosis_pressure, cells.id[i], Varied::necrosis_pressure)))
+                        parameters.variability(death.necrosis_pressure, id[i], Varied::necrosis_pressure)))
         {
           (*V_at_death)[i] = V_ref[i];
-          cells.state[i] = CellState::necrotic;
+          cells.set_state(i, CellState::necrotic);
           ++deaths;
           continue;
         }
       const double f = parameters.growth.factor(eps[i]);
-      const bool resting = cells.state[i] == CellState::quiescent;
+      const bool resting = state[i] == CellState::quiescent;
       const bool rests = (deep && death.rim == Rim::quiescent) || cycle.rests(resting, phase[i], f);
-      cells.state[i] = rests ? CellState::quiescent : CellState::proliferating;
+      cells.set_state(i, rests ? CellState::quiescent : CellState::proliferating);
       if (rests)
         continue;
       const double before = V_ref[i];
@@ -168,10 +170,11 @@ void CellLife::advance(CellPopulation &cells, const SphereContacts &contacts,
   for (Division &division : divisions_now)
     {
       const std::uint32_t i = division.mother;
-      const Vector<3> along = parameters.division.choose(cells.id[i], virial[i]);
+      const Vector<3> along = parameters.division.choose(id[i], virial[i]);
       division.offset = parameters.division.half_distance(cells, contacts, near, surroundings, i, along, half * R[i]) * along;
     }
-  std::vector<std::uint32_t> source, place(cells.size());
+  Rearrangement places;
+  std::vector<std::uint32_t> &source = places.source, place(cells.size());
   for (std::uint32_t i = 0; i < cells.size(); ++i)
     if (!gone[i])
       {
@@ -183,15 +186,15 @@ void CellLife::advance(CellPopulation &cells, const SphereContacts &contacts,
   const std::size_t kept = source.size();
   for (const Division &division : divisions_now)
     source.push_back(division.mother);
-  cells.gather(source);
-  gather_others(source);
-  pressure = gathered(pressure, source);
+  cells.gather(places);
+  gather_others(places);
+  pressure = places.of(pressure);
   for (std::size_t k = 0; k < divisions_now.size(); ++k)
     {
       const Division &division = divisions_now[k];
       for (const auto &[i, sign] : {std::pair(std::size_t(place[division.mother]), 1.), std::pair(kept + k, -1.)})
         {
-          cells.id[i] = cells.next_id++;
+          id[i] = cells.next_id++;
           draw(cells, i);
           V_ref[i] *= 0.5;
           phase[i] = 0.;

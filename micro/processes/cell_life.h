@@ -6,8 +6,8 @@
 // f(eps); a dead cell goes on with its lysis; a living one dies, rests or advances in its cycle. Then volumes and radii are those
 // of the end, and cells divide or are taken away. First order in dt.
 //
-// Fields of the population: reference_volume (m^3), strain (no unit), phase (no unit), cycle_time (s), bulk_modulus (Pa), with
-// necrosis volume_at_death (m^3).
+// Of a sphere: reference_volume (m^3). Of a cell: strain (no unit), phase (no unit), cycle_time (s), bulk_modulus (Pa), with necrosis
+// volume_at_death (m^3).
 #pragma once
 
 #include "micro/cells/cell_population.h"
@@ -45,16 +45,16 @@ class CellLife
 public:
   explicit CellLife(const CellLifeParameters &parameters);
 
-  void declare_fields(Particles<3> &particles) const;
+  void declare(Particles<3> &particles) const;
 
   /// A cell with its fields at a phase of its cycle, uncompressed.
   void add(CellPopulation &cells, const Vector<3> &x, double phase) const;
 
-  /// The life over dt (s). Contacts are those of the present positions (add_forces). gather_others(source): all that keeps
+  /// The life over dt (s). Contacts are those of the present positions (add_forces). gather_others(places): all that keeps
   /// something per cell beside the population; called where cells divide or go.
   void advance(CellPopulation &cells, const SphereContacts &contacts,
                const std::vector<std::unique_ptr<Surroundings>> &surroundings, double dt, unsigned int threads,
-               const std::function<void(const std::vector<std::uint32_t> &)> &gather_others);
+               const std::function<void(const Rearrangement &)> &gather_others);
 
   /// Pa, of each cell, from contacts at the present positions.
   const std::vector<double> &measure_pressures(const CellPopulation &cells, const SphereContacts &contacts,

@@ -53,19 +53,19 @@ inline double polarity_after(const double P, const double preferred, const doubl
   return preferred + (P - preferred) * decay + spread * std::sqrt(1. - decay * decay) * xi;
 }
 
-/// The fields that polarity is kept in.
-inline void declare_polarity(Particles<3> &particles)
+/// The columns that polarity is kept in.
+inline void declare_polarity(Table &cells)
 {
   for (const char *name : {"polarity_x", "polarity_y", "polarity_z"})
-    particles.declare(name);
+    cells.declare(name);
 }
 
-/// Polarity of all cells (fields polarity_x, _y, _z, none) over step number `step` of length h (s).
-inline void advance_polarity(Particles<3> &particles, const std::vector<std::uint64_t> &id, const MigrationParameters &parameters,
+/// Polarity of all cells (columns polarity_x, _y, _z, none) over step number `step` of length h (s).
+inline void advance_polarity(Table &cells, const std::vector<std::uint64_t> &id, const MigrationParameters &parameters,
                              const double h, const std::uint64_t seed, const std::uint64_t step, const int directions = 3)
 {
   const double decay = std::exp(-h / parameters.persistence);
-  std::vector<double> *P[3] = {&particles.field("polarity_x"), &particles.field("polarity_y"), &particles.field("polarity_z")};
+  std::vector<double> *P[3] = {&cells.column("polarity_x"), &cells.column("polarity_y"), &cells.column("polarity_z")};
   for (std::size_t i = 0; i < id.size(); ++i)
     {
       const auto xi = random_normals(seed ^ 0x706f6c6172697479ull, id[i], step);
@@ -78,7 +78,8 @@ inline void advance_polarity(Particles<3> &particles, const std::vector<std::uin
 template <class Crawls>
 void add_migration_forces(Particles<3> &particles, const MigrationParameters &parameters, const Crawls &crawls)
 {
-  const std::vector<double> *P[3] = {&particles.field("polarity_x"), &particles.field("polarity_y"), &particles.field("polarity_z")};
+  const Table &cells = particles.cells;
+  const std::vector<double> *P[3] = {&cells.column("polarity_x"), &cells.column("polarity_y"), &cells.column("polarity_z")};
   for (std::size_t i = 0; i < particles.size(); ++i)
     for (int d = 0; d < 3 && crawls(i); ++d)
       particles.f[d][i] += parameters.force * (*P[d])[i];

@@ -169,11 +169,11 @@ double SphereContacts::energy() const
   return total;
 }
 
-void SphereContacts::gather(const std::vector<std::uint32_t> &source)
+void SphereContacts::gather(const Rearrangement &places)
 {
   if (!std::visit([](const auto &one) { return one.has_history; }, law))
     touching.assign(touching.size(), 0); // nothing to keep
-  pairs.gather(source, touching);
+  pairs.gather(places, touching);
   contact.clear();
 }
 

@@ -62,9 +62,9 @@ public:
 
   double energy() const; ///< J
 
-  /// The cells have other places, cell k is what source[k] was: what touched goes on touching. contacts() is empty until the
+  /// The cells have other places: what touched goes on touching. contacts() is empty until the
   /// next add_forces.
-  void gather(const std::vector<std::uint32_t> &source);
+  void gather(const Rearrangement &places);
 
   /// A cell as its contacts see it.
   struct Sphere

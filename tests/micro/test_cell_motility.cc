@@ -22,7 +22,8 @@ struct Walkers
     , gamma(n, 0.3)
   {
     particles.resize(n);
-    declare_polarity(particles);
+    particles.cells.resize(n);
+    declare_polarity(particles.cells);
     std::iota(id.begin(), id.end(), 7u);
   }
 
@@ -107,11 +108,11 @@ BOOST_AUTO_TEST_CASE(polarity_keeps_its_direction_for_tau)
   for (const int steps : {1, 5})
     {
       Walkers w(40000);
-      advance_polarity(w.particles, w.id, parameters, 1e9, 3, 1000); // at rest
-      const std::vector<double> start = w.particles.field("polarity_x");
+      advance_polarity(w.particles.cells, w.id, parameters, 1e9, 3, 1000); // at rest
+      const std::vector<double> start = w.particles.cells.column("polarity_x");
       for (int k = 0; k < steps; ++k)
-        advance_polarity(w.particles, w.id, parameters, 420. / steps, 3, std::uint64_t(k));
-      const std::vector<double> &end = w.particles.field("polarity_x");
+        advance_polarity(w.particles.cells, w.id, parameters, 420. / steps, 3, std::uint64_t(k));
+      const std::vector<double> &end = w.particles.cells.column("polarity_x");
       double mean = 0., correlation = 0.;
       for (std::size_t i = 0; i < end.size(); ++i)
         {
@@ -142,7 +143,7 @@ BOOST_AUTO_TEST_CASE(persistent_walk_and_its_weak_order)
   for (const int steps : {10, 40})
     {
       Walkers w(20000);
-      advance_polarity(w.particles, w.id, parameters, 1e9, 5, 1000);
+      advance_polarity(w.particles.cells, w.id, parameters, 1e9, 5, 1000);
       for (int k = 0; k < steps; ++k)
         {
           w.clear();
@@ -150,7 +151,7 @@ BOOST_AUTO_TEST_CASE(persistent_walk_and_its_weak_order)
           for (std::size_t d = 0; d < 3; ++d)
             for (std::size_t i = 0; i < w.id.size(); ++i)
               w.particles.x[d][i] += t / steps * w.particles.f[d][i] / w.gamma[i];
-          advance_polarity(w.particles, w.id, parameters, t / steps, 5, std::uint64_t(k));
+          advance_polarity(w.particles.cells, w.id, parameters, t / steps, 5, std::uint64_t(k));
         }
       BOOST_CHECK_SMALL(w.squared() / expectation(steps) - 1., 4. * std::sqrt(2. / (3. * 20000.)));
     }

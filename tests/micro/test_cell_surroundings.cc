@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE(forces_of_capsule_and_walls_are_minus_the_slope_of_the_ener
       for (std::uint32_t i = 0; i < between.size(); ++i)
         if (between.particles.x[2][i] < 88e-6)
           below.push_back(i);
-      between.gather(below);
+      between.gather({below});
       BOOST_CHECK_SMALL(slope_error(walls, between.particles), 1e-5);
       for (int k = 0; k < 3; ++k)
         BOOST_TEST(walls.force(k) > 0.);

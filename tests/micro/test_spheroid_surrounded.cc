@@ -1,6 +1,5 @@
 // Spheroids in a capsule and under dextran: same bits on two threads and after a stop, balance of pressures, order in memory, bad input.
 #include "micro/geometry/compact_cluster.h"
-#include "micro/engine/gathered.h"
 #include "micro/engine/space_order.h"
 #include "run/input_entries.h"
 #include "run/number_text.h"
@@ -75,8 +74,8 @@ BOOST_AUTO_TEST_CASE(a_sorted_population_is_the_same_one_with_near_cells_near)
   for (std::size_t i = 0; i < 500; ++i)
     for (std::size_t d = 0; d < 3; ++d)
       p.x[d][i] = random_uniform(1, 3 * i + d);
-  const std::vector<std::uint32_t> source = space_order(p, 0.05);
-  BOOST_TEST(std::set<std::uint32_t>(source.begin(), source.end()).size() == 500u);
+  const Rearrangement places = space_order(p, 0.05);
+  BOOST_TEST(std::set<std::uint32_t>(places.source.begin(), places.source.end()).size() == 500u);
   const auto path = [&] {
     double sum = 0.;
     for (std::size_t i = 1; i < 500; ++i)
@@ -84,7 +83,7 @@ BOOST_AUTO_TEST_CASE(a_sorted_population_is_the_same_one_with_near_cells_near)
     return sum;
   };
   const double before = path();
-  gather(p, source);
+  p.gather(places);
   BOOST_TEST(path() < 0.4 * before);
 }
 

@@ -38,12 +38,12 @@ CellCulture::CellCulture(const CultureParameters &parameters_, std::vector<std::
   , h(parameters_.interval > 0. ? parameters_.interval :
                                   3. * parameters_.growth_tolerance * parameters_.life.cycle_time / std::numbers::ln2)
 {
-  life.declare_fields(cells.particles);
+  life.declare(cells.particles);
   motion.outer = [this](Particles<3> &particles) {
     for (const auto &around : surroundings)
       around->add_forces(particles);
     if (migrates())
-      add_migration_forces(particles, parameters.migration, [this](const std::size_t i) { return cells.alive(i); });
+      add_migration_forces(particles, parameters.migration, [state = cells.state()](const std::size_t i) { return state.alive(i); });
   };
   motion.outer_stiffness = [this](const Particles<3> &particles, std::vector<double> &stiffness) {
     for (const auto &around : surroundings)
@@ -51,10 +51,10 @@ CellCulture::CellCulture(const CultureParameters &parameters_, std::vector<std::
   };
   if (parameters.motility > 0.)
     motion.random = [this](Particles<3> &particles, const double step, const std::uint64_t number) {
-      set_motility_forces(particles, cells.id, motion.gamma, parameters.motility, step, parameters.life.variability.seed, number, directions());
+      set_motility_forces(particles, cells.id(), motion.gamma, parameters.motility, step, parameters.life.variability.seed, number, directions());
     };
   if (migrates())
-    declare_polarity(cells.particles);
+    declare_polarity(cells.particles.cells);
 }
 
 std::vector<std::string> CellCulture::term_names() const
@@ -102,12 +102,12 @@ void CellCulture::set_friction()
     }
 }
 
-void CellCulture::gather_others(const std::vector<std::uint32_t> &source)
+void CellCulture::gather_others(const Rearrangement &places)
 {
-  contacts.gather(source);
-  stepper.gather(source);
+  contacts.gather(places);
+  stepper.gather(places);
   for (const auto &around : surroundings)
-    around->gather(source);
+    around->gather(places);
 }
 
 void CellCulture::sort()
@@ -115,9 +115,9 @@ void CellCulture::sort()
   if (10 * cells.size() < 11 * sorted_size)
     return;
   sorted_size = cells.size();
-  const std::vector<std::uint32_t> source = space_order(cells.particles, 2. * parameters.life.birth_radius);
-  cells.gather(source);
-  gather_others(source);
+  const Rearrangement places = space_order(cells.particles, 2. * parameters.life.birth_radius);
+  cells.gather(places);
+  gather_others(places);
 }
 
 void CellCulture::begin_interval()
@@ -125,13 +125,13 @@ void CellCulture::begin_interval()
   sort();
   contact_forces();
   life.advance(cells, contacts, surroundings, until - t, threads,
-               [this](const std::vector<std::uint32_t> &source) { gather_others(source); });
+               [this](const Rearrangement &places) { gather_others(places); });
   for (const auto &around : surroundings)
     around->update(cells, t);
   set_friction();
   const std::uint64_t seed = parameters.life.variability.seed;
   if (migrates() && steps == 0)
-    advance_polarity(cells.particles, cells.id, parameters.migration, HUGE_VAL, seed, ~std::uint64_t(0), directions());
+    advance_polarity(cells.particles.cells, cells.id(), parameters.migration, HUGE_VAL, seed, ~std::uint64_t(0), directions());
 }
 
 bool CellCulture::advance(const double end, const std::function<bool()> &stop)
@@ -146,7 +146,7 @@ bool CellCulture::advance(const double end, const std::function<bool()> &stop)
     {
       const double dt = stepper.step(cells.particles, std::min(until - t, longest));
       if (migrates())
-        advance_polarity(cells.particles, cells.id, parameters.migration, dt, parameters.life.variability.seed, steps, directions());
+        advance_polarity(cells.particles.cells, cells.id(), parameters.migration, dt, parameters.life.variability.seed, steps, directions());
       for (const auto &around : surroundings)
         around->advance(cells.particles, dt);
       t = until - t > dt ? t + dt : until;

@@ -80,7 +80,7 @@ private:
   void set_friction();
   /// Cells near in space near in memory; now and then, as the population grows.
   void sort();
-  void gather_others(const std::vector<std::uint32_t> &source);
+  void gather_others(const Rearrangement &places);
   bool migrates() const { return parameters.migration.force > 0.; }
   int directions() const { return parameters.in_plane ? 2 : 3; }
 

@@ -61,8 +61,8 @@ void SpheroidRelaxation::seed(CellCulture &culture) const
       std::fill(p.v[d].begin(), p.v[d].end(), 0.);
     }
   // Held: every strain is that at rest under its cell's pressure, which it changes; half-way steps to the fixed point.
-  std::vector<double> &eps = p.field("strain"), &R = p.field("radius");
-  const std::vector<double> &K = p.field("bulk_modulus"), &V_ref = p.field("reference_volume");
+  std::vector<double> &eps = p.cells.column("strain"), &R = p.field("radius");
+  const std::vector<double> &K = p.cells.column("bulk_modulus"), &V_ref = p.field("reference_volume");
   double change = 1.;
   for (int k = 0; k < 500 && change > 1e-8; ++k)
     {

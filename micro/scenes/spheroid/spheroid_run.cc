@@ -1,7 +1,6 @@
 #include "micro/scenes/spheroid/spheroid_run.h"
 
 #include "micro/cells/outer_cells.h"
-#include "micro/engine/gathered.h"
 #include "run/archive.h"
 #include "run/number_text.h"
 #include "run/step_loop.h"
@@ -50,7 +49,7 @@ void SpheroidScene::Run::go()
   const bool resumed = context.load_checkpoint(loop.lasting);
   if (!resumed)
     scene.seed(culture);
-  context.active(culture.term_names(), culture.cells.particles.field_names());
+  context.active(culture.term_names(), culture.cells.field_names());
   open_series();
   if (scene.frames > 0)
     fields.emplace(context, "cells", resumed, [this] { return frame(); });
@@ -129,19 +128,21 @@ std::vector<double> SpheroidScene::Run::row()
 {
   const CellPopulation &cells = culture.cells;
   const std::vector<double> &pressure = culture.pressures();
+  const std::vector<double> &eps = cells.particles.cells.column("strain");
+  const CellStates state = cells.state();
   const OuterCells outer = find_outer_cells(cells.particles);
   double volume = 0., growing = 0., living = 0., weighted = 0., strain = 0., in_section = 0., gyration = 0.;
   for (std::size_t i = 0; i < cells.size(); ++i)
     {
       const double V = culture.life.volume(cells, i);
       volume += V;
-      if (cells.state[i] == CellState::proliferating)
+      if (state[i] == CellState::proliferating)
         growing += V;
-      if (cells.alive(i))
+      if (state.alive(i))
         {
           living += V;
           weighted += V * pressure[i];
-          strain += V * cells.particles.field("strain")[i];
+          strain += V * eps[i];
         }
       gyration += (cells.particles.position(i) - outer.centre).squaredNorm() / double(cells.size());
       in_section += scene.flat || std::abs(cells.particles.x[2][i] - outer.centre[2]) < 5e-6;
@@ -176,21 +177,22 @@ FieldFrame SpheroidScene::Run::frame()
   now.time = culture.time();
   std::vector<double> volume, state;
   const std::vector<double> &pressure = culture.pressures();
-  std::vector<std::uint32_t> by_id(cells.size()); // the order in memory is that of places
-  std::iota(by_id.begin(), by_id.end(), 0u);
-  std::sort(by_id.begin(), by_id.end(), [&](std::uint32_t a, std::uint32_t b) { return cells.id[a] < cells.id[b]; });
-  for (const std::uint32_t i : by_id)
+  Rearrangement by_id{std::vector<std::uint32_t>(cells.size())}; // the order in memory is that of places
+  const std::vector<std::uint64_t> &id = cells.id();
+  std::iota(by_id.source.begin(), by_id.source.end(), 0u);
+  std::sort(by_id.source.begin(), by_id.source.end(), [&](std::uint32_t a, std::uint32_t b) { return id[a] < id[b]; });
+  for (const std::uint32_t i : by_id.source)
     {
       for (int d = 0; d < 3; ++d)
         now.points.push_back(p.x[d][i]);
       volume.push_back(culture.life.volume(cells, i));
-      state.push_back(double(cells.state[i]));
+      state.push_back(double(cells.state()[i]));
     }
-  now.fields = {{"radius [m]", 1, gathered(p.field("radius"), by_id)},
+  now.fields = {{"radius [m]", 1, by_id.of(p.field("radius"))},
                   {"volume [m^3]", 1, volume},
-                  {"pressure [Pa]", 1, gathered(pressure, by_id)},
-                  {"strain [1]", 1, gathered(p.field("strain"), by_id)},
-                  {"phase [1]", 1, gathered(p.field("phase"), by_id)},
+                  {"pressure [Pa]", 1, by_id.of(pressure)},
+                  {"strain [1]", 1, by_id.of(p.cells.column("strain"))},
+                  {"phase [1]", 1, by_id.of(p.cells.column("phase"))},
                   {"state", 1, state}};
   return now;
 }
