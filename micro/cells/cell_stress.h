@@ -3,7 +3,7 @@
 //   sigma_i = 1/V_i sum_j f_ij (x) r_ij,  p_i = -tr(sigma_i)/3,
 //
 // f_ij the force on i from j, r_ij from the centre of i to the contact plane, |r_ij| = (d + R_i - R_j)/2. Contacts with
-// surroundings add theirs (Surroundings::add_virial). Principal directions are the eigenvectors of sigma_i.
+// surroundings add theirs (Term::add_virials). Principal directions are the eigenvectors of sigma_i.
 //
 // Out: virial V_i sigma_i (N m) of all cells, after add_forces of the contacts at the same positions.
 #pragma once

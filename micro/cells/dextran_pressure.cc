@@ -1,5 +1,6 @@
 #include "micro/cells/dextran_pressure.h"
 
+#include "micro/cells/cell_population.h"
 #include "run/archive.h"
 
 #include <algorithm>
@@ -30,10 +31,10 @@ void DextranPressure::unit_forces(const Particles<3> &particles)
     forces[k] -= share[k] / shares * sum;
 }
 
-void DextranPressure::update(const CellPopulation &population, const double t)
+void DextranPressure::update(const Particles<3> &particles, const double t)
 {
   now = t;
-  press(population.particles);
+  press(particles);
 }
 
 void DextranPressure::advance(const Particles<3> &particles, const double dt)
@@ -84,10 +85,12 @@ void DextranPressure::press(const Particles<3> &particles)
   whole = risen == 1.;
 }
 
-void DextranPressure::add_forces(Particles<3> &particles)
+void DextranPressure::prepare(const Particles<3> &particles, const Box<3> &) { unit_forces(particles); }
+
+void DextranPressure::add_forces(Particles<3> &particles, const Box<3> &, const std::size_t group)
 {
-  unit_forces(particles);
-  for (std::size_t k = 0; k < cells.size(); ++k)
+  const Group &g = particles.groups[group];
+  for (std::size_t k = std::size_t(std::lower_bound(cells.begin(), cells.end(), g.begin) - cells.begin()); k < cells.size() && cells[k] < g.end; ++k)
     for (int d = 0; d < 3; ++d)
       particles.f[d][cells[k]] += F_0 * forces[k][d];
 }
@@ -97,15 +100,9 @@ void DextranPressure::gather(const Rearrangement &)
   cells.clear(); // found again by the next update
 }
 
-std::vector<Surroundings::Value> DextranPressure::values(const CellPopulation &) const
-{
-  return {{"unit_force", "N", F_0}, {"outer_cells", "1", exposed}};
-}
-
 // Also inside an interval: the outer cells are kept, because they are looked for again only when they have moved.
-void DextranPressure::archive(Archive &a)
+void DextranPressure::archive(Archive &a, Particles<3> &)
 {
-  a.section(name());
   a(now, F_0, softened, exposed, centre, whole, cells, found_at, share);
 }
 } // namespace turgor

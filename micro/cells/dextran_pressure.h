@@ -20,7 +20,7 @@
 #pragma once
 
 #include "micro/cells/outer_cells.h"
-#include "micro/cells/surroundings.h"
+#include "micro/engine/term.h"
 
 namespace turgor
 {
@@ -32,20 +32,24 @@ struct DextranParameters
   bool fixed_force = false; ///< the first F_0 of the whole pressure for good
 };
 
-class DextranPressure final : public Surroundings
+class DextranPressure final : public Term<3>
 {
 public:
   explicit DextranPressure(const DextranParameters &parameters);
 
   std::string name() const override { return "dextran_pressure"; }
-  void update(const CellPopulation &population, double t) override;
+  void declare(Particles<3> &) override {}
+  /// The forces at time t (s).
+  void update(const Particles<3> &particles, double t);
   void advance(const Particles<3> &particles, double dt) override;
-  void add_forces(Particles<3> &particles) override;
+  void prepare(const Particles<3> &particles, const Box<3> &box) override;
+  void add_forces(Particles<3> &particles, const Box<3> &box, std::size_t group) override;
+  double energy(const Particles<3> &, const Box<3> &, std::size_t) const override { return 0.; }
   void gather(const Rearrangement &places) override;
-  std::vector<Value> values(const CellPopulation &) const override;
-  void archive(Archive &a) override;
+  void archive(Archive &a, Particles<3> &particles) override;
 
   double unit_force() const { return F_0; } ///< N
+  double exposures() const { return exposed; } ///< sum of all
   const std::vector<std::uint32_t> &outer_cells() const { return cells; }
 
 private:

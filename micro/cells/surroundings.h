@@ -1,67 +1,63 @@
-// What is around a population of cells and acts on it: a wall, a capsule, the pressure of a dextran solution. A scene of
-// spheroids has a list of them (spheroid_scene.h); each is one file in micro/terms or micro/processes.
+// What is around a population of cells and acts on it: terms (bodies that cells press against, the pressure of a dextran solution), and what
+// processes ask of it.
 //
-// In a step (Overdamped's outer forces): add_forces. After a step: advance, for bodies of its own (the capsule's radius).
-// Between steps, at the times of the processes: add_virial (the stress that cells feel from it), then, when cells have
-// grown and divided, update (who is at the edge, what force holds the pressure).
+//   Surroundings around;
+//   around.walls = &around.add(std::make_unique<Obstacles<3>>("capsule", SphereOnSurface{material}, std::make_unique<ElasticCapsule>(capsule)));
 #pragma once
 
-#include "micro/cells/cell_population.h"
-#include "micro/geometry/tensor.h"
+#include "micro/terms/obstacles.h"
 
-#include <cmath>
+#include <functional>
+#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace turgor
 {
-class Archive;
-
-class Surroundings
+struct Surroundings
 {
-public:
-  virtual ~Surroundings() = default;
+  std::vector<std::unique_ptr<Term<3>>> terms; ///< in the order in which they act
+  Obstacles<3> *walls = nullptr;               ///< among them, if there are any
 
-  /// Of the entry in active_terms.
-  virtual std::string name() const = 0;
+  /// At time t (s): the cells have grown and divided, the steps of an interval are about to begin (who is at the edge, what force holds the
+  /// pressure).
+  std::function<void(const Particles<3> &, double t)> update = [](const Particles<3> &, double) {};
 
-  /// particles.f += forces (N); from one thread, also at trial positions.
-  virtual void add_forces(Particles<3> &particles) = 0;
-
-  /// gamma += friction of cells with it, N s/m.
-  virtual void add_friction(const Particles<3> &, std::vector<double> & /*gamma*/) const {}
-
-  /// stiffness += slope of its force on a cell over the way towards it (N/m), for implicit steps.
-  virtual void add_stiffness(const Particles<3> &, std::vector<double> & /*stiffness*/) const {}
-
-  /// A step of dt (s) has been taken; particles are where it ended.
-  virtual void advance(const Particles<3> &, double /*dt*/) {}
-
-  /// At time t (s): the cells have grown and divided, the steps of an interval are about to begin.
-  virtual void update(const CellPopulation &, double /*t*/) {}
-
-  /// m, of a place below its surface, from which the viable rim counts; infinite where it has none.
-  virtual double depth_of(const Vector<3> & /*x*/) const { return HUGE_VAL; }
-
-  /// virial[i] += sum of f (x) r over its contacts with cell i (N m): f on the cell, r from its centre to the contact.
-  virtual void add_virial(const Particles<3> &, std::vector<Tensor2<3>> & /*virial*/) const {}
-
-  /// The cells have other places.
-  virtual void gather(const Rearrangement &) {}
-
-  /// J, of one more cell at x (m) with radius and uncompressed radius (m) and modulus (Pa), all else being what it was at the last
-  /// add_forces; infinite where it cannot be. What a division chooses its place by.
-  virtual double energy_of(const Vector<3> & /*x*/, double /*radius*/, double /*reference*/, double /*modulus*/) const { return 0.; }
-
-  /// Columns it adds to the scene's series, and their values now: {name, unit} and value.
+  /// Columns that they add to the scene's series, and their values now, after the forces: {name, unit} and value.
   struct Value
   {
     std::string name, unit;
     double value = 0.;
   };
-  virtual std::vector<Value> values(const CellPopulation &) const { return {}; }
+  std::function<std::vector<Value>(const Particles<3> &)> values = [](const Particles<3> &) { return std::vector<Value>(); };
 
-  virtual void archive(Archive &) {}
+  template <class T>
+  T &add(std::unique_ptr<T> term)
+  {
+    T &reference = *term;
+    terms.push_back(std::move(term));
+    return reference;
+  }
+
+  /// f += forces (N) of all of them at the present positions.
+  void add_forces(Particles<3> &particles) const
+  {
+    const Box<3> open;
+    for (const auto &term : terms)
+      {
+        term->prepare(particles, open);
+        for (std::size_t group = 0; group < particles.groups.size(); ++group)
+          term->add_forces(particles, open, group);
+      }
+  }
+
+  /// m, of a place below the surface of the nearest wall that lets through what cells live on.
+  double depth_of(const Vector<3> &x) const { return walls ? walls->depth_of(x) : HUGE_VAL; }
+
+  /// J, of one more cell at x (m); see Obstacles. What a division chooses its place by.
+  double energy_of(const Vector<3> &x, const double radius, const double reference, const double modulus) const
+  {
+    return walls ? walls->energy_of(x, radius, reference, modulus) : 0.;
+  }
 };
 } // namespace turgor

@@ -32,7 +32,7 @@ template <int dim>
 void ParticleSystem<dim>::advance(const double dt)
 {
   for (const auto &term : terms)
-    term->advance(dt);
+    term->advance(particles, dt);
 }
 
 template <int dim>

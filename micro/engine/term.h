@@ -52,8 +52,12 @@ public:
   /// rate (a density by continuity) are brought along, before the forces.
   virtual void drift(Particles<dim> &, std::size_t /*group*/, double /*dt*/) {}
 
-  /// Bodies of the term's own (a plate) move by dt (s) in the forces of the last step; once a step, before any group.
-  virtual void advance(double /*dt*/) {}
+  /// Bodies of the term's own (a plate) move by dt (s) in the forces of the last step, the particles are where they end it; once a step,
+  /// before any group.
+  virtual void advance(const Particles<dim> &, double /*dt*/) {}
+
+  /// The particles have other places; groups and fields are already those of afterwards.
+  virtual void gather(const Rearrangement &) {}
 
   /// All positions are those of the coming force evaluation; once before any group, from one thread: what looks at
   /// several groups (lists of contacts) is brought up to date.
@@ -82,6 +86,10 @@ public:
   {
     return Tensor2<dim>::Zero();
   }
+
+  /// virial[i] += sum of f (x) r over the term's contacts with particle i (N m): f on the particle, r from its place to the contact. The stress
+  /// that a cell of one particle feels.
+  virtual void add_virials(const Particles<dim> &, std::vector<Tensor2<dim>> & /*virial*/) const {}
 
   /// Cheap, stiff and without drag: may be evaluated several times within a step of the others (respa.h).
   virtual bool fast() const { return false; }

@@ -24,7 +24,7 @@ Vector<3> CellDivision::choose(const std::uint64_t mother_id, const Tensor2<3> &
 }
 
 double CellDivision::half_distance(const CellPopulation &cells, const SphereContacts &contacts, const PairList<3> &near,
-                                   const std::vector<std::unique_ptr<Surroundings>> &surroundings, const std::uint32_t mother,
+                                   const Surroundings &surroundings, const std::uint32_t mother,
                                    const Vector<3> &along, const double radius) const
 {
   const Particles<3> &p = cells.particles;
@@ -37,9 +37,8 @@ double CellDivision::half_distance(const CellPopulation &cells, const SphereCont
   const SphereContacts::Sphere daughter{radius, reference(mother) * std::cbrt(0.5), contacts.modulus(mother)};
   const auto energy = [&](const double s) {
     double sum = contacts.pair_energy(daughter, daughter, 2. * s);
-    for (const auto &around : surroundings)
-      for (const double side : {-s, s})
-        sum += around->energy_of(centre + side * along, radius, daughter.reference, p.field("modulus")[mother]);
+    for (const double side : {-s, s})
+      sum += surroundings.energy_of(centre + side * along, radius, daughter.reference, p.field("modulus")[mother]);
     for (std::uint32_t k = near.first()[mother]; k < near.first()[mother + 1]; ++k)
       {
         const std::uint32_t j = near.other()[k];

@@ -13,11 +13,11 @@
 // In: m, Pa. Out: unit vector; half the distance of the daughters' centres (m).
 #pragma once
 
+#include "micro/cells/cell_population.h"
 #include "micro/cells/surroundings.h"
 #include "micro/geometry/tensor.h"
 #include "micro/terms/sphere_contacts.h"
 
-#include <memory>
 
 namespace turgor
 {
@@ -45,7 +45,7 @@ struct CellDivision
   /// m; contacts after their add_forces; near: all pairs closer than the sum of their radii and `reach` of the mother. It is not the contacts'
   /// list: that does not reach as far, and what it has besides depends on when it was built. radius: of each daughter, m.
   double half_distance(const CellPopulation &cells, const SphereContacts &contacts, const PairList<3> &near,
-                       const std::vector<std::unique_ptr<Surroundings>> &surroundings, std::uint32_t mother,
+                       const Surroundings &surroundings, std::uint32_t mother,
                        const Vector<3> &direction, double radius) const;
 };
 } // namespace turgor

@@ -52,12 +52,12 @@ double CellLife::volume(const CellPopulation &cells, const std::size_t i) const
 }
 
 const std::vector<double> &CellLife::measure_pressures(const CellPopulation &cells, const SphereContacts &contacts,
-                                                       const std::vector<std::unique_ptr<Surroundings>> &surroundings,
+                                                       const Surroundings &surroundings,
                                                        const unsigned int threads)
 {
   cell_virials(cells.particles, contacts, threads, virial);
-  for (const auto &around : surroundings)
-    around->add_virial(cells.particles, virial);
+  for (const auto &term : surroundings.terms)
+    term->add_virials(cells.particles, virial);
   const std::vector<double> &V_ref = cells.particles.field("reference_volume"), &eps = cells.particles.cells.column("strain");
   pressure.resize(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
@@ -65,7 +65,7 @@ const std::vector<double> &CellLife::measure_pressures(const CellPopulation &cel
   return pressure;
 }
 
-std::vector<unsigned char> CellLife::below_rim(const Particles<3> &p, const std::vector<std::unique_ptr<Surroundings>> &surroundings) const
+std::vector<unsigned char> CellLife::below_rim(const Particles<3> &p, const Surroundings &surroundings) const
 {
   const CellDeath &death = parameters.death;
   std::vector<unsigned char> below(p.size(), 0);
@@ -79,14 +79,13 @@ std::vector<unsigned char> CellLife::below_rim(const Particles<3> &p, const std:
       return below;
     }
   below = deeper_than(death.rim_thickness, p, outer);
-  for (const auto &around : surroundings)
-    for (std::size_t i = 0; i < p.size(); ++i)
-      below[i] = below[i] && around->depth_of(p.position(i)) > death.rim_thickness;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    below[i] = below[i] && surroundings.depth_of(p.position(i)) > death.rim_thickness;
   return below;
 }
 
 void CellLife::advance(CellPopulation &cells, const SphereContacts &contacts,
-                       const std::vector<std::unique_ptr<Surroundings>> &surroundings, const double dt,
+                       const Surroundings &surroundings, const double dt,
                        const unsigned int threads,
                        const std::function<void(const Rearrangement &)> &gather_others)
 {

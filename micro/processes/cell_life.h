@@ -53,12 +53,12 @@ public:
   /// The life over dt (s). Contacts are those of the present positions (add_forces). gather_others(places): all that keeps
   /// something per cell beside the population; called where cells divide or go.
   void advance(CellPopulation &cells, const SphereContacts &contacts,
-               const std::vector<std::unique_ptr<Surroundings>> &surroundings, double dt, unsigned int threads,
+               const Surroundings &surroundings, double dt, unsigned int threads,
                const std::function<void(const Rearrangement &)> &gather_others);
 
   /// Pa, of each cell, from contacts at the present positions.
   const std::vector<double> &measure_pressures(const CellPopulation &cells, const SphereContacts &contacts,
-                                               const std::vector<std::unique_ptr<Surroundings>> &surroundings,
+                                               const Surroundings &surroundings,
                                                unsigned int threads);
 
   void set_rim_thickness(const double thickness) { parameters.death.rim_thickness = thickness; } ///< m
@@ -72,7 +72,7 @@ public:
 private:
   void draw(CellPopulation &cells, std::size_t i) const; ///< what depends on the id
   /// Of each cell: whether it is deeper than the viable rim.
-  std::vector<unsigned char> below_rim(const Particles<3> &p, const std::vector<std::unique_ptr<Surroundings>> &surroundings) const;
+  std::vector<unsigned char> below_rim(const Particles<3> &p, const Surroundings &surroundings) const;
 
   CellLifeParameters parameters;
   double V_0;

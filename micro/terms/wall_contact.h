@@ -64,20 +64,12 @@ struct WallMaterial
   }
 };
 
-/// What a cell's contact with a wall does to the cell; kept from one evaluation of the forces for friction and stress.
-struct WallTouch
-{
-  std::uint32_t cell = 0;
-  Vector<3> inward = Vector<3>::Zero(); ///< direction of the force on the cell
-  double w = 0.;                        ///< m
-  SphereContact contact;
-};
-
 /// R_ref of a cell: of the field "reference_volume" (m^3) where cells carry one, else its radius.
 class ReferenceRadius
 {
 public:
-  explicit ReferenceRadius(const Particles<3> &particles)
+  template <int dim>
+  explicit ReferenceRadius(const Particles<dim> &particles)
     : values(particles.field(particles.has("reference_volume") ? "reference_volume" : "radius").data())
     , of_volume(particles.has("reference_volume"))
   {}

@@ -2,8 +2,8 @@
 // division, variability.
 #include "micro/cells/cell_stress.h"
 #include "micro/processes/cell_life.h"
-#include "micro/cells/elastic_capsule.h"
-#include "micro/cells/rigid_walls.h"
+#include "micro/geometry/plane.h"
+#include "micro/terms/elastic_capsule.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -24,7 +24,7 @@ CellLifeParameters plain()
   return p;
 }
 
-struct Press final : Surroundings // a given pressure on all cells from all sides
+struct Press final : Term<3> // a given pressure on all cells from all sides
 {
   const CellLife &life;
   const CellPopulation &cells;
@@ -34,8 +34,10 @@ struct Press final : Surroundings // a given pressure on all cells from all side
     , cells(c)
   {}
   std::string name() const override { return "press"; }
-  void add_forces(Particles<3> &) override {}
-  void add_virial(const Particles<3> &, std::vector<Tensor2<3>> &virial) const override
+  void declare(Particles<3> &) override {}
+  void add_forces(Particles<3> &, const Box<3> &, std::size_t) override {}
+  double energy(const Particles<3> &, const Box<3> &, std::size_t) const override { return 0.; }
+  void add_virials(const Particles<3> &, std::vector<Tensor2<3>> &virial) const override
   {
     for (std::size_t i = 0; i < virial.size(); ++i)
       virial[i] -= p * life.volume(cells, i) * Tensor2<3>::Identity();
@@ -202,8 +204,8 @@ BOOST_AUTO_TEST_CASE(death_does_not_soften_the_contact)
     }
   const LocalStiffness law = LocalStiffness::repaired_C9();
   SphereContacts contacts(HertzContact(), 1e-6, law), soft(HertzContact(), 1e-6);
-  std::vector<std::unique_ptr<Surroundings>> around;
-  around.push_back(std::make_unique<Press>(life, cells));
+  Surroundings around;
+  Press &press = around.add(std::make_unique<Press>(life, cells));
   const auto force = [&](SphereContacts &c) {
     for (auto &f : cells.particles.f)
       std::fill(f.begin(), f.end(), 0.);
@@ -212,7 +214,7 @@ BOOST_AUTO_TEST_CASE(death_does_not_soften_the_contact)
   };
   const double before = force(contacts), p = 5e3 * std::expm1(eps);
   BOOST_TEST(before / force(soft) == law(d).factor, digits(1e-12));
-  auto &press = static_cast<Press &>(*around[0]); // p, less what the pair presses itself
+  // p, less what the pair presses itself
   press.p = p - life.measure_pressures(cells, contacts, {}, 1)[0];
   const auto pass = [&](const double dt) { life.advance(cells, contacts, around, dt, 1, [](const auto &) {}); };
   pass(60.);
@@ -343,8 +345,12 @@ BOOST_AUTO_TEST_CASE(newborn_pairs_see_the_wall)
   cells.add(Vector<3>::Zero(), 1., 100.);
   SphereContacts hertz(HertzContact(), 0.1);
   hertz.add_forces(cells.particles, 1);
-  std::vector<std::unique_ptr<Surroundings>> walls;
-  walls.push_back(std::make_unique<RigidWalls>(std::vector<RigidWall>{{.point = Vector<3>(0., 0., -0.9)}}, WallMaterial{}));
+  const auto floor_at = [](const double z) {
+    Surroundings walls;
+    walls.walls = &walls.add(std::make_unique<Obstacles<3>>("floor", SphereOnSurface{}, std::make_unique<Plane<3>>(Vector<3>(0., 0., z), Vector<3>(0., 0., 1.))));
+    return walls;
+  };
+  Surroundings walls = floor_at(-0.9);
   const double R = std::cbrt(0.5);
   CellDivision division;
   const double free = division.half_distance(cells, hertz, near(cells), {}, 0, Vector<3>::UnitZ(), R);
@@ -357,12 +363,13 @@ BOOST_AUTO_TEST_CASE(newborn_pairs_see_the_wall)
 
   // so near that only the least distance leaves both before the wall: that one
   const double nearest = 1. - R;
-  walls[0] = std::make_unique<RigidWalls>(std::vector<RigidWall>{{.point = Vector<3>(0., 0., -nearest - 0.01)}}, WallMaterial{});
+  walls = floor_at(-nearest - 0.01);
   BOOST_TEST(division.half_distance(cells, hertz, near(cells), walls, 0, Vector<3>::UnitZ(), R) < nearest + 0.01);
 
   CapsuleParameters thin;
   thin.radius = 10.;
-  walls[0] = std::make_unique<ElasticCapsule>(thin, WallMaterial{});
+  walls = {};
+  walls.walls = &walls.add(std::make_unique<Obstacles<3>>("capsule", SphereOnSurface{}, std::make_unique<ElasticCapsule>(thin)));
   cells.particles.x[0][0] = 9.4; // a daughter touching her sister would have her centre outside
   BOOST_TEST(9.4 + division.half_distance(cells, hertz, near(cells), walls, 0, Vector<3>::UnitX(), R) < 10.);
 }
@@ -423,9 +430,8 @@ BOOST_AUTO_TEST_CASE(a_compressed_cell_follows_its_closed_form)
     life.declare(cells.particles);
     life.add(cells, Vector<3>::Zero(), 0.);
     SphereContacts contacts(HertzContact(), 1e-6);
-    std::vector<std::unique_ptr<Surroundings>> around;
-    around.push_back(std::make_unique<Press>(life, cells));
-    auto &press = static_cast<Press &>(*around[0]);
+    Surroundings around;
+    Press &press = around.add(std::make_unique<Press>(life, cells));
     for (int k = 0; k < n; ++k)
       {
         press.p = ramp ? most * k / n : most;

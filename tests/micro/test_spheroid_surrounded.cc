@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(a_capsule_in_balance_with_its_cells_has_the_same_bits_alway
   BOOST_TEST(whole.results.at("capsule_radius") > 32.5e-6);
   BOOST_TEST(whole.results.at("divisions") > 30.);
   BOOST_TEST(whole.results.at("deaths") > 1.);
-  const ElasticCapsule wall({.radius = 32e-6, .thickness = 4e-6}, {});
+  const ElasticCapsule wall({.radius = 32e-6, .thickness = 4e-6});
   BOOST_TEST(whole.results.at("capsule_pressure") == wall.wall_pressure(whole.results.at("capsule_radius")),
              boost::test_tools::tolerance(1e-8));
   const Outcome two = run<SpheroidCapsule>(capsule, 2);

@@ -8,7 +8,6 @@
 #include "micro/cells/round_cell.h"
 #include "run/scenario.h"
 #include "micro/scenes/single_cell/squeezed_rows.h"
-#include "micro/terms/plates.h"
 
 #include <cstdint>
 #include <vector>

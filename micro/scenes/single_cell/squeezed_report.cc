@@ -84,7 +84,7 @@ void SqueezedCell::Run<dim>::report_breaking()
 template <int dim>
 void SqueezedCell::Run<dim>::report_plate()
 {
-  const double mass = scene.plate_mass, velocity = plates[1].velocity, start = 0.5 * mass * scene.speed * scene.speed, end = 0.5 * mass * velocity * velocity;
+  const double mass = scene.plate_mass, velocity = plates[1].velocity[dim - 1], start = 0.5 * mass * scene.speed * scene.speed, end = 0.5 * mass * velocity * velocity;
   const double pressed = scene.plate_force * rows.back().deformation * at.height;
   context.result("largest_deformation", squeezed::largest(rows, &Row::deformation), "1");
   context.result("plate_velocity", velocity, "m/s");

@@ -65,16 +65,17 @@ double bond_tilt(const RoundCell<dim> &cell, const std::size_t bond)
 }
 
 template <int dim>
-SqueezedRow measure_squeezed(const RoundCell<dim> &cell, const Plates<dim> &plates, const std::vector<double> &cosine,
+SqueezedRow measure_squeezed(const RoundCell<dim> &cell, const Obstacles<dim> &plates, const std::vector<double> &cosine,
                              const double height)
 {
   constexpr int axis = dim - 1;
   const Particles<dim> &particles = cell.system.particles;
   const std::uint32_t nw = cell.group().wall_count();
   SqueezedRow row;
-  row.deformation = 1. - (plates[1].position - plates[0].position) / height;
-  row.force_lower = plates.force(0);
-  row.force_upper = plates.force(1);
+  const double low = plates[0].centre[axis], high = plates[1].centre[axis];
+  row.deformation = 1. - (high - low) / height;
+  row.force_lower = plates[0].pressing();
+  row.force_upper = plates[1].pressing();
   row.pressure = cell.pressure();
   row.volume = cell.volume();
   row.kinetic = cell.system.kinetic_energy();
@@ -87,9 +88,9 @@ SqueezedRow measure_squeezed(const RoundCell<dim> &cell, const Plates<dim> &plat
     {
       Vector<dim> across = particles.position(i) - middle;
       across[axis] = 0.;
-      if (particles.x[axis][i] >= plates[1].position)
+      if (particles.x[axis][i] >= high)
         row.contact_upper = std::max(row.contact_upper, across.norm());
-      if (particles.x[axis][i] <= plates[0].position)
+      if (particles.x[axis][i] <= low)
         row.contact_lower = std::max(row.contact_lower, across.norm());
       if (std::abs(cosine[i]) < 0.1)
         {
@@ -98,7 +99,7 @@ SqueezedRow measure_squeezed(const RoundCell<dim> &cell, const Plates<dim> &plat
         }
     }
   if (equator_count > 0.)
-    row.height_share = (plates[1].position - equator / equator_count) / (plates[1].position - plates[0].position);
+    row.height_share = (high - equator / equator_count) / (high - low);
   double count[2]{}, sum[2]{}, most[2]{1., 1.};
   std::size_t longest = cell.bonds();
   for (std::size_t k = 0; k < cell.bonds(); ++k)
@@ -265,6 +266,6 @@ template double polar_angle<2>(const RoundCell<2> &, const std::vector<double> &
 template double polar_angle<3>(const RoundCell<3> &, const std::vector<double> &, std::size_t);
 template double bond_tilt<2>(const RoundCell<2> &, std::size_t);
 template double bond_tilt<3>(const RoundCell<3> &, std::size_t);
-template SqueezedRow measure_squeezed<2>(const RoundCell<2> &, const Plates<2> &, const std::vector<double> &, double);
-template SqueezedRow measure_squeezed<3>(const RoundCell<3> &, const Plates<3> &, const std::vector<double> &, double);
+template SqueezedRow measure_squeezed<2>(const RoundCell<2> &, const Obstacles<2> &, const std::vector<double> &, double);
+template SqueezedRow measure_squeezed<3>(const RoundCell<3> &, const Obstacles<3> &, const std::vector<double> &, double);
 } // namespace turgor

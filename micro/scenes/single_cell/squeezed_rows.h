@@ -12,7 +12,7 @@
 
 #include "micro/cells/round_cell.h"
 #include "run/run_context.h"
-#include "micro/terms/plates.h"
+#include "micro/terms/obstacles.h"
 
 #include <vector>
 
@@ -53,7 +53,7 @@ double bond_tilt(const RoundCell<dim> &cell, std::size_t bond);
 
 /// All but time, energy, work, heat, what was given off, and mean forces. height: between the plates at the start, m; plates 0 below and 1 above.
 template <int dim>
-SqueezedRow measure_squeezed(const RoundCell<dim> &cell, const Plates<dim> &plates, const std::vector<double> &cosine,
+SqueezedRow measure_squeezed(const RoundCell<dim> &cell, const Obstacles<dim> &plates, const std::vector<double> &cosine,
                              double height);
 
 namespace squeezed

@@ -1,6 +1,7 @@
 #include "micro/scenes/single_cell/squeezed_run.h"
 
 #include "micro/engine/sound_state.h"
+#include "micro/geometry/plane.h"
 #include "micro/processes/bring_to_turgor.h"
 #include "micro/scenes/heating.h"
 #include "run/archive.h"
@@ -14,12 +15,16 @@ namespace turgor
 {
 namespace
 {
-/// Far away until the cell is turgid, and without mass: a light plate would shorten the steps there.
 template <int dim>
-Plates<dim> &add_plates(ParticleSystem<dim> &system, const double stiffness)
+const Vector<dim> up = Vector<dim>::Unit(dim - 1);
+
+/// Below and above the cell; far away until it is turgid, and without mass: a light plate would shorten the steps there.
+template <int dim>
+Obstacles<dim> &add_plates(ParticleSystem<dim> &system, const double stiffness)
 {
-  return system.add(std::make_unique<Plates<dim>>(
-    std::vector<Plate>{{.axis = dim - 1, .side = 1, .position = -1e3}, {.axis = dim - 1, .side = -1, .position = 1e3}}, stiffness));
+  return system.add(std::make_unique<Obstacles<dim>>("plates", SurfacePenalty{stiffness},
+                                                     std::make_unique<Plane<dim>>(-1e3 * up<dim>, up<dim>),
+                                                     std::make_unique<Plane<dim>>(1e3 * up<dim>, -up<dim>)));
 }
 } // namespace
 
@@ -49,7 +54,7 @@ void SqueezedCell::Run<dim>::go()
   };
   const bool resumed = context.load_checkpoint(loop.lasting);
   if (resumed)
-    plates.set_mass(1, scene.plate_mass);
+    plates[1].mass = scene.plate_mass;
   else
     begin();
   scene.radius = at.radius;
@@ -92,12 +97,13 @@ void SqueezedCell::Run<dim>::begin()
   const PolarFrame<dim> frame(round);
   polar = frame.cosine;
   at.height = frame.high - frame.low;
-  plates.set_position(0, frame.low);
-  plates.set_position(1, frame.high);
-  plates.set_velocity(0, scene.both_move ? 0.5 * scene.speed : 0.);
-  plates.set_velocity(1, scene.both_move ? -0.5 * scene.speed : -scene.speed);
-  plates.set_load(1, -scene.plate_force);
-  plates.set_mass(1, scene.plate_mass);
+  Obstacle<dim> &lower = plates[0], &upper = plates[1];
+  lower.centre = frame.low * up<dim>;
+  upper.centre = frame.high * up<dim>;
+  lower.velocity = (scene.both_move ? 0.5 * scene.speed : 0.) * up<dim>;
+  upper.velocity = (scene.both_move ? -0.5 * scene.speed : -scene.speed) * up<dim>;
+  upper.load = -scene.plate_force * up<dim>;
+  upper.mass = scene.plate_mass;
   system.compute_forces();
   integrator.begin_here();
   at.dt = integrator.safe_step();
@@ -141,8 +147,8 @@ void SqueezedCell::Run<dim>::step()
 {
   integrator.step(at.dt, scene.damping);
   at.damped += heat_of_damping(system, scene.damping, at.dt);
-  at.impulse_lower += plates.force(0);
-  at.impulse_upper += plates.force(1);
+  at.impulse_lower += plates[0].pressing();
+  at.impulse_upper += plates[1].pressing();
   at.summed_steps += 1.;
   if (failure && failure->due(system.particles))
     break_bonds();
@@ -161,7 +167,7 @@ void SqueezedCell::Run<dim>::break_bonds()
         {
           at.first_angle = angle;
           at.first_tilt = tilt;
-          at.first_deformation = 1. - (plates[1].position - plates[0].position) / at.height;
+          at.first_deformation = 1. - (plates[1].centre[dim - 1] - plates[0].centre[dim - 1]) / at.height;
         }
     }
   at.given_off += before - system.potential_energy();

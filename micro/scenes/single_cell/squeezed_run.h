@@ -42,7 +42,7 @@ private:
   std::unique_ptr<RoundCell<dim>> made;
   RoundCell<dim> &round;
   ParticleSystem<dim> &system;
-  Plates<dim> &plates;
+  Obstacles<dim> &plates;
   WatchedSteps<dim> integrator;
   std::optional<Failure<dim>> failure;
   const bool conservative; ///< not with the thesis's fluid, whose pressures are no gradient of its energy

@@ -25,7 +25,7 @@ ContactLaw contact_law(const CultureParameters &parameters)
   return make_contact_law(parameters.law, parameters.adhesion);
 }
 
-CellCulture::CellCulture(const CultureParameters &parameters_, std::vector<std::unique_ptr<Surroundings>> surroundings_,
+CellCulture::CellCulture(const CultureParameters &parameters_, Surroundings surroundings_,
                          const unsigned int threads_)
   : life(parameters_.life)
   , surroundings(std::move(surroundings_))
@@ -39,15 +39,16 @@ CellCulture::CellCulture(const CultureParameters &parameters_, std::vector<std::
                                   3. * parameters_.growth_tolerance * parameters_.life.cycle_time / std::numbers::ln2)
 {
   life.declare(cells.particles);
+  for (const auto &term : surroundings.terms)
+    term->declare(cells.particles);
   motion.outer = [this](Particles<3> &particles) {
-    for (const auto &around : surroundings)
-      around->add_forces(particles);
+    surroundings.add_forces(particles);
     if (migrates())
       add_migration_forces(particles, parameters.migration, [state = cells.state()](const std::size_t i) { return state.alive(i); });
   };
   motion.outer_stiffness = [this](const Particles<3> &particles, std::vector<double> &stiffness) {
-    for (const auto &around : surroundings)
-      around->add_stiffness(particles, stiffness);
+    if (surroundings.walls)
+      surroundings.walls->for_touches(particles, [&](std::size_t i, const auto &, const SphereContact &c) { stiffness[i] += c.stiffness; });
   };
   if (parameters.motility > 0.)
     motion.random = [this](Particles<3> &particles, const double step, const std::uint64_t number) {
@@ -68,8 +69,8 @@ std::vector<std::string> CellCulture::term_names() const
     names.push_back("motility");
   if (migrates())
     names.push_back("migration");
-  for (const auto &around : surroundings)
-    names.push_back(around->name());
+  for (const auto &term : surroundings.terms)
+    names.push_back(term->name());
   return names;
 }
 
@@ -78,8 +79,7 @@ void CellCulture::contact_forces()
   for (auto &f : cells.particles.f)
     std::fill(f.begin(), f.end(), 0.);
   contacts.add_forces(cells.particles, threads);
-  for (const auto &around : surroundings)
-    around->add_forces(cells.particles);
+  surroundings.add_forces(cells.particles);
 }
 
 const std::vector<double> &CellCulture::pressures()
@@ -95,10 +95,10 @@ void CellCulture::set_friction()
   gamma.resize(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
     gamma[i] = 4. * std::numbers::pi * R[i] * R[i] * parameters.medium_friction;
-  for (const auto &around : surroundings)
+  if (Obstacles<3> *const walls = surroundings.walls)
     {
-      around->add_forces(cells.particles); // who touches it now; the forces themselves come with the next step
-      around->add_friction(cells.particles, gamma);
+      walls->prepare(cells.particles, {}); // cells have grown: a capsule yields to them
+      walls->for_touches(cells.particles, [&](std::size_t i, const auto &, const SphereContact &c) { gamma[i] += walls->friction() * c.area; });
     }
 }
 
@@ -106,8 +106,8 @@ void CellCulture::gather_others(const Rearrangement &places)
 {
   contacts.gather(places);
   stepper.gather(places);
-  for (const auto &around : surroundings)
-    around->gather(places);
+  for (const auto &term : surroundings.terms)
+    term->gather(places);
 }
 
 void CellCulture::sort()
@@ -126,8 +126,7 @@ void CellCulture::begin_interval()
   contact_forces();
   life.advance(cells, contacts, surroundings, until - t, threads,
                [this](const Rearrangement &places) { gather_others(places); });
-  for (const auto &around : surroundings)
-    around->update(cells, t);
+  surroundings.update(cells.particles, t);
   set_friction();
   const std::uint64_t seed = parameters.life.variability.seed;
   if (migrates() && steps == 0)
@@ -147,8 +146,8 @@ bool CellCulture::advance(const double end, const std::function<bool()> &stop)
       const double dt = stepper.step(cells.particles, std::min(until - t, longest));
       if (migrates())
         advance_polarity(cells.particles.cells, cells.id(), parameters.migration, dt, parameters.life.variability.seed, steps, directions());
-      for (const auto &around : surroundings)
-        around->advance(cells.particles, dt);
+      for (const auto &term : surroundings.terms)
+        term->advance(cells.particles, dt);
       t = until - t > dt ? t + dt : until;
       ++steps;
       if (stop && t < until && stop())
@@ -163,7 +162,10 @@ void CellCulture::archive(Archive &a)
   a(t, until, motion.gamma, steps, sorted_size, life.divisions, life.deaths, life.removed, life.grown, life.drained, cells);
   contacts.archive(a, cells.particles);
   a(stepper);
-  for (const auto &around : surroundings)
-    around->archive(a);
+  for (const auto &term : surroundings.terms)
+    {
+      a.section(term->name());
+      term->archive(a, cells.particles);
+    }
 }
 } // namespace turgor

@@ -48,7 +48,7 @@ ContactLaw contact_law(const CultureParameters &parameters);
 class CellCulture
 {
 public:
-  CellCulture(const CultureParameters &parameters, std::vector<std::unique_ptr<Surroundings>> surroundings, unsigned int threads);
+  CellCulture(const CultureParameters &parameters, Surroundings surroundings, unsigned int threads);
 
   /// One interval, or what is left of it until `end` (s). With `stop`, which is asked after every step: false if it said so inside
   /// the interval; saved there or not, the next call goes on as if nothing had been.
@@ -63,7 +63,7 @@ public:
 
   CellPopulation cells;
   CellLife life;
-  std::vector<std::unique_ptr<Surroundings>> surroundings;
+  Surroundings surroundings;
   std::uint64_t steps = 0;
 
   std::vector<std::string> term_names() const;

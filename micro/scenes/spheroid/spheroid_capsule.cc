@@ -69,12 +69,21 @@ void SpheroidCapsule::check_more() const
                      + number_text(capsule.radius) + " m).");
 }
 
-std::vector<std::unique_ptr<Surroundings>> SpheroidCapsule::make_surroundings() const
+Surroundings SpheroidCapsule::make_surroundings() const
 {
   WallMaterial material{.modulus = capsule.modulus / (1. - capsule_poisson * capsule_poisson), .friction = wall_friction};
   material.stiffness = entries.parameters().stiffness;
-  std::vector<std::unique_ptr<Surroundings>> around;
-  around.push_back(std::make_unique<ElasticCapsule>(capsule, material));
+  auto body = std::make_unique<ElasticCapsule>(capsule);
+  const ElasticCapsule &wall = *body;
+  Surroundings around;
+  const Obstacles<3> &walls =
+    *(around.walls = &around.add(std::make_unique<Obstacles<3>>("elastic_capsule", SphereOnSurface{material}, std::move(body))));
+  around.values = [&wall, &walls](const Particles<3> &particles) {
+    double touching = 0.;
+    walls.for_touches(particles, [&](auto &&...) { touching += 1.; });
+    return std::vector<Surroundings::Value>{
+      {"capsule_radius", "m", wall.radius()}, {"capsule_pressure", "Pa", wall.pressure()}, {"cells_on_capsule", "", touching}};
+  };
   return around;
 }
 

@@ -11,7 +11,7 @@
 #pragma once
 
 #include "micro/scenes/spheroid/spheroid_scene.h"
-#include "micro/cells/elastic_capsule.h"
+#include "micro/terms/elastic_capsule.h"
 
 namespace turgor
 {
@@ -24,7 +24,7 @@ protected:
   Outputs more_outputs() const override;
   void declare_more(InputEntries &prm) override;
   void check_more() const override;
-  std::vector<std::unique_ptr<Surroundings>> make_surroundings() const override;
+  Surroundings make_surroundings() const override;
   bool finished(const GrowthTable &table) const override;
   double share_until_finished(const GrowthTable &table) const override;
   void report(RunContext &context, const GrowthTable &table, CellCulture &culture) const override;

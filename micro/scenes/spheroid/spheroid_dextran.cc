@@ -57,11 +57,18 @@ CultureParameters SpheroidDextran::culture_parameters() const
   return result;
 }
 
-std::vector<std::unique_ptr<Surroundings>> SpheroidDextran::make_surroundings() const
+Surroundings SpheroidDextran::make_surroundings() const
 {
-  std::vector<std::unique_ptr<Surroundings>> around;
+  Surroundings around;
   if (pressure > 0.)
-    around.push_back(std::make_unique<DextranPressure>(DextranParameters{.pressure = pressure, .rise = rise, .fixed_force = fixed_force}));
+    {
+      DextranPressure &dextran =
+        around.add(std::make_unique<DextranPressure>(DextranParameters{.pressure = pressure, .rise = rise, .fixed_force = fixed_force}));
+      around.update = [&dextran](const Particles<3> &particles, const double t) { dextran.update(particles, t); };
+      around.values = [&dextran](const Particles<3> &) {
+        return std::vector<Surroundings::Value>{{"unit_force", "N", dextran.unit_force()}, {"outer_cells", "1", dextran.exposures()}};
+      };
+    }
   return around;
 }
 

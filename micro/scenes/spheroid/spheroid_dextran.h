@@ -19,7 +19,7 @@ public:
 protected:
   Outputs more_outputs() const override;
   void declare_more(InputEntries &prm) override;
-  std::vector<std::unique_ptr<Surroundings>> make_surroundings() const override;
+  Surroundings make_surroundings() const override;
   CultureParameters culture_parameters() const override;
   void before_interval(CellCulture &culture) const override;
   void report(RunContext &context, const GrowthTable &table, CellCulture &culture) const override;

@@ -87,9 +87,8 @@ void SpheroidScene::Run::open_series()
                                  {"necrotic", ""}, {"lysed", ""},  {"radius", "m"},       {"gyration_radius", "m"}, {"volume", "m^3"},
                                  {"pressure", "Pa"}, {"strain", "1"}, {"density", "1/(100 um^2)"},
                                  {"grown_volume", "m^3"}, {"drained_volume", "m^3"}, {"proliferating_volume", "m^3"}};
-  for (const auto &around : culture.surroundings)
-    for (const auto &value : around->values(culture.cells))
-      columns.push_back({value.name, value.unit});
+  for (const auto &value : culture.surroundings.values(culture.cells.particles))
+    columns.push_back({value.name, value.unit});
   for (const Column &column : columns)
     table.names.push_back(column.name);
   file = context.series("growth", columns);
@@ -163,9 +162,8 @@ std::vector<double> SpheroidScene::Run::row()
                              culture.life.grown,
                              culture.life.drained,
                              growing};
-  for (const auto &around : culture.surroundings)
-    for (const auto &value : around->values(cells))
-      values.push_back(value.value);
+  for (const auto &value : culture.surroundings.values(cells.particles))
+    values.push_back(value.value);
   return values;
 }
 

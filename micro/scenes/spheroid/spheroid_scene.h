@@ -31,7 +31,7 @@ protected:
   virtual void declare_more(InputEntries &) {}
   virtual Outputs more_outputs() const { return {}; } ///< beside what all write of their population
   virtual void check_more() const {}
-  virtual std::vector<std::unique_ptr<Surroundings>> make_surroundings() const { return {}; }
+  virtual Surroundings make_surroundings() const { return {}; }
   virtual CultureParameters culture_parameters() const { return entries.parameters(); }
   /// The first cells; a compact cluster about the origin.
   virtual void seed(CellCulture &culture) const;

@@ -9,7 +9,7 @@
 #include "micro/cells/brick_tissue.h"
 #include "run/run_context.h"
 #include "run/scenario.h"
-#include "micro/terms/plates.h"
+#include "micro/terms/obstacles.h"
 
 #include <memory>
 #include <string>

@@ -33,8 +33,8 @@ void TissueLoading::Run::record()
   TissueSample s = measure(*tissue, start);
   s.time = double(step) * dt;
   s.strain = strain();
-  s.bottom = plates->force(0);
-  s.top = plates->force(1);
+  s.bottom = (*plates)[0].pressing();
+  s.top = (*plates)[1].pressing();
   const double overlap = tissue->contact->deepest(), crossed = double(tissue->contact->crossed_bonds()),
                outside = double(tissue->fluid->crossed()), behind = plates->deepest();
   deepest = std::max(deepest, overlap);
@@ -42,7 +42,7 @@ void TissueLoading::Run::record()
   most_outside = std::max(most_outside, outside);
   deepest_behind = std::max(deepest_behind, behind);
   history.push_back(s);
-  loading->add_row({s.time, s.strain, s.top, s.bottom, s.top / area, s.bottom / area, (*plates)[1].position, mean_pressure(),
+  loading->add_row({s.time, s.strain, s.top, s.bottom, s.top / area, s.bottom / area, (*plates)[1].centre[1], mean_pressure(),
                     system.potential_energy(), system.kinetic_energy(), plates->work(), s.centre, s.flattest, s.stretch_near,
                     s.stretch, s.largest_stretch, s.failed_cells, s.broken_bonds, s.broken_ties, s.failed_depth,
                     outside, released + flowed, heat(), overlap, crossed, behind});

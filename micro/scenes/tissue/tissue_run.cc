@@ -1,5 +1,6 @@
 #include "micro/scenes/tissue/tissue_run.h"
 
+#include "micro/geometry/plane.h"
 #include "run/number_text.h"
 #include "micro/scenes/heating.h"
 #include "run/archive.h"
@@ -20,11 +21,9 @@ TissueLoading::Run::Run(const TissueLoading &scene_, RunContext &context_)
 {
   system.threads = context.threads();
   const double far = 10. * (scene.brick.rows + 2.) * scene.cell.period;
-  const bool fluid = bool(tissue->damage);
-  plates = &system.add(std::make_unique<Plates<2>>(
-    std::vector<Plate>{{.axis = 1, .side = 1, .position = -far, .touches_fluid = fluid},
-                       {.axis = 1, .side = -1, .position = far, .touches_fluid = fluid}},
-    scene.brick.contact_ratio * tissue->spring_stiffness));
+  const SurfacePenalty held{.stiffness = scene.brick.contact_ratio * tissue->spring_stiffness, .holds_fluid = bool(tissue->damage)};
+  plates = &system.add(std::make_unique<Obstacles<2>>("plates", held, std::make_unique<Plane<2>>(Vector<2>(0., -far), Vector<2>(0., 1.)),
+                                                      std::make_unique<Plane<2>>(Vector<2>(0., far), Vector<2>(0., -1.))));
   if (tissue->damage)
     failure.emplace(*tissue->wall, tissue->damage, scene.brick.critical_stretch);
   if (tissue->flow)
@@ -103,9 +102,9 @@ void TissueLoading::Run::begin_squeezing()
     throw RunFailed("turgor alone loads lamella ties of the inflated tissue with " + number_text(1e-6 * tie_stress)
                     + " MPa, more than Lamella strength (" + number_text(1e-6 * scene.brick.lamella_strength)
                     + " MPa): they would break before the plate moves. Use a larger Lamella strength or less Cell/Turgor.");
-  plates->set_position(0, start.low);
-  plates->set_position(1, start.high);
-  plates->set_velocity(1, -scene.speed);
+  (*plates)[0].centre[1] = start.low;
+  (*plates)[1].centre[1] = start.high;
+  (*plates)[1].velocity[1] = -scene.speed;
   integrator->begin_here();
   dt = integrator->safe_step();
   if (split) // impulses resonate with the fast terms from half their shortest period on (doc/results/stability)

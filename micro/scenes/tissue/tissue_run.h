@@ -33,7 +33,7 @@ private:
   void step_once();
   double wall_energy() const;                         ///< J
   bool processes();                                   ///< between steps; true when a force has changed
-  double strain() const { return (start.high - (*plates)[1].position) / start.height(); }
+  double strain() const { return (start.high - (*plates)[1].centre[1]) / start.height(); }
 
   // tissue_checkpoint.cc
   void archive(Archive &a);
@@ -59,7 +59,7 @@ private:
   std::optional<TissueInflation> inflation;
   std::optional<WatchedSteps<2>> integrator;
   std::optional<Respa<2>> split; ///< while the plate moves, with Substeps > 1; its step is not watched
-  Plates<2> *plates = nullptr;
+  Obstacles<2> *plates = nullptr;
   std::optional<Failure<2>> failure;
   std::optional<WallYielding<2>> yielding;
   double dt = 0., reach = 0., sound = 0.;

@@ -1,0 +1,198 @@
+#include "micro/terms/obstacles.h"
+
+#include "micro/solve/step_too_long.h"
+
+#include <algorithm>
+
+namespace turgor
+{
+template <int dim>
+void Obstacles<dim>::declare(Particles<dim> &particles)
+{
+  for (const auto &body : bodies)
+    {
+      number.push_back(body->declare_pusher());
+      body->set_groups(number.back(), particles.groups.size());
+    }
+}
+
+template <int dim>
+void Obstacles<dim>::settle(const Particles<dim> &particles, const double dt)
+{
+  for (const auto &body : bodies)
+    if (body->slack() >= 0. && body->settles_at_once() == (dt == 0.))
+      std::visit(
+        [&](const auto &one) {
+          const auto view = one.on(particles);
+          typename Obstacle<dim>::Pressing near;
+          std::vector<std::size_t> which;
+          const double slack = body->slack();
+          for (const Group &g : particles.groups)
+            {
+              const auto [begin, end] = view.holds_for(g);
+              for (std::uint32_t i = begin; i < end; ++i)
+                {
+                  const Vector<dim> x = particles.position(i);
+                  const double reach = view.reach(i);
+                  if (body->at(x, reach + slack).distance < reach + slack)
+                    {
+                      which.push_back(i);
+                      near.x.push_back(x);
+                      near.reach.push_back(reach);
+                    }
+                }
+            }
+          near.force = [&](const std::size_t k, const double w, const double curvature) {
+            const SphereContact c = view(which[k], w, curvature);
+            return std::pair(c.force, c.stiffness);
+          };
+          body->settle(near, dt);
+        },
+        law);
+}
+
+template <int dim>
+void Obstacles<dim>::prepare(const Particles<dim> &particles, const Box<dim> &)
+{
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    bodies[k]->set_groups(number[k], particles.groups.size());
+  settle(particles, 0.);
+}
+
+template <int dim>
+void Obstacles<dim>::advance(const Particles<dim> &particles, const double dt)
+{
+  for (const auto &body : bodies)
+    done += body->advance(dt);
+  if (dt > 0.)
+    settle(particles, dt);
+}
+
+template <int dim>
+void Obstacles<dim>::add_forces(Particles<dim> &particles, const Box<dim> &, const std::size_t group)
+{
+  std::visit(
+    [&](const auto &one) {
+      const auto view = one.on(particles);
+      for (std::size_t k = 0; k < bodies.size(); ++k)
+        {
+          Obstacle<dim> &body = *bodies[k];
+          body.clear(number[k], group);
+          for_group(view, particles, body, particles.groups[group], [&](const std::size_t i, const Vector<dim> &x, const Contact &c) {
+            if (view.ends_at(c.distance))
+              throw StepTooLong(body.passed(i, view.modulus(i), view.modulus_of_wall()));
+            const double force = view(i, c.distance, c.curvature).force;
+            for (int d = 0; d < dim; ++d)
+              particles.f[d][i] += force * c.normal[d];
+            body.push(number[k], group, x, c, force);
+          });
+        }
+    },
+    law);
+}
+
+template <int dim>
+double Obstacles<dim>::energy(const Particles<dim> &particles, const Box<dim> &, const std::size_t group) const
+{
+  double total = 0.;
+  std::visit(
+    [&](const auto &one) {
+      const auto view = one.on(particles);
+      for (const auto &body : bodies)
+        {
+          for_group(view, particles, *body, particles.groups[group], [&](const std::size_t i, const Vector<dim> &, const Contact &c) {
+            total += view.energy(i, c.distance, c.curvature);
+          });
+          if (group == 0)
+            total += body->energy();
+        }
+    },
+    law);
+  return total;
+}
+
+template <int dim>
+void Obstacles<dim>::add_virials(const Particles<dim> &particles, std::vector<Tensor2<dim>> &virial) const
+{
+  for_touches(particles, [&](const std::size_t i, const Contact &c, const SphereContact &does) {
+    virial[i] -= does.force * c.distance * c.normal * c.normal.transpose();
+  });
+}
+
+template <int dim>
+double Obstacles<dim>::friction() const
+{
+  const auto *spheres = std::get_if<SphereOnSurface>(&law);
+  return spheres ? spheres->material.friction : 0.;
+}
+
+template <int dim>
+double Obstacles<dim>::depth_of(const Vector<dim> &x) const
+{
+  double least = HUGE_VAL;
+  for (const auto &body : bodies)
+    if (body->permeable())
+      least = std::min(least, body->at(x).distance);
+  return least;
+}
+
+template <int dim>
+double Obstacles<dim>::energy_of(const Vector<dim> &x, const double radius, const double reference, const double modulus) const
+{
+  const auto *spheres = std::get_if<SphereOnSurface>(&law);
+  double total = 0.;
+  for (const auto &body : bodies)
+    if (const Contact c = body->at(x, radius); spheres && c.distance < radius)
+      total += spheres->material.energy_about(radius, reference, modulus, c.curvature, c.distance);
+  return total;
+}
+
+template <int dim>
+double Obstacles<dim>::deepest() const
+{
+  double most = 0.;
+  for (const auto &body : bodies)
+    most = std::max(most, body->deepest());
+  return most;
+}
+
+template <int dim>
+double Obstacles<dim>::work() const
+{
+  double total = done;
+  for (const auto &body : bodies)
+    total += body->work_of_last_step();
+  return total;
+}
+
+template <int dim>
+Rates Obstacles<dim>::rates(const Particles<dim> &particles) const
+{
+  Rates bound;
+  const auto *penalty = std::get_if<SurfacePenalty>(&law);
+  if (!penalty || bodies.empty())
+    return bound;
+  double wall = 0., fluid = 0., lightest = 0.; // 1/kg
+  for (const Group &g : particles.groups)
+    for (std::uint32_t i = g.begin; i < g.end; ++i)
+      (i < g.fluid ? wall : fluid) = std::max(i < g.fluid ? wall : fluid, particles.inverse_mass[i]);
+  for (const auto &body : bodies)
+    lightest = std::max(lightest, body->mass > 0. ? 1. / body->mass : 0.);
+  // all particles may touch a body that moves
+  bound.wall.frequency_squared = penalty->stiffness * wall;
+  bound.wall.frequency_squared += penalty->stiffness * lightest * double(particles.size());
+  bound.fluid.frequency_squared = penalty->holds_fluid ? penalty->stiffness * fluid : 0.;
+  return bound;
+}
+
+template <int dim>
+void Obstacles<dim>::archive(Archive &a, Particles<dim> &)
+{
+  for (const auto &body : bodies)
+    body->archive(a);
+  a(done);
+}
+
+template class Obstacles<2>;
+template class Obstacles<3>;
+} // namespace turgor
