@@ -15,7 +15,8 @@
 #include "micro/laws/counter_random.h"
 #include "micro/engine/overdamped.h"
 #include "micro/engine/space_order.h"
-#include "micro/terms/sphere_motion.h"
+#include "micro/engine/system_motion.h"
+#include "micro/terms/sphere_contacts.h"
 
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
@@ -59,18 +60,36 @@ Particles<3> ball(const std::size_t n)
   return p;
 }
 
+/// Each cell a group of its own, with contacts and friction between the cells.
+struct Population
+{
+  ParticleSystem<3> system;
+  SphereContacts &contacts;
+
+  Population(const std::size_t n, const unsigned int threads, const PairFriction &friction)
+    : contacts(system.add(std::make_unique<SphereContacts>(HertzContact(), 0.2 * R_0)))
+  {
+    system.threads = threads;
+    system.particles = ball(n);
+    system.particles.groups.clear();
+    for (std::uint32_t i = 0; i < n; ++i)
+      system.particles.groups.push_back({i, i, i + 1});
+    contacts.friction = friction;
+  }
+};
+
 void pair_mechanics(benchmark::State &state)
 {
   const std::size_t n = std::size_t(state.range(0));
   const unsigned int threads = unsigned(state.range(1));
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-  Particles<3> cells = ball(n);
-  SphereContacts contacts(HertzContact(), 0.2 * R_0);
-  Friction friction({});
+  Population population(n, threads, {});
+  const SphereContacts &contacts = population.contacts;
+  Particles<3> &cells = population.system.particles;
   // 5 s steps: about 1 % of a radius a step in the beginning, and unrest goes on by the moving radii below
-  SphereMotion motion(contacts, friction, threads);
+  SystemMotion<3> motion(population.system, {});
   Overdamped<3> stepper({.method = OverdampedMethod::euler, .tolerance = 1e9, .first_step = 5., .longest_step = 5.}, motion, threads);
-  motion.gamma.assign(n, 0.3);
+  motion.medium.assign(n, 0.3);
   std::size_t step = 0;
   const auto advance = [&] {
     stepper.step(cells, 5.);
@@ -100,7 +119,7 @@ void pair_mechanics(benchmark::State &state)
     touching += 2. * (c.area > 0.);
   state.counters["contacts"] = touching / double(n);
   state.counters["steps_per_list"] = steps / count[1];
-  state.counters["bytes_cell"] = double(contacts.memory_bytes() + friction.memory_bytes()) / double(n);
+  state.counters["bytes_cell"] = double(contacts.memory_bytes() + motion.solver().memory_bytes()) / double(n);
 }
 /// The same steps on one thread and on two: lists are made when the cells' unrest wants them, which changes from step to step.
 void same_steps(benchmark::internal::Benchmark *all, const std::int64_t cells, const std::int64_t steps)
@@ -131,33 +150,34 @@ void solve_friction(benchmark::State &state, const double sideways)
   const std::size_t n = std::size_t(state.range(0));
   const unsigned int threads = unsigned(state.range(1));
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-  Particles<3> cells = ball(n);
-  SphereContacts contacts(HertzContact(), 0.2 * R_0);
-  contacts.add_forces(cells, threads);
-  const std::vector<double> gamma = medium(n, 10.);
-  Friction assembled({.normal = pair, .tangential = sideways * pair, .tolerance = 1e9}),
-    solved({.normal = pair, .tangential = sideways * pair});
-  for (Friction *warm : {&assembled, &solved}) // memory is there
-    warm->velocities(cells, contacts, gamma, 0., threads);
+  Population population(n, threads, {.normal = pair, .tangential = sideways * pair});
+  Particles<3> &cells = population.system.particles;
+  SystemMotion<3> assembled(population.system, {.tolerance = 1e9}), solved(population.system, {});
+  solved.forces(cells, false);
+  for (SystemMotion<3> *warm : {&assembled, &solved}) // memory is there
+    {
+      warm->medium = medium(n, 10.);
+      warm->velocities(cells, 0.);
+    }
   double assembly = 0., all = 0., iterations = 0.;
   for (auto _ : state)
     {
       const double t0 = cpu();
-      assembled.velocities(cells, contacts, gamma, 0., threads);
+      assembled.velocities(cells, 0.);
       const double t1 = cpu();
       for (auto &v : cells.v)
         std::fill(v.begin(), v.end(), 0.);
       const double t2 = cpu();
-      solved.velocities(cells, contacts, gamma, 0., threads);
+      solved.velocities(cells, 0.);
       all += cpu() - t2;
       assembly += t1 - t0;
-      iterations += solved.iterations();
+      iterations += solved.solver().iterations();
     }
   const double runs = double(state.iterations());
   state.counters["assembly_ns_cell"] = assembly / (runs * double(n));
   state.counters["iteration_ns_cell"] = (all - assembly) / (iterations * double(n));
   state.counters["iterations"] = iterations / runs;
-  state.counters["bytes_cell"] = double(solved.memory_bytes()) / double(n);
+  state.counters["bytes_cell"] = double(solved.solver().memory_bytes()) / double(n);
 }
 void friction(benchmark::State &state) { solve_friction(state, 0.5); }
 void friction_isotropic(benchmark::State &state) { solve_friction(state, 1.); }
@@ -174,13 +194,14 @@ BENCHMARK(friction_isotropic)
 void friction_iterations(benchmark::State &state)
 {
   const std::size_t n = 10000;
-  Particles<3> cells = ball(n);
-  SphereContacts contacts(HertzContact(), 0.2 * R_0);
-  contacts.add_forces(cells, 1);
-  Friction friction({.normal = pair, .tangential = pair, .tolerance = std::pow(10., -double(state.range(1)))});
+  Population population(n, 1, {.normal = pair, .tangential = pair});
+  Particles<3> &cells = population.system.particles;
+  SystemMotion<3> motion(population.system, {.tolerance = std::pow(10., -double(state.range(1)))});
+  motion.medium = medium(n, double(state.range(0)));
+  motion.forces(cells, false);
   for (auto _ : state)
-    friction.velocities(cells, contacts, medium(n, double(state.range(0))), 0., 1);
-  state.counters["iterations"] = friction.iterations();
+    motion.velocities(cells, 0.);
+  state.counters["iterations"] = motion.solver().iterations();
 }
 BENCHMARK(friction_iterations)->ArgNames({"ratio", "digits"})->ArgsProduct({{1, 10, 100, 1000}, {6, 10}})->Iterations(1);
 } // namespace

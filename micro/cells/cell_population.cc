@@ -33,19 +33,27 @@ std::size_t CellPopulation::add(const Vector<3> &x, const double radius, const d
     particles.x[d][i] = x[d];
   particles.field("radius")[i] = radius;
   particles.field("modulus")[i] = modulus;
-  particles.groups = {{0, 0, std::uint32_t(i + 1)}};
+  particles.groups.push_back({std::uint32_t(i), std::uint32_t(i), std::uint32_t(i + 1)});
   id()[i] = next_id++;
   return i;
+}
+
+void CellPopulation::set_groups()
+{
+  particles.groups.resize(size());
+  for (std::uint32_t i = 0; i < size(); ++i)
+    particles.groups[i] = {i, i, i + 1};
 }
 
 void CellPopulation::gather(const Rearrangement &places)
 {
   particles.gather(places);
   particles.cells.gather(places);
-  particles.groups = {{0, 0, std::uint32_t(places.size())}};
+  set_groups();
   for (std::size_t k = 0; k < places.size(); ++k)
     if (places.source[k] == Rearrangement::fresh)
       id()[k] = next_id++;
+  ParticleSystem<3>::gather(places);
 }
 
 std::vector<std::string> CellPopulation::field_names() const
@@ -65,7 +73,7 @@ void CellPopulation::archive(Archive &a)
   if (a.loading())
     {
       particles.resize(size());
-      particles.groups = {{0, 0, std::uint32_t(size())}};
+      set_groups();
     }
   for (int d = 0; d < 3; ++d)
     a.fixed(particles.x[d], particles.v[d]);

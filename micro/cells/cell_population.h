@@ -1,5 +1,5 @@
 // The state of a population of centre-based cells (thesis 2.2.2, Appendix C) whose number changes: a plain structure that
-// contacts, friction and the processes between steps read and write.
+// contacts, friction and the processes between steps read and write. It is a system of particles whose groups are the cells.
 //
 //   particles         x (m), v (m/s), f (N); fields `radius` (m) and `modulus` (Pa, E/(1 - nu^2)), which contacts read of a sphere,
 //                     and `reference_volume` (m^3) where a process declares it
@@ -8,11 +8,11 @@
 //                     at random for a cell is a function of its id (cell_variability.h), so that it needs no storage and no order
 //     state           what the cell does (CellState)
 //
-// Cells are divided, removed and sorted by one operation, gather (rearrangement.h). The same places go to SphereContacts,
-// Overdamped and the surroundings, so that all history follows its cell.
+// Cells are divided, removed and sorted by one operation, gather (rearrangement.h), which reaches the terms too. The same places
+// go to Overdamped and the surroundings, so that all history follows its cell.
 #pragma once
 
-#include "micro/engine/particles.h"
+#include "micro/engine/particle_system.h"
 
 #include <cstdint>
 #include <string>
@@ -38,11 +38,12 @@ struct CellStates
   bool alive(const std::size_t i) const { return (*this)[i] == CellState::proliferating || (*this)[i] == CellState::quiescent; }
 };
 
-struct CellPopulation
+struct CellPopulation : ParticleSystem<3>
 {
   CellPopulation();
 
-  Particles<3> particles;
+  using ParticleSystem<3>::add;
+
   std::uint64_t next_id = 0; ///< ids given so far
 
   std::size_t size() const { return particles.cells.size(); }
@@ -55,7 +56,7 @@ struct CellPopulation
   /// A new cell at rest with its id, fields zero but for the radius (m) and the modulus (Pa); its place.
   std::size_t add(const Vector<3> &x, double radius, double modulus);
 
-  /// Cells in other places; a repeated one with the id it had, a fresh one with the next.
+  /// Cells in other places, and what terms keep of them; a repeated one with the id it had, a fresh one with the next.
   void gather(const Rearrangement &places);
 
   /// Names of what its particles and cells carry beside place, id and state.
@@ -63,6 +64,9 @@ struct CellPopulation
 
   void archive(Archive &a);
   /// Fields have to be declared before. Throws std::runtime_error for a checkpoint with other fields.
+
+private:
+  void set_groups(); ///< one of each cell
 };
 
 /// m^3 of a sphere, and its radius (m).

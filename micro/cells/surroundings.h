@@ -45,7 +45,7 @@ struct Surroundings
     const Box<3> open;
     for (const auto &term : terms)
       {
-        term->prepare(particles, open);
+        term->prepare(particles, open, 1, false);
         for (std::size_t group = 0; group < particles.groups.size(); ++group)
           term->add_forces(particles, open, group);
       }

@@ -1,6 +1,7 @@
 #include "micro/engine/particle_system.h"
 
 #include "run/archive.h"
+#include "run/parallel.h"
 #include "run/number_text.h"
 
 #include <algorithm>
@@ -36,10 +37,10 @@ void ParticleSystem<dim>::advance(const double dt)
 }
 
 template <int dim>
-void ParticleSystem<dim>::prepare()
+void ParticleSystem<dim>::prepare(const bool trial)
 {
   for (const auto &term : terms)
-    term->prepare(particles, box);
+    term->prepare(particles, box, threads, trial);
 }
 
 template <int dim>
@@ -78,10 +79,32 @@ void ParticleSystem<dim>::forces_of_group(const std::size_t group, const Pace pa
 }
 
 template <int dim>
-void ParticleSystem<dim>::compute_forces()
+void ParticleSystem<dim>::compute_forces(const bool trial)
 {
-  prepare();
-  for_groups([this](std::size_t group) { forces_of_group(group); });
+  prepare(trial);
+  const std::size_t n = particles.groups.size();
+  if (particles.size() >= 8 * n)
+    return for_groups([this](std::size_t group) { forces_of_group(group); });
+  for_chunks(threads, Chunks(n), [this](std::size_t begin, std::size_t end) {
+    for (auto &f : particles.f)
+      std::fill(f.begin() + particles.groups[begin].begin, f.begin() + particles.groups[end - 1].end, 0.);
+    for (const auto &term : terms)
+      term->add_forces_of(particles, box, begin, end);
+  });
+}
+
+template <int dim>
+void ParticleSystem<dim>::collect(MotionMatrix &matrix, const double h)
+{
+  for (const auto &term : terms)
+    term->collect(matrix, particles, h);
+}
+
+template <int dim>
+void ParticleSystem<dim>::gather(const Rearrangement &places)
+{
+  for (const auto &term : terms)
+    term->gather(places);
 }
 
 template <int dim>

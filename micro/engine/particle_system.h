@@ -46,7 +46,7 @@ public:
   void advance(double dt);
 
   /// Tells all terms that the positions of all groups are final, before their forces.
-  void prepare();
+  void prepare(bool trial = false);
 
   /// Tells all terms that the group's positions have moved by dt times its velocities.
   void drift_of_group(std::size_t group, double dt);
@@ -57,7 +57,13 @@ public:
   /// f = sum of all terms, or of those of one pace, for one group.
   void forces_of_group(std::size_t group);
   void forces_of_group(std::size_t group, Pace pace);
-  void compute_forces();
+  void compute_forces(bool trial = false);
+
+  /// What all terms add to the matrix of over-damped motion (Term::collect).
+  void collect(MotionMatrix &matrix, double h);
+
+  /// Tells all terms that particles and groups have other places.
+  void gather(const Rearrangement &places);
 
   /// J, after compute_forces at the same positions.
   double potential_energy() const;

@@ -20,6 +20,7 @@
 
 namespace turgor
 {
+/// Groups lie one behind the other.
 struct Group
 {
   std::uint32_t begin = 0; ///< first particle: first wall node

@@ -12,6 +12,7 @@
 
 namespace turgor
 {
+class MotionMatrix;
 class Archive;
 
 /// How fast a law can make particles move, by kind of particle: squared angular frequency (1/s^2) of its
@@ -59,12 +60,23 @@ public:
   /// The particles have other places; groups and fields are already those of afterwards.
   virtual void gather(const Rearrangement &) {}
 
-  /// All positions are those of the coming force evaluation; once before any group, from one thread: what looks at
-  /// several groups (lists of contacts) is brought up to date.
-  virtual void prepare(const Particles<dim> &, const Box<dim> &) {}
+  /// All positions are those of the coming force evaluation; once before any group: what looks at several groups (lists of contacts, pairs) is
+  /// brought up to date, on up to `threads` threads. trial: positions that may be taken back; what has a history (who touches) does not follow.
+  virtual void prepare(const Particles<dim> &, const Box<dim> &, unsigned int /*threads*/, bool /*trial*/) {}
 
   /// f += forces on the particles of the group.
   virtual void add_forces(Particles<dim> &particles, const Box<dim> &box, std::size_t group) = 0;
+
+  /// The same for groups [begin, end), where they are so small (a cell of one particle) that a call for each would cost.
+  virtual void add_forces_of(Particles<dim> &particles, const Box<dim> &box, const std::size_t begin, const std::size_t end)
+  {
+    for (std::size_t group = begin; group < end; ++group)
+      add_forces(particles, box, group);
+  }
+
+  /// What it adds to the matrix of over-damped motion (motion_matrix.h) at the positions of the last prepare(): its friction, and for implicit steps
+  /// of h (s) h times the positive part of its stiffness; h = 0: explicit. Links and products that are given by reference last until the next prepare().
+  virtual void collect(MotionMatrix &, const Particles<dim> &, double /*h*/) {}
 
   /// A step of dt (s) has ended, forces are those of the present positions: a drag that acts by impulses changes the group's velocities. Its
   /// forces are then in no f; a mode that it damps loses energy whatever its phase, where a drag in f sees half a step before.

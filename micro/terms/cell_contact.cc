@@ -67,7 +67,7 @@ bool CellContact::stale()
   return wild || moved > 0.5 * parameters.skin;
 }
 
-void CellContact::prepare(const Particles<2> &particles, const Box<2> &now)
+void CellContact::prepare(const Particles<2> &particles, const Box<2> &now, unsigned int, bool)
 {
   box = now;
   place(particles, y);

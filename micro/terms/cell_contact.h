@@ -52,7 +52,7 @@ public:
   std::string name() const override { return "cell_contact"; }
   bool fast() const override { return true; }
   void declare(Particles<2> &particles) override;
-  void prepare(const Particles<2> &particles, const Box<2> &box) override;
+  void prepare(const Particles<2> &particles, const Box<2> &box, unsigned int threads, bool trial) override;
   void add_forces(Particles<2> &particles, const Box<2> &box, std::size_t group) override;
   double energy(const Particles<2> &particles, const Box<2> &box, std::size_t group) const override;
   Tensor2<2> image_virial(const Particles<2> &particles, const Box<2> &box, std::size_t group) const override;

@@ -52,7 +52,7 @@ void Obstacles<dim>::settle(const Particles<dim> &particles, const double dt)
 }
 
 template <int dim>
-void Obstacles<dim>::prepare(const Particles<dim> &particles, const Box<dim> &)
+void Obstacles<dim>::prepare(const Particles<dim> &particles, const Box<dim> &, unsigned int, bool)
 {
   for (std::size_t k = 0; k < bodies.size(); ++k)
     bodies[k]->set_groups(number[k], particles.groups.size());

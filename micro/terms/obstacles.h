@@ -36,7 +36,7 @@ public:
 
   std::string name() const override { return own_name; }
   void declare(Particles<dim> &particles) override;
-  void prepare(const Particles<dim> &particles, const Box<dim> &box) override;
+  void prepare(const Particles<dim> &particles, const Box<dim> &box, unsigned int threads, bool trial) override;
   void add_forces(Particles<dim> &particles, const Box<dim> &box, std::size_t group) override;
   void advance(const Particles<dim> &particles, double dt) override;
   double energy(const Particles<dim> &particles, const Box<dim> &box, std::size_t group) const override;

@@ -5,6 +5,8 @@
 #include "micro/solve/step_too_long.h"
 #include "run/number_text.h"
 #include "micro/laws/overlap_energy.h"
+#include "micro/solve/motion_matrix.h"
+#include "micro/terms/sphere_links.h"
 
 #include <algorithm>
 #include <atomic>
@@ -130,7 +132,13 @@ void SphereContacts::compute_pairs(const Law &one, const unsigned int threads, c
                       + " coincide, so the direction of their contact is not defined: take smaller steps.");
 }
 
-void SphereContacts::add_forces(Particles<3> &particles, const unsigned int threads, const bool trial)
+void SphereContacts::declare(Particles<3> &particles)
+{
+  for (const char *const field : {"radius", "modulus"})
+    particles.declare(field);
+}
+
+void SphereContacts::prepare(const Particles<3> &particles, const Box<3> &, const unsigned int threads, const bool trial)
 {
   const std::vector<double> &radius = particles.field("radius");
   if (pairs.stale(particles, radius, threads))
@@ -143,22 +151,60 @@ void SphereContacts::add_forces(Particles<3> &particles, const unsigned int thre
   pack(particles, threads);
   contact.resize(pairs.pairs().size());
   std::visit([&](const auto &one) { compute_pairs(one, threads, trial); }, law);
+}
+
+void SphereContacts::gather_forces(Particles<3> &particles, const std::size_t begin, const std::size_t end) const
+{
   const auto &first = pairs.first(), &own = pairs.own(), &other = pairs.other();
-  for_chunks(threads, Chunks(radius.size()), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      {
-        double sum[3] = {0., 0., 0.};
-        for (std::uint32_t k = first[i]; k < first[i + 1]; ++k)
-          {
-            const PairContact &c = contact[own[k]];
-            const double f = other[k] > i ? -c.force : c.force;
-            for (int d = 0; d < 3; ++d)
-              sum[d] += f * c.e[d];
-          }
-        for (int d = 0; d < 3; ++d)
-          particles.f[d][i] += sum[d];
-      }
-  });
+  for (std::size_t i = begin; i < end; ++i)
+    {
+      double sum[3] = {0., 0., 0.};
+      for (std::uint32_t k = first[i]; k < first[i + 1]; ++k)
+        {
+          const PairContact &c = contact[own[k]];
+          const double f = other[k] > i ? -c.force : c.force;
+          for (int d = 0; d < 3; ++d)
+            sum[d] += f * c.e[d];
+        }
+      for (int d = 0; d < 3; ++d)
+        particles.f[d][i] += sum[d];
+    }
+}
+
+void SphereContacts::add_forces(Particles<3> &particles, const Box<3> &, const std::size_t group)
+{
+  gather_forces(particles, particles.groups[group].begin, particles.groups[group].end);
+}
+
+void SphereContacts::add_forces_of(Particles<3> &particles, const Box<3> &, const std::size_t begin, const std::size_t end)
+{
+  gather_forces(particles, particles.groups[begin].begin, particles.groups[end - 1].end);
+}
+
+void SphereContacts::add_forces(Particles<3> &particles, const unsigned int threads, const bool trial)
+{
+  prepare(particles, Box<3>(), threads, trial);
+  for_chunks(threads, Chunks(particles.size()), [&](std::size_t begin, std::size_t end) { gather_forces(particles, begin, end); });
+}
+
+double SphereContacts::energy(const Particles<3> &particles, const Box<3> &, const std::size_t group) const
+{
+  double total = 0.;
+  for (std::uint32_t i = particles.groups[group].begin; i < particles.groups[group].end; ++i)
+    for (std::uint32_t k = pairs.first()[i]; k < pairs.first()[i + 1]; ++k)
+      if (pairs.other()[k] > i)
+        total += contact[pairs.own()[k]].energy;
+  return total;
+}
+
+void SphereContacts::collect(MotionMatrix &matrix, const Particles<3> &, const double h)
+{
+  PairFriction with_step = friction;
+  with_step.step = h;
+  if (with_step.none())
+    return;
+  links = std::make_unique<SphereLinks>(*this, with_step);
+  matrix.add(*links);
 }
 
 double SphereContacts::energy() const
@@ -202,7 +248,7 @@ std::size_t SphereContacts::memory_bytes() const
   return pairs.memory_bytes() + sizeof(PairContact) * contact.capacity() + touching.capacity() + sizeof(Cell) * cells.capacity();
 }
 
-void SphereContacts::archive(Archive &a, const Particles<3> &particles)
+void SphereContacts::archive(Archive &a, Particles<3> &particles)
 {
   const std::vector<Pair> &list = pairs.pairs();
   std::vector<Pair> held;

@@ -1,6 +1,6 @@
 // Contacts between the cells of a population of spheres: which pairs touch, and force, stiffness and area of each
-// (sphere_contact.h has the laws). The forces go into a sum over each cell's own pairs; the friction matrix
-// (cell_friction.h) is assembled from the same pairs.
+// (sphere_contact.h has the laws). The forces go into a sum over each cell's own pairs; friction between the cells (sphere_links.h) goes into the
+// matrix of motion from the same pairs.
 //
 // Fields read: radius (m), modulus (Pa, E/(1 - nu^2) of each cell), with a local stiffness reference_volume (m^3) where there is one.
 // Written: f (N).
@@ -19,9 +19,13 @@
 #pragma once
 
 #include "micro/engine/pair_list.h"
+#include "micro/engine/term.h"
 #include "micro/laws/local_stiffness.h"
 #include "micro/laws/contact_law.h"
+#include "micro/solve/links.h"
 
+#include <algorithm>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -40,6 +44,32 @@ struct alignas(64) PairContact
   double distance = 0.; ///< m, between the centres
 };
 
+/// Friction of a pair along its line and across it, N s/m.
+struct PairFriction
+{
+  double normal = 0., tangential = 0., ///< N s/m^3
+    step = 0.;                         ///< h, s; 0: explicit
+  struct Coefficients
+  {
+    double normal, tangential;
+  };
+  /// Not the same in all directions.
+  bool directed() const { return normal != tangential || step > 0.; }
+  bool none() const { return normal == 0. && tangential == 0. && step == 0.; }
+  /// Zero where there is no area.
+  Coefficients operator()(const PairContact &c) const
+  {
+    Coefficients result{normal * c.area, tangential * c.area};
+    if (step > 0.)
+      { // only what keeps the matrix positive definite; repulsion turned sideways is left explicit. max(0, not a number) is 0
+        const double h = c.area > 0. ? step : 0.;
+        result.normal += h * std::max(0., c.stiffness);
+        result.tangential += h * std::max(0., -c.force / c.distance);
+      }
+    return result;
+  }
+};
+
 /// Whose compression the local stiffness goes by.
 enum class CompressionOf
 {
@@ -47,24 +77,34 @@ enum class CompressionOf
   contact
 };
 
-class SphereContacts
+class SphereContacts final : public Term<3>
 {
 public:
   /// skin: m, of the pair list. stiffness: none, moduli stay what they are.
   SphereContacts(const ContactLaw &law, double skin, std::optional<LocalStiffness> stiffness = {},
                  CompressionOf compression = CompressionOf::cell);
 
-  static std::string name(const ContactLaw &law);
+  PairFriction friction; ///< between the cells
 
-  /// Pairs (lists brought up to date), then f += forces of all contacts. Throws std::runtime_error naming two cells whose
-  /// centres coincide. trial: positions that may be taken back; which pairs touch is not remembered.
+  static std::string name(const ContactLaw &law);
+  std::string name() const override { return name(law); }
+  void declare(Particles<3> &particles) override;
+  /// Pairs, lists brought up to date. Throws StepTooLong naming two cells whose centres coincide. trial: which pairs touch is not remembered.
+  void prepare(const Particles<3> &particles, const Box<3> &box, unsigned int threads, bool trial) override;
+  void add_forces(Particles<3> &particles, const Box<3> &box, std::size_t group) override;
+  void add_forces_of(Particles<3> &particles, const Box<3> &box, std::size_t begin, std::size_t end) override;
+  /// Of the pairs whose first cell is the group's.
+  double energy(const Particles<3> &particles, const Box<3> &box, std::size_t group) const override;
+  void collect(MotionMatrix &matrix, const Particles<3> &particles, double h) override;
+  /// What touched goes on touching. contacts() is empty until the next prepare().
+  void gather(const Rearrangement &places) override;
+  /// The history: which pairs touch.
+  void archive(Archive &a, Particles<3> &particles) override;
+
+  /// Pairs, then f += forces of all contacts, without a system.
   void add_forces(Particles<3> &particles, unsigned int threads, bool trial = false);
 
   double energy() const; ///< J
-
-  /// The cells have other places: what touched goes on touching. contacts() is empty until the
-  /// next add_forces.
-  void gather(const Rearrangement &places);
 
   /// A cell as its contacts see it.
   struct Sphere
@@ -80,9 +120,6 @@ public:
   const PairList<3> &list() const { return pairs; }
   const std::vector<PairContact> &contacts() const { return contact; }
 
-  /// The history: which pairs touch.
-  void archive(Archive &a, const Particles<3> &particles);
-
   std::size_t memory_bytes() const;
 
 private:
@@ -92,6 +129,8 @@ private:
     double slope = 0., reference = 0.; ///< Pa: modulus over the compression; m: R_ref
   };
   void pack(const Particles<3> &particles, unsigned int threads);
+  /// f += forces on the cells [begin, end).
+  void gather_forces(Particles<3> &particles, std::size_t begin, std::size_t end) const;
   template <class Law>
   void compute_pairs(const Law &law, unsigned int threads, bool trial);
 
@@ -102,5 +141,6 @@ private:
   PairList<3> pairs;
   std::vector<PairContact> contact;
   std::vector<unsigned char> touching;
+  std::unique_ptr<LinkSource> links; ///< of the last collect()
 };
 } // namespace turgor

@@ -4,7 +4,8 @@
 #include "micro/laws/counter_random.h"
 #include "micro/engine/overdamped.h"
 #include "micro/processes/cell_motility.h"
-#include "micro/terms/sphere_motion.h"
+#include "micro/engine/system_motion.h"
+#include "micro/terms/sphere_links.h"
 #include "run/archive.h"
 
 #include <boost/test/data/monomorphic.hpp>
@@ -37,6 +38,54 @@ Particles<3> crowd(const std::uint32_t n, const unsigned int seed)
     }
   return p;
 }
+} // namespace
+
+namespace
+{
+struct FrictionParameters
+{
+  double normal = 0., tangential = 0., tolerance = 1e-6;
+};
+
+/// Velocities of spheres from their forces, by contacts that stand in no system.
+struct Friction
+{
+  FrictionParameters parameters;
+  MotionMatrix matrix;
+
+  explicit Friction(const FrictionParameters &p)
+    : parameters(p)
+    , matrix({.tolerance = p.tolerance})
+  {}
+  void velocities(Particles<3> &p, SphereContacts &contacts, const std::vector<double> &gamma, const double h, const unsigned int threads)
+  {
+    matrix.clear(gamma);
+    contacts.friction = {.normal = parameters.normal, .tangential = parameters.tangential};
+    contacts.collect(matrix, p, h);
+    matrix.solve<3>(p.f, p.v, threads);
+  }
+  void velocities_again(Particles<3> &p, const unsigned int threads) { matrix.again<3>(p.f, p.v, threads); }
+  unsigned int iterations() const { return matrix.iterations(); }
+};
+
+/// Spheres in a system of their own, each a group.
+struct System
+{
+  ParticleSystem<3> system;
+  Particles<3> &p = system.particles;
+  SystemMotion<3> motion{system, {}};
+
+  System(const Particles<3> &cells, const PairFriction &friction, const double gamma, const unsigned int threads)
+  {
+    system.threads = threads;
+    p = cells;
+    p.groups.clear();
+    for (std::uint32_t i = 0; i < p.size(); ++i)
+      p.groups.push_back({i, i, i + 1});
+    system.add(std::make_unique<SphereContacts>(HertzContact(), 1e-6)).friction = friction;
+    motion.medium.assign(p.size(), gamma);
+  }
+};
 } // namespace
 
 BOOST_AUTO_TEST_SUITE(cell_friction)
@@ -378,23 +427,19 @@ BOOST_AUTO_TEST_CASE(motility_in_the_engine)
               for (int d = 0; d < 3; ++d)
                 p.x[d][i] = d == 0 ? 1e-3 * i : 0.;
             }
-          const std::vector<double> gamma(n, 0.3);
-          SphereContacts contacts(HertzContact(), 1e-6);
-          Friction friction({.normal = 5e10, .tangential = 5e10});
-          SphereMotion motion(contacts, friction, threads);
-          Overdamped<3> stepper({.method = method, .first_step = 50., .longest_step = 100.}, motion, threads);
-          motion.gamma = gamma;
-          motion.random = [&](Particles<3> &q, const double h, const std::uint64_t step) {
-            set_motility_forces(q, id, gamma, D, h, 4, step);
+          System all(p, {.normal = 5e10, .tangential = 5e10}, 0.3, threads);
+          Overdamped<3> stepper({.method = method, .first_step = 50., .longest_step = 100.}, all.motion, threads);
+          all.motion.random = [&](Particles<3> &q, const double h, const std::uint64_t step) {
+            set_motility_forces(q, id, all.motion.medium, D, h, 4, step);
           };
           double t = 0.;
           while (t < 1000.)
-            t += stepper.step(p, 1000. - t);
+            t += stepper.step(all.p, 1000. - t);
           double sum = 0.;
           for (std::uint32_t i = 0; i < n; ++i)
-            sum += (p.position(i) - Vector<3>(1e-3 * i, 0., 0.)).squaredNorm() / n;
+            sum += (all.p.position(i) - Vector<3>(1e-3 * i, 0., 0.)).squaredNorm() / n;
           BOOST_CHECK_SMALL(sum / (6. * D * t) - 1., 4. * std::sqrt(2. / (3. * n)));
-          ends[threads - 1] = p.x[1];
+          ends[threads - 1] = all.p.x[1];
         }
       BOOST_CHECK(ends[0] == ends[1]);
     }
@@ -415,20 +460,16 @@ BOOST_AUTO_TEST_CASE(steps_of_a_large_population_have_the_same_bits_on_two_threa
             std::vector<std::uint64_t> id(n);
             for (std::uint32_t i = 0; i < n; ++i)
               id[i] = i;
-            const std::vector<double> gamma(n, 0.3);
-            SphereContacts contacts(HertzContact(), 1e-6);
-            Friction friction({.normal = 5e9, .tangential = 2e9});
-            SphereMotion motion(contacts, friction, threads);
-            Overdamped<3> stepper({.method = method, .first_step = 100., .mean_error = mean}, motion, threads);
-            motion.gamma = gamma;
-            motion.random = [&](Particles<3> &q, const double h, const std::uint64_t step) {
-              set_motility_forces(q, id, gamma, 1e-16, h, 4, step);
+            System all(p, {.normal = 5e9, .tangential = 2e9}, 0.3, threads);
+            Overdamped<3> stepper({.method = method, .first_step = 100., .mean_error = mean}, all.motion, threads);
+            all.motion.random = [&](Particles<3> &q, const double h, const std::uint64_t step) {
+              set_motility_forces(q, id, all.motion.medium, 1e-16, h, 4, step);
             };
             for (int k = 0; k < 3; ++k)
-              stepper.step(p, 1e3);
+              stepper.step(all.p, 1e3);
             BOOST_TEST(stepper.rejected() > 0u);
             next[threads - 1] = stepper.next_step();
-            ends[threads - 1] = p;
+            ends[threads - 1] = all.p;
           }
         BOOST_CHECK(ends[0].x == ends[1].x);
         BOOST_CHECK(ends[0].v == ends[1].v);
@@ -449,15 +490,12 @@ BOOST_AUTO_TEST_CASE(steps_by_the_mean_error_are_longer_and_end_alike)
         for (int d = 0; d < 3; ++d)
           p.x[d][i] = d == 0 ? 1e-4 * i : 0.;
       p.x[0][1] = 0.3 * radius_0;
-      SphereContacts contacts(HertzContact(), 1e-6);
-      Friction friction({.normal = 5e10, .tangential = 5e10});
-      SphereMotion motion(contacts, friction, 1);
-      Overdamped<3> stepper({.method = OverdampedMethod::implicit, .tolerance = 5e-3, .mean_error = mean}, motion, 1);
-      motion.gamma.assign(n, 0.3);
+      System all(p, {.normal = 5e10, .tangential = 5e10}, 0.3, 1);
+      Overdamped<3> stepper({.method = OverdampedMethod::implicit, .tolerance = 5e-3, .mean_error = mean}, all.motion, 1);
       steps[mean] = 0;
       for (double t = 0.; t < 20000.; ++steps[mean])
-        t += stepper.step(p, 20000. - t);
-      ends[mean] = p.x[0][1] - p.x[0][0];
+        t += stepper.step(all.p, 20000. - t);
+      ends[mean] = all.p.x[0][1] - all.p.x[0][0];
     }
   BOOST_TEST(steps[1] < steps[0]);
   // the mean of 400 is a twentieth of the pair's own error: what a step may err adds up to some hundredths of a radius

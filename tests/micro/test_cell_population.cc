@@ -2,7 +2,8 @@
 #include "micro/cells/cell_population.h"
 #include "micro/laws/counter_random.h"
 #include "micro/engine/overdamped.h"
-#include "micro/terms/sphere_motion.h"
+#include "micro/engine/system_motion.h"
+#include "micro/terms/sphere_contacts.h"
 #include "run/archive.h"
 
 #include <boost/test/unit_test.hpp>
@@ -117,19 +118,17 @@ BOOST_AUTO_TEST_CASE(the_engine_goes_on_with_other_cells)
         cells.add(Vector<3>(x, 0., 0.), radius_0, 400.);
     for (const double x : {0., 1.5 * radius_0})
       cells.add(Vector<3>(x, 0., 0.), radius_0, 400.);
-    SphereContacts contacts(HertzContact(), 0.2 * radius_0);
-    Friction friction({.normal = 0., .tangential = 0.});
-    SphereMotion motion(contacts, friction, 1);
+    cells.add(std::make_unique<SphereContacts>(HertzContact(), 0.2 * radius_0));
+    SystemMotion<3> motion(cells, {});
     Overdamped<3> stepper({.method = OverdampedMethod::euler, .tolerance = 1., .first_step = 1., .longest_step = 1.}, motion, 1);
-    motion.gamma.assign(cells.size(), 0.1);
+    motion.medium.assign(cells.size(), 0.1);
     stepper.step(cells.particles, 1.);
     std::size_t last = cells.size() - 1;
     if (with_others)
       {
         cells.gather({{2, 3}});
-        contacts.gather({{2, 3}});
         stepper.gather({{2, 3}});
-        motion.gamma.resize(2);
+        motion.medium.resize(2);
         last = 1;
       }
     for (int k = 0; k < 5; ++k)

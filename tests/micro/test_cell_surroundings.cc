@@ -5,11 +5,12 @@
 #include "micro/laws/counter_random.h"
 #include "micro/engine/overdamped.h"
 #include "micro/solve/step_too_long.h"
+#include "micro/engine/system_motion.h"
 #include "micro/geometry/plane.h"
 #include "micro/terms/elastic_capsule.h"
 #include "micro/terms/obstacles.h"
+#include "micro/terms/sphere_contacts.h"
 #include "run/archive.h"
-#include "micro/terms/sphere_motion.h"
 #include "micro/cells/cell_population.h"
 #include "micro/cells/dextran_pressure.h"
 
@@ -57,7 +58,7 @@ struct Capsule
 
 void add_forces(Term<3> &term, Particles<3> &p)
 {
-  term.prepare(p, {});
+  term.prepare(p, {}, 1, false);
   for (std::size_t group = 0; group < p.groups.size(); ++group)
     term.add_forces(p, {}, group);
 }
@@ -443,10 +444,9 @@ BOOST_AUTO_TEST_CASE(a_step_behind_a_wall_is_taken_back)
   one.add(Vector<3>(0., 0., 10.), 4., 3.);
   Walls wall("wall", SphereOnSurface{}, std::make_unique<Plane<3>>(Vector<3>(0., 0., 0.), Vector<3>(0., 0., 1.)));
   wall.declare(one.particles);
-  SphereContacts contacts(HertzContact(), 1.);
-  Friction friction(FrictionParameters{});
-  SphereMotion motion(contacts, friction, 1);
-  motion.gamma = {1.};
+  one.add(std::make_unique<SphereContacts>(HertzContact(), 1.));
+  SystemMotion<3> motion(one, {});
+  motion.medium = {1.};
   motion.outer = [&](Particles<3> &particles) {
     particles.f[2][0] -= 8.;
     add_forces(wall, particles);

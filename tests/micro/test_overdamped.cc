@@ -2,7 +2,8 @@
 // allowed, the matrix of an implicit step against the slope of the forces.
 #include "micro/laws/counter_random.h"
 #include "micro/engine/overdamped.h"
-#include "micro/terms/sphere_motion.h"
+#include "micro/engine/system_motion.h"
+#include "micro/terms/sphere_contacts.h"
 
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>
@@ -24,22 +25,20 @@ const auto methods = boost::unit_test::data::make({OverdampedMethod::euler, Over
 ///   t = gamma/K (delta^-1/2 - delta_0^-1/2) + f pi R/K (delta_0^1/2 - delta^1/2),   F = K delta^3/2.
 struct SpherePair
 {
-  Particles<3> p;
-  SphereContacts contacts{HertzContact(), 1e-6};
+  ParticleSystem<3> system;
+  Particles<3> &p = system.particles;
   const double between; ///< N s/m^3, f
-  Friction friction{{.normal = between, .tangential = between, .tolerance = 1e-12}};
-  SphereMotion motion{contacts, friction, 1};
+  SystemMotion<3> motion{system, {.tolerance = 1e-12}};
   Overdamped<3> stepper;
 
   SpherePair(const OverdampedParameters &parameters, const double between_)
     : between(between_)
     , stepper(parameters, motion, 1)
   {
-    motion.gamma = {gamma_0, gamma_0};
+    motion.medium = {gamma_0, gamma_0};
     p.resize(2);
-    p.groups = {{0, 0, 2}};
-    p.declare("radius");
-    p.declare("modulus");
+    p.groups = {{0, 0, 1}, {1, 1, 2}};
+    system.add(std::make_unique<SphereContacts>(HertzContact(), 1e-6)).friction = {.normal = between, .tangential = between};
     p.field("radius") = {R, R};
     p.field("modulus") = {modulus, modulus};
     p.x[0] = {0., 2. * R - delta_0};
@@ -134,7 +133,7 @@ BOOST_DATA_TEST_CASE(error_of_a_step_is_what_is_allowed, methods, method)
 }
 
 // (Gamma + h K) v = F: what is left of the forces when gamma v and h times the slope of the forces along v are taken away. Left explicit
-// (cell_friction.h) and added here are repulsion turned sideways, F/d across the line of centres where F pushes, and of the modulus that
+// (sphere_links.h) and added here are repulsion turned sideways, F/d across the line of centres where F pushes, and of the modulus that
 // rises with the compression what adhesion is against: K has F g'/(g reference) of it where F pushes, the slope is (F + pi W R) g'/(g reference).
 BOOST_AUTO_TEST_CASE(matrix_of_an_implicit_step_is_the_slope_of_the_forces)
 {
@@ -149,7 +148,6 @@ BOOST_AUTO_TEST_CASE(matrix_of_an_implicit_step_is_the_slope_of_the_forces)
           const LocalStiffness::Value g = hardening ? harder(compression) : LocalStiffness::Value();
           return g.slope / g.factor;
         };
-        Friction friction({.tolerance = 1e-12});
         Particles<3> p;
         p.resize(n);
         p.groups = {{0, 0, n}};
@@ -172,7 +170,10 @@ BOOST_AUTO_TEST_CASE(matrix_of_an_implicit_step_is_the_slope_of_the_forces)
         };
         forces();
         const double h = 300.;
-        friction.velocities(p, contacts, gamma, h, 1);
+        MotionMatrix matrix({.tolerance = 1e-12});
+        matrix.clear(gamma);
+        contacts.collect(matrix, p, h);
+        matrix.solve<3>(p.f, p.v, 1);
         const auto f = p.f, v = p.v, x = p.x;
         double largest = 0., fastest = 0.;
         for (int d = 0; d < 3; ++d)

@@ -96,25 +96,26 @@ CellSteps::Outcome CellSteps::relax(const OverdampedMethod method, const double 
                                     const unsigned int threads) const
 {
   Outcome result;
-  result.cells = start();
-  SphereContacts contacts(HertzContact(), 0.2 * radius);
-  Friction friction({.normal = pair_friction / less_friction, .tangential = pair_friction / less_friction, .tolerance = 1e-7,
-                     .max_iterations = 5000});
-  SphereMotion motion(contacts, friction, threads);
+  ParticleSystem<3> system;
+  system.particles = start();
+  system.threads = threads;
+  const double between = pair_friction / less_friction; // N s/m^3
+  system.add(std::make_unique<SphereContacts>(HertzContact(), 0.2 * radius)).friction = {.normal = between, .tangential = between};
+  SystemMotion<3> motion(system, {.tolerance = 1e-7, .max_iterations = 5000});
   Overdamped<3> stepper({.method = method,
                          .tolerance = step > 0. ? 1e12 : tolerance,
                          .first_step = step > 0. ? step : 1e-6,
                          .least_step = 1e-12,
                          .longest_step = step > 0. ? step : 1e9},
                         motion, threads);
-  for (const double R : result.cells.field("radius"))
-    motion.gamma.push_back(4. * std::numbers::pi * R * R * medium_friction / less_friction);
+  for (const double R : system.particles.field("radius"))
+    motion.medium.push_back(4. * std::numbers::pi * R * R * medium_friction / less_friction);
   const double begin = process_cpu_seconds();
   try
     {
       for (double t = 0.; t < duration * (1. - 1e-12); ++result.steps)
         {
-          t += stepper.step(result.cells, duration - t);
+          t += stepper.step(system.particles, duration - t);
           stop_here("during one of the runs");
         }
       result.ended = true;
@@ -128,6 +129,7 @@ CellSteps::Outcome CellSteps::relax(const OverdampedMethod method, const double 
       result.sentence = failure.what();
     }
   result.cpu = process_cpu_seconds() - begin;
+  result.cells = system.particles;
   return result;
 }
 

@@ -57,11 +57,13 @@ double TwoCells::pull_off_closed_form() const
 
 bool TwoCells::holds(const double force) const
 {
-  Particles<3> p = pair(0.05 * radius); // in contact
-  SphereContacts contacts(contact_law(), 0.2 * radius);
-  Friction solver({.normal = friction, .tangential = friction, .tolerance = 1e-12});
-  SphereMotion motion(contacts, solver, 1);
-  motion.gamma.assign(2, gamma);
+  ParticleSystem<3> system;
+  system.particles = pair(0.05 * radius); // in contact
+  Particles<3> &p = system.particles;
+  SphereContacts &contacts = system.add(std::make_unique<SphereContacts>(contact_law(), 0.2 * radius));
+  contacts.friction = {.normal = friction, .tangential = friction};
+  SystemMotion<3> motion(system, {.tolerance = 1e-12});
+  motion.medium.assign(2, gamma);
   motion.outer = [&](Particles<3> &q) {
     q.f[0][0] -= force;
     q.f[0][1] += force;

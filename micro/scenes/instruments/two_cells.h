@@ -8,7 +8,8 @@
 #pragma once
 
 #include "micro/engine/overdamped.h"
-#include "micro/terms/sphere_motion.h"
+#include "micro/engine/system_motion.h"
+#include "micro/terms/sphere_contacts.h"
 #include "run/run_context.h"
 #include "run/scenario.h"
 

@@ -30,14 +30,14 @@ CellCulture::CellCulture(const CultureParameters &parameters_, Surroundings surr
   : life(parameters_.life)
   , surroundings(std::move(surroundings_))
   , parameters(parameters_)
-  , threads(threads_)
-  , contacts(contact_law(parameters_), skin_of(parameters_), parameters_.stiffness, parameters_.compression)
-  , friction(parameters_.friction)
-  , motion(contacts, friction, threads_)
+  , contacts(cells.add(std::make_unique<SphereContacts>(contact_law(parameters_), skin_of(parameters_), parameters_.stiffness, parameters_.compression)))
+  , motion(cells, parameters_.solve)
   , stepper(parameters_.motion, motion, threads_)
   , h(parameters_.interval > 0. ? parameters_.interval :
                                   3. * parameters_.growth_tolerance * parameters_.life.cycle_time / std::numbers::ln2)
 {
+  cells.threads = threads_;
+  contacts.friction = parameters.friction;
   life.declare(cells.particles);
   for (const auto &term : surroundings.terms)
     term->declare(cells.particles);
@@ -52,7 +52,7 @@ CellCulture::CellCulture(const CultureParameters &parameters_, Surroundings surr
   };
   if (parameters.motility > 0.)
     motion.random = [this](Particles<3> &particles, const double step, const std::uint64_t number) {
-      set_motility_forces(particles, cells.id(), motion.gamma, parameters.motility, step, parameters.life.variability.seed, number, directions());
+      set_motility_forces(particles, cells.id(), motion.medium, parameters.motility, step, parameters.life.variability.seed, number, directions());
     };
   if (migrates())
     declare_polarity(cells.particles.cells);
@@ -76,22 +76,20 @@ std::vector<std::string> CellCulture::term_names() const
 
 void CellCulture::contact_forces()
 {
-  for (auto &f : cells.particles.f)
-    std::fill(f.begin(), f.end(), 0.);
-  contacts.add_forces(cells.particles, threads);
+  cells.compute_forces();
   surroundings.add_forces(cells.particles);
 }
 
 const std::vector<double> &CellCulture::pressures()
 {
   contact_forces();
-  return life.measure_pressures(cells, contacts, surroundings, threads);
+  return life.measure_pressures(cells, contacts, surroundings, cells.threads);
 }
 
 void CellCulture::set_friction()
 {
   const std::vector<double> &R = cells.particles.field("radius");
-  std::vector<double> &gamma = motion.gamma;
+  std::vector<double> &gamma = motion.medium;
   gamma.resize(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
     gamma[i] = 4. * std::numbers::pi * R[i] * R[i] * parameters.medium_friction;
@@ -104,7 +102,6 @@ void CellCulture::set_friction()
 
 void CellCulture::gather_others(const Rearrangement &places)
 {
-  contacts.gather(places);
   stepper.gather(places);
   for (const auto &term : surroundings.terms)
     term->gather(places);
@@ -124,7 +121,7 @@ void CellCulture::begin_interval()
 {
   sort();
   contact_forces();
-  life.advance(cells, contacts, surroundings, until - t, threads,
+  life.advance(cells, contacts, surroundings, until - t, cells.threads,
                [this](const Rearrangement &places) { gather_others(places); });
   surroundings.update(cells.particles, t);
   set_friction();
@@ -159,7 +156,7 @@ bool CellCulture::advance(const double end, const std::function<bool()> &stop)
 void CellCulture::archive(Archive &a)
 {
   a.section("culture");
-  a(t, until, motion.gamma, steps, sorted_size, life.divisions, life.deaths, life.removed, life.grown, life.drained, cells);
+  a(t, until, motion.medium, steps, sorted_size, life.divisions, life.deaths, life.removed, life.grown, life.drained, cells);
   contacts.archive(a, cells.particles);
   a(stepper);
   for (const auto &term : surroundings.terms)

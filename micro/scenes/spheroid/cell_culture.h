@@ -16,7 +16,8 @@
 #include "micro/engine/overdamped.h"
 #include "micro/processes/cell_life.h"
 #include "micro/processes/cell_motility.h"
-#include "micro/terms/sphere_motion.h"
+#include "micro/engine/system_motion.h"
+#include "micro/terms/sphere_contacts.h"
 
 #include <functional>
 #include <memory>
@@ -31,7 +32,8 @@ struct CultureParameters
   CellLifeParameters life;
   std::string law = "jkr";      ///< contact_law.h
   double adhesion = 1e-4;       ///< W, J/m^2
-  FrictionParameters friction{.normal = 5e10, .tangential = 5e10, .tolerance = 1e-5};
+  PairFriction friction{.normal = 5e10, .tangential = 5e10};
+  SolveParameters solve{.tolerance = 1e-5};
   double medium_friction = 5e8; ///< N s/m^3, of the cell's surface 4 pi R^2
   std::optional<LocalStiffness> stiffness; ///< none: moduli do not depend on the packing
   CompressionOf compression = CompressionOf::cell;
@@ -69,7 +71,7 @@ public:
   std::vector<std::string> term_names() const;
   const SphereContacts &contact() const { return contacts; }
   std::uint64_t rejected() const { return stepper.rejected(); }
-  std::uint64_t solver_iterations() const { return friction.total_iterations(); }
+  std::uint64_t solver_iterations() const { return motion.solver().total_iterations(); }
   double next_step() const { return stepper.next_step(); }
 
   void archive(Archive &a);
@@ -85,10 +87,8 @@ private:
   int directions() const { return parameters.in_plane ? 2 : 3; }
 
   CultureParameters parameters;
-  unsigned int threads;
-  SphereContacts contacts;
-  Friction friction;
-  SphereMotion motion;
+  SphereContacts &contacts;
+  SystemMotion<3> motion;
   Overdamped<3> stepper;
   double t = 0., h;
   double until = 0.; ///< s, end of the interval that was begun

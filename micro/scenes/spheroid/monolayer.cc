@@ -16,7 +16,7 @@ Monolayer::Monolayer()
   entries.inhibition = "hill";
   entries.step_coarsely();
   entries.numbers.growth_tolerance = 2e-3;
-  entries.numbers.friction.tolerance = 1e-5;
+  entries.numbers.solve.tolerance = 1e-5;
   entries.numbers.medium_friction = 5e9; // of the substrate
   entries.numbers.motility = 0.;
   entries.direction = "random_in_plane";

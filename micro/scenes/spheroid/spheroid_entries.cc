@@ -25,7 +25,7 @@ void CultureEntries::step_coarsely()
   numbers.motion.tolerance = 1e-2;
   numbers.motion.mean_error = true;
   numbers.growth_tolerance = 1e-2;
-  numbers.friction.tolerance = 1e-4;
+  numbers.solve.tolerance = 1e-4;
 }
 
 void CultureEntries::declare(InputEntries &prm)
@@ -120,7 +120,7 @@ void CultureEntries::declare(InputEntries &prm)
                     "Whether Tolerance is for the root mean square error of all cells; else for the largest error. Units: true or false.", Bool());
   prm.add_parameter("Growth tolerance", numbers.growth_tolerance,
                     "Largest growth of a cell's radius between two looks at the cells' life, over the radius; decides their interval. Units: none.", Double(1e-6, 0.1));
-  prm.add_parameter("Solver tolerance", numbers.friction.tolerance, "Allowed residual of the equations for the velocities, over the norm of the forces. Units: none.",
+  prm.add_parameter("Solver tolerance", numbers.solve.tolerance, "Allowed residual of the equations for the velocities, over the norm of the forces. Units: none.",
                     Double(1e-14, 0.1));
   prm.leave_subsection();
 }

@@ -1,4 +1,4 @@
-// Friction between two spheres that touch, thesis Eq. 2.4, as links of the matrix of motion (micro/solve/motion_matrix.h):
+// Friction between spheres that touch (sphere_contacts.h), thesis Eq. 2.4, as links of the matrix of motion (micro/solve/motion_matrix.h):
 //
 //   Gamma_ij = A_ij [ normal e (x) e + tangential (I - e (x) e) ]
 //
@@ -13,37 +13,10 @@
 #include "micro/solve/links.h"
 #include "micro/terms/sphere_contacts.h"
 
-#include <algorithm>
 #include <cstring>
 
 namespace turgor
 {
-/// Friction of a pair along its line and across it, N s/m.
-struct PairFriction
-{
-  double normal = 0., tangential = 0., ///< N s/m^3
-    step = 0.;                         ///< h, s; 0: explicit
-  struct Coefficients
-  {
-    double normal, tangential;
-  };
-  /// Not the same in all directions.
-  bool directed() const { return normal != tangential || step > 0.; }
-  bool none() const { return normal == 0. && tangential == 0. && step == 0.; }
-  /// Zero where there is no area.
-  Coefficients operator()(const PairContact &c) const
-  {
-    Coefficients result{normal * c.area, tangential * c.area};
-    if (step > 0.)
-      { // only what keeps the matrix positive definite; repulsion turned sideways is left explicit. max(0, not a number) is 0
-        const double h = c.area > 0. ? step : 0.;
-        result.normal += h * std::max(0., c.stiffness);
-        result.tangential += h * std::max(0., -c.force / c.distance);
-      }
-    return result;
-  }
-};
-
 /// The contacts of spheres, gone through in their own list.
 class SphereLinks final : public ListedLinks<SphereLinks>
 {
@@ -52,7 +25,6 @@ public:
     : friction(friction_)
     , contacts(&contacts_)
   {}
-  PairFriction friction;
 
   bool directed() const override { return friction.directed(); }
   void room(const std::size_t begin, const std::size_t end, std::uint32_t *count) const override
@@ -80,6 +52,7 @@ public:
   }
 
 private:
+  PairFriction friction;
   const SphereContacts *contacts;
 };
 } // namespace turgor

@@ -1,0 +1,76 @@
+#include "micro/engine/system_motion.h"
+
+#include "run/parallel.h"
+
+#include <algorithm>
+
+namespace turgor
+{
+namespace
+{
+/// So little is done to a particle here that a few thousand are worth no second thread.
+Chunks particles_of(const std::size_t n) { return Chunks(n, 4096); }
+} // namespace
+
+template <int dim>
+SystemMotion<dim>::SystemMotion(ParticleSystem<dim> &system_, const SolveParameters &solve)
+  : system(system_)
+  , matrix(solve)
+{}
+
+template <int dim>
+void SystemMotion<dim>::forces(Particles<dim> &particles, const bool trial)
+{
+  system.compute_forces(trial);
+  if (outer)
+    outer(particles);
+}
+
+template <int dim>
+void SystemMotion<dim>::velocities(Particles<dim> &particles, const double h)
+{
+  matrix.clear(medium);
+  if (h > 0. && outer_stiffness)
+    {
+      std::vector<double> stiffness(medium.size(), 0.);
+      outer_stiffness(particles, stiffness);
+      for_chunks(system.threads, particles_of(medium.size()), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          matrix.medium[i] += h * stiffness[i];
+      });
+    }
+  system.collect(matrix, h);
+  matrix.template solve<dim>(particles.f, particles.v, system.threads);
+}
+
+template <int dim>
+void SystemMotion<dim>::again(Particles<dim> &particles)
+{
+  matrix.template again<dim>(particles.f, particles.v, system.threads);
+}
+
+template <int dim>
+bool SystemMotion<dim>::random_forces(Particles<dim> &particles, const double h, const std::uint64_t step)
+{
+  if (random)
+    random(particles, h, step);
+  return bool(random);
+}
+
+template <int dim>
+double SystemMotion<dim>::length(const Particles<dim> &particles) const
+{
+  const std::vector<double> &radius = particles.field("radius");
+  std::vector<double> parts;
+  const double sum = sum_chunks(system.threads, particles_of(radius.size()), parts, [&](std::size_t begin, std::size_t end) {
+    double part = 0.;
+    for (std::size_t i = begin; i < end; ++i)
+      part += radius[i];
+    return part;
+  });
+  return sum / double(std::max<std::size_t>(radius.size(), 1));
+}
+
+template class SystemMotion<2>;
+template class SystemMotion<3>;
+} // namespace turgor

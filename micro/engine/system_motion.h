@@ -1,0 +1,48 @@
+// Over-damped motion of a system of particles: forces of its terms, and the matrix that its terms and the medium make (motion_matrix.h).
+//
+//   SystemMotion<3> motion(system, {.tolerance = 1e-5});
+//   motion.medium.assign(n, 0.3);                      N s/m, of each particle
+//   Overdamped<3> stepper(parameters, motion, system.threads);
+//   stepper.step(system.particles, limit);
+//
+// Forces from outside that stiffen with the way add h times their stiffness to the medium's drag in implicit steps, the same in all directions.
+#pragma once
+
+#include "micro/engine/motion.h"
+#include "micro/engine/particle_system.h"
+#include "micro/solve/motion_matrix.h"
+
+#include <functional>
+
+namespace turgor
+{
+template <int dim>
+class SystemMotion final : public Motion<dim>
+{
+public:
+  SystemMotion(ParticleSystem<dim> &system, const SolveParameters &solve);
+
+  std::vector<double> medium; ///< N s/m, of each particle
+  std::function<void(Particles<dim> &)> outer; ///< adds forces from outside (N) to particles.f
+  /// stiffness (N/m) += that of the outer forces, per particle, at the positions of their last evaluation.
+  std::function<void(const Particles<dim> &, std::vector<double> &)> outer_stiffness;
+  /// particles.f = the random forces (N) of step number `step` of length h (s).
+  std::function<void(Particles<dim> &, double h, std::uint64_t step)> random;
+
+  // particles: always those of the system
+  void forces(Particles<dim> &particles, bool trial) override;
+  void velocities(Particles<dim> &particles, double h) override;
+  void again(Particles<dim> &particles) override;
+  bool random_forces(Particles<dim> &particles, double h, std::uint64_t step) override;
+  double length(const Particles<dim> &particles) const override; ///< m, the mean of the field `radius`
+
+  const MotionMatrix &solver() const { return matrix; }
+
+private:
+  ParticleSystem<dim> &system;
+  MotionMatrix matrix;
+};
+
+extern template class SystemMotion<2>;
+extern template class SystemMotion<3>;
+} // namespace turgor
