@@ -85,7 +85,7 @@ void DextranPressure::press(const Particles<3> &particles)
   whole = risen == 1.;
 }
 
-void DextranPressure::prepare(const Particles<3> &particles, const Box<3> &) { unit_forces(particles); }
+void DextranPressure::prepare(const Particles<3> &particles, const Box<3> &, unsigned int, bool) { unit_forces(particles); }
 
 void DextranPressure::add_forces(Particles<3> &particles, const Box<3> &, const std::size_t group)
 {

@@ -42,7 +42,7 @@ public:
   /// The forces at time t (s).
   void update(const Particles<3> &particles, double t);
   void advance(const Particles<3> &particles, double dt) override;
-  void prepare(const Particles<3> &particles, const Box<3> &box) override;
+  void prepare(const Particles<3> &particles, const Box<3> &box, unsigned int threads, bool trial) override;
   void add_forces(Particles<3> &particles, const Box<3> &box, std::size_t group) override;
   double energy(const Particles<3> &, const Box<3> &, std::size_t) const override { return 0.; }
   void gather(const Rearrangement &places) override;

@@ -95,7 +95,7 @@ void CellCulture::set_friction()
     gamma[i] = 4. * std::numbers::pi * R[i] * R[i] * parameters.medium_friction;
   if (Obstacles<3> *const walls = surroundings.walls)
     {
-      walls->prepare(cells.particles, {}); // cells have grown: a capsule yields to them
+      walls->prepare(cells.particles, {}, cells.threads, false); // cells have grown: a capsule yields to them
       walls->for_touches(cells.particles, [&](std::size_t i, const auto &, const SphereContact &c) { gamma[i] += walls->friction() * c.area; });
     }
 }
