@@ -15,13 +15,33 @@ struct Row
                                cpu = energy + 5, failed = energy + 6, dragged = energy + 7, heating = energy + 8,
                                tangent = energy + 9;
 };
+
+template <int dim>
+void write(const Tensor4<dim> &from, double *row)
+{
+  for (int i = 0; i < dim * dim; ++i)
+    for (int j = 0; j < dim * dim; ++j)
+      row[i * dim * dim + j] = from(i, j);
+}
+
+template <int dim>
+void read(const double *row, dealii::Tensor<4, dim> &to)
+{
+  for (int a = 0; a < dim; ++a)
+    for (int b = 0; b < dim; ++b)
+      for (int c = 0; c < dim; ++c)
+        for (int d = 0; d < dim; ++d)
+          to[a][b][c][d] = row[(a * dim + b) * dim * dim + c * dim + d];
+}
 } // namespace
 
 template <int dim>
-AnswerTable<dim>::AnswerTable(const std::size_t points, const bool tangents_, const bool conditions_)
-  : tangents(tangents_)
+AnswerTable<dim>::AnswerTable(const std::size_t points, const LawRequest &request, const bool conditions_)
+  : tangents(request.tangents)
+  , rate_tangents(request.rate_tangents)
   , conditions(conditions_)
-  , width(Row<dim>::tangent + (tangents ? dim * dim * dim * dim : 0) + (conditions ? 4 : 0))
+  , rate_tangent(Row<dim>::tangent + (tangents ? dim * dim * dim * dim : 0))
+  , width(rate_tangent + (rate_tangents ? dim * dim * dim * dim : 0) + (conditions ? 4 : 0))
   , table(points * width, 0.)
 {}
 
@@ -46,9 +66,9 @@ void AnswerTable<dim>::put(const std::size_t point, const RveAnswer<dim> &a)
   row[R::cpu] = a.diagnostics.cpu_seconds;
   row[R::dragged] = a.diagnostics.dragged;
   if (tangents)
-    for (int i = 0; i < dim * dim; ++i)
-      for (int j = 0; j < dim * dim; ++j)
-        row[R::tangent + i * dim * dim + j] = a.tangent(i, j);
+    write<dim>(a.tangent, row + R::tangent);
+  if (rate_tangents)
+    write<dim>(a.rate_tangent, row + rate_tangent);
   if (conditions)
   {
     const RveCondition &c = a.condition;
@@ -141,11 +161,9 @@ void AnswerTable<dim>::read(const std::size_t point, LawAnswer<dim> &answer) con
   if (conditions)
     answer.spent[point] = condition(point).flow_dissipated + condition(point).failure_dissipated;
   if (tangents)
-    for (int a = 0; a < dim; ++a)
-      for (int b = 0; b < dim; ++b)
-        for (int c = 0; c < dim; ++c)
-          for (int d = 0; d < dim; ++d)
-            answer.tangent[point][a][b][c][d] = row[R::tangent + (a * dim + b) * dim * dim + c * dim + d];
+    turgor::read<dim>(row + R::tangent, answer.tangent[point]);
+  if (rate_tangents)
+    turgor::read<dim>(row + rate_tangent, answer.rate_tangent[point]);
 }
 
 template class AnswerTable<2>;

@@ -1,5 +1,5 @@
 // What the RVEs of one batch answered, one row of doubles a point, so that one message gathers it over
-// the ranks: stresses (Pa), the viscous part of P (Pa), energy (J/m^3), heating (W/m^3), fluid pressure (Pa), diagnostics, tangents (Pa) where asked for, the condition of the
+// the ranks: stresses (Pa), the viscous part of P (Pa), energy (J/m^3), heating (W/m^3), fluid pressure (Pa), diagnostics, tangents (Pa, Pa s) where asked for, the condition of the
 // cells where it can change, failed or not.
 #pragma once
 
@@ -16,8 +16,8 @@ template <int dim>
 class AnswerTable
 {
 public:
-  /// All rows zero: nobody has answered, nobody failed.
-  AnswerTable(std::size_t points, bool tangents, bool conditions = false);
+  /// All rows zero: nobody has answered, nobody failed. Rows are as wide as what the batch is asked for.
+  AnswerTable(std::size_t points, const LawRequest &request, bool conditions = false);
 
   /// Rows of this rank's points; different points at once from different threads.
   void put(std::size_t point, const RveAnswer<dim> &answer);
@@ -31,12 +31,12 @@ public:
   Tensor2<dim> sigma(std::size_t point) const;
   RveCondition condition(std::size_t point) const; ///< only if the table has conditions
   RveDiagnostics diagnostics(std::size_t point) const; ///< numbers only: no message, converged as it failed or not
-  /// P, energy and the tangent, if there is one, of the point; the answer's lists are long enough.
+  /// P, energy and the tangents, if there are any, of the point; the answer's lists are long enough.
   void read(std::size_t point, LawAnswer<dim> &answer) const;
 
 private:
-  bool tangents, conditions;
-  std::size_t width;
+  bool tangents, rate_tangents, conditions;
+  std::size_t rate_tangent, width; ///< columns: where it begins, all
   std::vector<double> table;
 };
 } // namespace turgor

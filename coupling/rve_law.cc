@@ -204,11 +204,12 @@ void RveLaw<dim>::evaluate(const std::vector<dealii::Tensor<2, dim>> &F,
   if (F.size() != n || F_dot.size() != n)
     throw std::logic_error("RveLaw::evaluate: the batch has another number of points than set_points().");
 
-  AnswerTable<dim> table(n, request.tangents, !m.condition.empty());
+  AnswerTable<dim> table(n, request, !m.condition.empty());
   std::vector<std::string> reasons(n);
   RveRequest rve_request;
   rve_request.time_since_commit = request.time_since_commit;
   rve_request.tangent = request.tangents;
+  rve_request.rate_tangent = request.rate_tangents;
   const std::vector<std::size_t> &mine = m.shares.mine();
   const auto one = [&](std::size_t k) {
     const std::size_t p = mine[k];
@@ -234,6 +235,7 @@ void RveLaw<dim>::evaluate(const std::vector<dealii::Tensor<2, dim>> &F,
   answer.heating.resize(m.rve->knows_heating() ? n : 0);
   answer.spent.resize(m.condition.empty() ? 0 : n);
   answer.tangent.resize(request.tangents ? n : 0);
+  answer.rate_tangent.resize(request.rate_tangents ? n : 0);
   answer.failed.clear();
   for (std::size_t p = 0; p < n; ++p)
   {

@@ -2,7 +2,7 @@
 // one RVE at every quadrature point, P(F, F_dot, state).
 //
 // In:  F, F_dot (1/s) of all points, as one batch.
-// Out: P (Pa), energy (J/m^3 of reference volume), tangents if asked, failed points.
+// Out: P (Pa), energy (J/m^3 of reference volume), tangents if asked (to F, to F_dot), failed points.
 //
 // The Rve is shared and const; a point owns a committed RveState and the trial of the last
 // evaluate(). An RVE that fails, or throws, is a FailedPoint with place and reason; nothing

@@ -53,7 +53,7 @@ void TissueBruise::check() const
   {
     throw InputError(e.what());
   }
-  check_tissue_size(settings.tissue, *make_rve(rve_parameters));
+  check_tissue_size(settings.tissue, state_size(rve_parameters));
 }
 
 void TissueBruise::run(RunContext &context)

@@ -50,7 +50,7 @@ void TissueGravity::check() const
   {
     throw InputError(e.what());
   }
-  check_tissue_size(settings.tissue, *make_rve(rve_parameters), double(settings.cells) * settings.cells * settings.cell_samples * settings.cell_samples);
+  check_tissue_size(settings.tissue, state_size(rve_parameters), double(settings.cells) * settings.cells * settings.cell_samples * settings.cell_samples);
 }
 
 void TissueGravity::run(RunContext &context)

@@ -16,18 +16,17 @@ double points_of(const TissueParameters<2> &tissue)
 }
 } // namespace
 
-double tissue_memory(const TissueParameters<2> &tissue, const Rve<2> &rve, const double sampled)
+double tissue_memory(const TissueParameters<2> &tissue, const std::size_t state_size, const double sampled)
 {
-  const RveState<2> state = rve.initial_state();
-  const double bytes_of_state = 2. * (sizeof(RveState<2>) + 8. * double(state.unknowns.size() + state.history.size()));
+  const double bytes_of_state = 2. * (sizeof(RveState<2>) + 8. * double(state_size));
   // tissue_bruise of 100 x 100 elements: 701 MB, 100 MB of them the program itself; trial and committed state are 3.4 kB of a point's 15 kB.
   constexpr double bytes_of_point = 11500., bytes_of_sample = 100.;
   return points_of(tissue) * (bytes_of_point + bytes_of_state) + sampled * bytes_of_sample;
 }
 
-void check_tissue_size(const TissueParameters<2> &tissue, const Rve<2> &rve, const double sampled)
+void check_tissue_size(const TissueParameters<2> &tissue, const std::size_t state_size, const double sampled)
 {
-  const double needed = tissue_memory(tissue, rve, sampled), there = double(physical_memory());
+  const double needed = tissue_memory(tissue, state_size, sampled), there = double(physical_memory());
   if (needed <= there)
     return;
   std::ostringstream text;

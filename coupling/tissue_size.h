@@ -4,12 +4,14 @@
 #include "macro/tissue_parameters.h"
 #include "rve/rve.h"
 
+#include <cstddef>
+
 namespace turgor
 {
 /// Bytes, of all ranks together: what a point was measured to need besides its states (linear elements), and the RVEs' states,
-/// committed and trial. sampled: points at which the displacement is watched.
-double tissue_memory(const TissueParameters<2> &tissue, const Rve<2> &rve, double sampled = 0.);
+/// committed and trial, of state_size numbers each (make_rve.h). sampled: points at which the displacement is watched.
+double tissue_memory(const TissueParameters<2> &tissue, std::size_t state_size, double sampled = 0.);
 
 /// Throws InputError with both numbers when the tissue needs more than this machine has.
-void check_tissue_size(const TissueParameters<2> &tissue, const Rve<2> &rve, double sampled = 0.);
+void check_tissue_size(const TissueParameters<2> &tissue, std::size_t state_size, double sampled = 0.);
 } // namespace turgor

@@ -86,7 +86,7 @@ void TissueStatics::check() const
     // the same rule under the name the entry has here
     throw InputError("Tissue statics/Elements is " + number_text(elements) + ": " + e.what());
   }
-  check_tissue_size(whole, *make_rve(rve_parameters), double(block()[0]) * block()[1] * cell_samples * cell_samples);
+  check_tissue_size(whole, state_size(rve_parameters), double(block()[0]) * block()[1] * cell_samples * cell_samples);
 }
 
 void TissueStatics::run(RunContext &context)

@@ -22,6 +22,7 @@ struct LawRequest
   double time = 0.;              ///< s, time of the batch's F
   double time_since_commit = 0.; ///< s, since the last commit(); 0 for a probe of the committed time
   bool tangents = false;         ///< also dP/dF
+  bool rate_tangents = false;    ///< also dP/dF_dot
 };
 
 /// A point whose law could not answer. A non-empty list is a recoverable error:
@@ -40,7 +41,8 @@ struct LawAnswer
   std::vector<dealii::Tensor<2, dim>> viscous; ///< Pa, the part of P whose work is all heat; empty if not known
   std::vector<double> heating;                 ///< W/m^3 of reference volume, heat besides, of motion that F does not show; may be empty
   std::vector<double> spent;                   ///< J/m^3 lost so far by what has no rate (flow, breaking); empty: nothing
-  std::vector<dealii::Tensor<4, dim>> tangent; ///< Pa, dP_aB/dF_cD; empty unless asked and known
+  std::vector<dealii::Tensor<4, dim>> tangent; ///< Pa, dP_aB/dF_cD at fixed F_dot; empty unless asked and known
+  std::vector<dealii::Tensor<4, dim>> rate_tangent; ///< Pa s, dP_aB/dF_dot_cD at fixed F; empty unless asked and known
   std::vector<FailedPoint> failed;             ///< in order of point
 };
 

@@ -34,6 +34,7 @@ void NeoHookeanLaw<dim>::evaluate(const std::vector<Tensor<2, dim>> &F, const st
   answer.energy.resize(F.size());
   answer.viscous.resize(F.size());
   answer.tangent.resize(request.tangents ? F.size() : 0);
+  answer.rate_tangent.resize(request.rate_tangents ? F.size() : 0);
   trial_stiffness = 0.;
   trial_viscosity = 0.;
   for (unsigned int q = 0; q < F.size(); ++q)
@@ -64,6 +65,15 @@ void NeoHookeanLaw<dim>::evaluate(const std::vector<Tensor<2, dim>> &F, const st
               for (unsigned int l = 0; l < dim; ++l)
                 answer.tangent[q][i][j][k][l] = (i == k && j == l ? mu : 0.) + pull * inverse[j][k] * inverse[l][i] +
                                                 lambda * inverse[j][i] * inverse[l][k];
+      if (request.rate_tangents)
+        {
+          const Tensor<2, dim> metric = inverse * inverse_T;
+          for (unsigned int i = 0; i < dim; ++i)
+            for (unsigned int j = 0; j < dim; ++j)
+              for (unsigned int k = 0; k < dim; ++k)
+                for (unsigned int l = 0; l < dim; ++l)
+                  answer.rate_tangent[q][i][j][k][l] = eta * J * ((i == k ? metric[l][j] : 0.) + inverse[l][i] * inverse[j][k]);
+        }
     }
 }
 

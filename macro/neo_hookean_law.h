@@ -4,7 +4,7 @@
 //   P = mu (F - F^-T) + lambda ln J F^-T + 2 eta J D F^-T,        D = sym(F_dot F^-1)
 //
 // Zero stress and energy at F = I; there it is linear elasticity with Lame constants lambda, mu (Pa).
-// No history. Tangent: of the elastic part.
+// No history. Tangent: of the elastic part. dP_ij/dF_dot_kl = eta J (delta_ik F^-1_lm F^-1_jm + F^-1_jk F^-1_li), exact.
 #pragma once
 
 #include "macro/material_law.h"

@@ -29,6 +29,13 @@ Tensor2<2> viscous_stress(const double mu, const Tensor2<2> &L)
   return mu * (L + L.transpose() + L.trace() * Tensor2<2>::Identity());
 }
 
+void add_to_column(Tensor4<2> &tangent, const int k, const Tensor2<2> &dP)
+{
+  for (int a = 0; a < 2; ++a)
+    for (int b = 0; b < 2; ++b)
+      tangent(2 * a + b, k) += dP(a, b);
+}
+
 // Unit changes of F, component a*2+b, as motions of the current configuration: L = dF F^-1.
 std::array<Tensor2<2>, 4> unit_motions(const Tensor2<2> &F_inverse)
 {
@@ -276,12 +283,18 @@ Tensor4<2> HydrostaticRve::tangent(const std::vector<double> &x, const Tensor2<2
   for (int k = 0; k < 4; ++k)
     {
       const Tensor2<2> &dL = motions[k];
-      const Tensor2<2> dP = J * (dL.trace() * sigma + viscous_stress(mu, -L * dL) - sigma * dL.transpose()) *
-                            F_inverse.transpose();
-      for (int a = 0; a < 2; ++a)
-        for (int b = 0; b < 2; ++b)
-          result(2 * a + b, k) += dP(a, b);
+      add_to_column(result, k, J * (dL.trace() * sigma + viscous_stress(mu, -L * dL) - sigma * dL.transpose()) * F_inverse.transpose());
     }
+  return result;
+}
+
+Tensor4<2> HydrostaticRve::rate_tangent(const Tensor2<2> &F) const
+{
+  const Tensor2<2> F_inverse = F.inverse();
+  const std::array<Tensor2<2>, 4> motions = unit_motions(F_inverse); // of F_dot: L = dF_dot F^-1
+  Tensor4<2> result = Tensor4<2>::Zero();
+  for (int k = 0; k < 4; ++k)
+    add_to_column(result, k, F.determinant() * viscous_stress(network.layout().parameters.fluid_viscosity, motions[k]) * F_inverse.transpose());
   return result;
 }
 
@@ -366,6 +379,8 @@ RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor
           answer.diagnostics.message = "The tangent is not defined here: the cells are about to buckle.";
         }
     }
+  if (request.rate_tangent && answer.diagnostics.converged)
+    answer.rate_tangent = rate_tangent(F);
   if (with_history && answer.diagnostics.converged)
     {
       network.flow(x, scratch.history);
@@ -390,6 +405,7 @@ RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor
       answer.P.setZero();
       answer.viscous.setZero();
       answer.tangent.setZero();
+      answer.rate_tangent.setZero();
       answer.energy = answer.pressure = 0.;
       answer.condition = {};
       answer.trial = committed;

@@ -7,7 +7,8 @@
 // Rules: cauchy_born takes x = F X (Eq. 3.20); elastic_equilibrium finds the minimum by Newton's method from the
 // committed positions mapped affinely by F F_c^-1 (Eq. 3.21), in smaller steps of F where one is too long,
 // and from the reference where the committed positions lead nowhere.
-// The tangent dP/dF (fixed F_dot, viscous part included) is analytic: the nodes follow by the implicit function theorem.
+// The tangent dP/dF (fixed F_dot, viscous part included) is analytic: the nodes follow by the implicit function theorem. dP/dF_dot is that
+// of the Newtonian stress alone: where the nodes come to does not depend on the rate.
 //
 // Walls may flow and break and cells fail (wall_history.h). Then the rule elastic_equilibrium minimises the potential of the step from
 // the committed history; afterwards the most stretched bond beyond lambda_c breaks, equilibrium is found again at the same F, and so
@@ -76,6 +77,7 @@ private:
   RveCondition condition(const WallHistory &history) const;
   Tensor4<2> tangent(const std::vector<double> &x, const Tensor2<2> &F, const Tensor2<2> &F_dot, bool relaxed,
                      Scratch &scratch, bool &regular) const;
+  Tensor4<2> rate_tangent(const Tensor2<2> &F) const;
 
   HydrostaticRveSettings settings;
   HydrostaticNetwork network;

@@ -50,4 +50,23 @@ std::unique_ptr<Rve<2>> make_rve(const RveParameters &p)
       throw InputError(wrong.what());
     }
 }
+
+std::size_t state_size(const RveParameters &p)
+{
+  if (p.fluid == "hydrostatic")
+    {
+      const RveState<2> state = make_rve(p)->initial_state();
+      return state.unknowns.size() + state.history.size();
+    }
+  try
+    {
+      p.check();
+    }
+  catch (const std::invalid_argument &wrong)
+    {
+      throw InputError(wrong.what());
+    }
+  const std::size_t particles = 4 * std::size_t(p.cell.nodes_per_side) + std::size_t(p.sph.particles_per_side) * p.sph.particles_per_side;
+  return p.rule == "cauchy_born" ? 0 : std::size_t(p.columns) * p.rows * particles * (p.sph.formulation == "thesis" ? 5 : 4);
+}
 } // namespace turgor

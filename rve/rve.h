@@ -42,6 +42,7 @@ struct RveRequest
 {
   double time_since_commit = 0.; ///< s
   bool tangent = false;          ///< also dP/dF
+  bool rate_tangent = false;     ///< also dP/dF_dot
 };
 
 /// How an answer was reached.
@@ -63,6 +64,7 @@ struct RveAnswer
   Tensor2<dim> sigma = Tensor2<dim>::Zero(); ///< Pa, Cauchy
   Tensor2<dim> P = Tensor2<dim>::Zero();     ///< Pa, first Piola-Kirchhoff J sigma F^-T
   Tensor4<dim> tangent = Tensor4<dim>::Zero(); ///< Pa, dP/dF at fixed F_dot; only if asked
+  Tensor4<dim> rate_tangent = Tensor4<dim>::Zero(); ///< Pa s, dP/dF_dot at fixed F; only if asked
   double energy = 0.;                        ///< J/m^3 of reference volume, elastic and of motion that F does not show, 0 at F = I
   Tensor2<dim> viscous = Tensor2<dim>::Zero(); ///< Pa, the part of P whose work is all heat; see knows_heating()
   double heating = 0.;                       ///< W/m^3 of reference volume, heat besides, of motion that F does not show

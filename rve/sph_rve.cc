@@ -226,6 +226,8 @@ RveAnswer<2> SphRve::evaluate(const RveState<2> &committed, const Tensor2<2> &F,
         }
       if (request.tangent)
         answer.tangent = affine_tangent(scratch, affine ? start : answer.trial, F, F_dot, Varied::F);
+      if (request.rate_tangent)
+        answer.rate_tangent = affine_tangent(scratch, affine ? start : answer.trial, F, F_dot, Varied::F_dot);
     }
   answer.diagnostics.cpu_seconds = thread_cpu_seconds() - began;
   return answer;

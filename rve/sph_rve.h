@@ -16,7 +16,8 @@
 // with half the time step, then a quarter; an answer then still converges or says why not, within 7 times the
 // work of one try, which sph_motion.h bounds.
 // A tangent, where asked, is that of cells that follow affinely from the state that was answered: what a sudden change of F meets,
-// the upper bound that step estimates need, not the derivative of a relaxed answer.
+// the upper bound that step estimates need, not the derivative of a relaxed answer. So is dP/dF_dot, which is the derivative of the answers
+// of cauchy_born and elastic_equilibrium, whose places do not depend on the rate; of bursts it leaves out how far these move the cells.
 //
 // State: x, y, v_x, v_y of all particles (m, m/s), then the fields that the fluid carries on
 // (cell_fluid.h: the density of the thesis's scheme); empty for cauchy_born.

@@ -65,6 +65,8 @@ public:
     a.pressure = -a.sigma.trace() / dim;
     if (request.tangent)
       a.tangent = 2. * G * Tensor4<dim>::Identity();
+    if (request.rate_tangent)
+      a.rate_tangent = eta * Tensor4<dim>::Identity();
     a.trial.F = F;
     a.trial.F_dot = F_dot;
     a.trial.unknowns = {committed.unknowns[0] + 1., 10. * committed.unknowns[1] + F(0, 0)};

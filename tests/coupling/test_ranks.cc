@@ -58,7 +58,12 @@ std::string history_bytes(std::uint64_t &rebalances, const std::string &resume_f
       F_dot[p][0][1] = 1e3 * std::sin(2. * phase);
       F[p][1][1] = std::abs(F[p][1][1]) + 0.1;
     }
-    law.evaluate(F, F_dot, {}, answer);
+    LawRequest request;
+    request.tangents = step % 3 == 0;
+    request.rate_tangents = step % 2 == 0;
+    law.evaluate(F, F_dot, request, answer);
+    for (const auto *tangent : {&answer.tangent, &answer.rate_tangent})
+      out.write(reinterpret_cast<const char *>(tangent->data()), static_cast<std::streamsize>(tangent->size() * sizeof((*tangent)[0])));
     for (const FailedPoint &f : answer.failed)
       out << f.point << f.reason;
     out.write(reinterpret_cast<const char *>(answer.P.data()),

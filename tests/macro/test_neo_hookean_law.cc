@@ -12,7 +12,7 @@ namespace
 LawAnswer<2> ask(NeoHookeanLaw<2> &law, const dealii::Tensor<2, 2> &F, const dealii::Tensor<2, 2> &F_dot)
 {
   LawRequest request;
-  request.tangents = true;
+  request.tangents = request.rate_tangents = true;
   LawAnswer<2> answer;
   law.evaluate({F}, {F_dot}, request, answer);
   return answer;
@@ -64,8 +64,19 @@ BOOST_AUTO_TEST_CASE(bounds_hold_and_are_reached_at_rest)
           BOOST_TEST(form <= law.stiffness_bound() * dF.norm_square());
           const LawAnswer<2> moving = ask(law, F, dF);
           BOOST_TEST(dealii::scalar_product(dF, moving.P[0] - answer.P[0]) <= law.viscosity_bound() * dF.norm_square());
+          // linear in the rate
+          const auto slope = dealii::double_contract<2, 0, 3, 1>(answer.rate_tangent[0], dF);
+          BOOST_TEST((slope - (moving.P[0] - answer.P[0])).norm() < 1e-13 * (moving.P[0].norm() + answer.P[0].norm()));
         }
     }
+}
+
+BOOST_AUTO_TEST_CASE(a_rigid_spin_costs_nothing)
+{
+  NeoHookeanLaw<2> law(2., 30., 0.7, 1.);
+  const auto F = matrix(1.3, 0.4, -0.2, 0.9);
+  const LawAnswer<2> answer = ask(law, F, matrix(0., 0., 0., 0.));
+  BOOST_TEST((dealii::double_contract<2, 0, 3, 1>(answer.rate_tangent[0], matrix(0., -1., 1., 0.) * F).norm() < 1e-15));
 }
 
 BOOST_AUTO_TEST_CASE(turned_inside_out_is_refused_with_a_reason)

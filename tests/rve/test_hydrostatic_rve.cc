@@ -1,4 +1,5 @@
 // The hydrostatic RVE: closed form, tangent order, objectivity, extremes, bad input.
+#include "rve/acoustic_bound.h"
 #include "rve/flat_wall_closed_form.h"
 #include "rve/hydrostatic_rve.h"
 #include "micro/cells/turgid_layout.h"
@@ -151,6 +152,37 @@ BOOST_AUTO_TEST_CASE(unlike_cells_answer_as_one_material)
     }
   const Tensor2<2> Q = matrix(0.8, -0.6, 0.6, 0.8);
   BOOST_TEST((answer(rve, Q * F).sigma - Q * at.sigma * Q.transpose()).norm() < 1e-7 * 200e3);
+}
+
+// P is linear in F_dot: differences are exact. A rigid spin costs nothing, and the bound is that of the acoustic tensor.
+BOOST_AUTO_TEST_CASE(rate_tangent_is_the_slope_in_the_rate)
+{
+  ParenchymaParameters cell;
+  cell.nodes_per_side = 8;
+  cell.fluid_viscosity = 1.7;
+  RveRequest request;
+  request.rate_tangent = true;
+  const Tensor2<2> F = matrix(1.02, 0.2, -0.05, 0.97), F_dot = matrix(300., -1000., 200., -150.);
+  for (const bool relaxed : {true, false})
+    {
+      const HydrostaticRve rve(cell, relaxed ? HydrostaticRveSettings{} : cauchy_born());
+      const auto workspace = rve.make_workspace();
+      const auto rates = [&](const Tensor2<2> &at) { return rve.evaluate(rve.initial_state(), at, F_dot, request, *workspace).rate_tangent; };
+      const Tensor4<2> C = rates(F);
+      const double h = 1e6;
+      for (int k = 0; k < 4; ++k)
+        {
+          Tensor2<2> step = Tensor2<2>::Zero();
+          step(k / 2, k % 2) = h;
+          const Tensor2<2> slope = (answer(rve, F, F_dot + step).P - answer(rve, F, F_dot - step).P) / (2. * h);
+          for (int r = 0; r < 4; ++r)
+            BOOST_TEST(std::abs(slope(r / 2, r % 2) - C(r, k)) < 1e-12 * C.norm());
+        }
+      const Tensor2<2> spin = matrix(0., -1., 1., 0.) * F;
+      BOOST_TEST((C * Eigen::Vector4d(spin(0, 0), spin(0, 1), spin(1, 0), spin(1, 1))).norm() < 1e-14 * C.norm());
+      BOOST_TEST(acoustic_bound(rates(Tensor2<2>::Identity())) == rve.viscosity_bound(), boost::test_tools::tolerance(1e-3));
+      BOOST_TEST(answer(rve, F, F_dot).rate_tangent.isZero(0.));
+    }
 }
 
 // P is the slope of the energy the answer carries.

@@ -161,6 +161,33 @@ BOOST_AUTO_TEST_CASE(a_table_of_polygons_is_measured)
   BOOST_CHECK_EXCEPTION(run(memory, "subsection Structure\nset Structure = polygons\nset Tissue file = " + file + "\nend\n"), InputError, says("2 corners"));
 }
 
+// What a tissue of them will need is told without building one.
+BOOST_AUTO_TEST_CASE(size_of_a_state_is_known_before)
+{
+  RveParameters p;
+  p.cell.nodes_per_side = 10;
+  p.columns = 3;
+  p.rows = 2;
+  const auto compare = [&] {
+    const RveState<2> state = make_rve(p)->initial_state();
+    BOOST_TEST(state_size(p) == state.unknowns.size() + state.history.size());
+  };
+  compare();
+  p.walls.critical_stretch = 1.5;
+  compare();
+  p.yielding = "plastic";
+  compare();
+  p.walls.critical_stretch = 0.;
+  compare();
+  p.yielding = "none";
+  p.fluid = "sph";
+  p.sph.particles_per_side = 9;
+  p.sph.anneal_steps = 10000;
+  compare();
+  p.rule = "cauchy_born";
+  compare();
+}
+
 // An entry left alone must let either fluid reach equilibrium, one to its round-off, one to what particles can.
 BOOST_AUTO_TEST_CASE(default_tolerance_suits_the_fluid)
 {

@@ -1,5 +1,6 @@
 // The RVE of SPH cells on a small cell: const, objective, its viscous stress by hand, constrained runs
 // against elastic equilibrium, failures.
+#include "rve/acoustic_bound.h"
 #include "rve/sph_rve.h"
 #include "tests/rve/matrix.h"
 
@@ -101,6 +102,34 @@ BOOST_AUTO_TEST_CASE(viscous_stress_is_newtons)
         // 1e-4 of it where the cell is so coarse that the particles in its corners have too few neighbours for a gradient of their own
         BOOST_TEST((viscous - exact).norm() < 1e-3 * mu * L.norm());
       }
+}
+
+// Where the places of the cells do not depend on the rate, dP/dF_dot is the slope of the answers; a rigid spin costs nothing in any rule.
+BOOST_AUTO_TEST_CASE(rate_tangent_is_the_slope_in_the_rate)
+{
+  const Tensor2<2> F = matrix(1.02, 0.1, 0., 0.98), F_dot = matrix(50., 3e3, -400., 0.), spin = matrix(0., -1., 1., 0.) * F;
+  RveRequest request;
+  request.rate_tangent = true;
+  for (const SphRule rule : all_rules)
+    {
+      const SphRve rve(small_cell(1.), small(rule));
+      const auto workspace = rve.make_workspace();
+      const Tensor4<2> C = rve.evaluate(rve.initial_state(), F, F_dot, request, *workspace).rate_tangent;
+      BOOST_TEST(C.norm() > 1.);
+      BOOST_TEST((C * Eigen::Vector4d(spin(0, 0), spin(0, 1), spin(1, 0), spin(1, 1))).norm() < 1e-6 * C.norm());
+      BOOST_TEST(acoustic_bound(C) < 1.2 * rve.viscosity_bound());
+      if (rule == SphRule::constrained_runs)
+        continue;
+      for (int k = 0; k < 4; ++k)
+        {
+          const double h = 1e4;
+          Tensor2<2> step = Tensor2<2>::Zero();
+          step(k / 2, k % 2) = h;
+          const Tensor2<2> slope = (answer(rve, rve.initial_state(), F, F_dot + step).P - answer(rve, rve.initial_state(), F, F_dot - step).P) / (2. * h);
+          for (int r = 0; r < 4; ++r)
+            BOOST_TEST(std::abs(slope(r / 2, r % 2) - C(r, k)) < 1e-6 * C.norm());
+        }
+    }
 }
 
 BOOST_AUTO_TEST_CASE(constrained_run_at_rest_has_the_stress_of_the_reference)
