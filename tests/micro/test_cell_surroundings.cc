@@ -83,7 +83,9 @@ double slope_error(Term<3> &law, Particles<3> &p)
           {
             p.x[d][i] = x + (s ? h : -h);
             evaluate();
-            e[s] = law.energy(p, {}, 0);
+            e[s] = 0.;
+            for (std::size_t group = 0; group < p.groups.size(); ++group)
+              e[s] += law.energy(p, {}, group);
           }
         p.x[d][i] = x;
         worst = std::max(worst, std::abs(f[d][i] + (e[1] - e[0]) / (2. * h)));
