@@ -42,7 +42,7 @@ def draw_cells(directory, F):
     for axis, (x, y), lattice, title in zip(axes, (("x", "y"), ("end_x", "end_y")), (H, F @ H), ("at turgor", "at the end of the path")):
         nodes = 1e6 * np.column_stack([table[f"{x} [m]"], table[f"{y} [m]"]])
         cells = [nodes[table["cell"] == c] for c in np.unique(table["cell"])]
-        for shift in [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1)]:
+        for shift in sorted(((i, j) for i in (-1, 0, 1) for j in (-1, 0, 1)), key=lambda one: one == (0, 0)):  # itself last
             axis.add_collection(PolyCollection([cell + lattice @ shift for cell in cells], facecolors="#dbe7c9" if shift == (0, 0) else "#f1f3ee",
                                                edgecolors=INK if shift == (0, 0) else "#aab2b8", linewidths=1.1))
         low, high = nodes.min(axis=0), nodes.max(axis=0)
