@@ -51,7 +51,7 @@ def draw_cells(directory, F):
         axis.set_xlabel(f"{title}: x [µm]", color=INK)
         axis.set_ylabel("y [µm]", color=INK)
         style(axis)
-    figure.suptitle("The piece of tissue (dark) among its periodic images", color=INK, fontsize=12)
+    figure.suptitle("The piece of tissue (green) among its periodic images", color=INK, fontsize=12)
     made = os.path.join(directory, "rve_cells.png")
     figure.savefig(made, dpi=130)
     plt.close(figure)
