@@ -316,8 +316,9 @@ BOOST_AUTO_TEST_CASE(clamped_patch_carries_its_weight)
   const Vector<2> b(0., -1e4);
   network.set_body_acceleration(b);
   std::vector<std::uint32_t> clamped;
-  for (std::uint32_t i = 0; i < layout.nodes.size(); ++i)
-    if (layout.nodes[i][0] == 0.)
+  const CellLayout flat = make_parenchyma(small_cell(), 3, 2, false, false);
+  for (std::uint32_t i = 0; i < flat.nodes.size(); ++i)
+    if (flat.nodes[i][0] == 0.)
       clamped.push_back(i);
   NetworkEquilibrium equilibrium(network, clamped);
   std::vector<double> x = layout.positions();
