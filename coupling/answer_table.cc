@@ -41,7 +41,7 @@ AnswerTable<dim>::AnswerTable(const std::size_t points, const LawRequest &reques
   , rate_tangents(request.rate_tangents)
   , conditions(conditions_)
   , rate_tangent(Row<dim>::tangent + (tangents ? dim * dim * dim * dim : 0))
-  , width(rate_tangent + (rate_tangents ? dim * dim * dim * dim : 0) + (conditions ? 4 : 0))
+  , width(rate_tangent + (rate_tangents ? dim * dim * dim * dim : 0) + (conditions ? 5 : 0))
   , table(points * width, 0.)
 {}
 
@@ -72,15 +72,15 @@ void AnswerTable<dim>::put(const std::size_t point, const RveAnswer<dim> &a)
   if (conditions)
   {
     const RveCondition &c = a.condition;
-    const double values[4] = {c.failed, c.permanent, c.flow_dissipated, c.failure_dissipated};
-    std::copy(values, values + 4, row + width - 4);
+    const double values[5] = {c.failed, c.permanent, c.flow_dissipated, c.failure_dissipated, a.safe_strain};
+    std::copy(values, values + 5, row + width - 5);
   }
 }
 
 template <int dim>
 RveCondition AnswerTable<dim>::condition(const std::size_t point) const
 {
-  const double *last = table.data() + (point + 1) * width - 4;
+  const double *last = table.data() + (point + 1) * width - 5;
   return {last[0], last[1], last[2], last[3]};
 }
 
@@ -91,9 +91,9 @@ void AnswerTable<dim>::put_failed(const std::size_t point)
 }
 
 template <int dim>
-void AnswerTable<dim>::gather(const PointShares &shares)
+void AnswerTable<dim>::gather(const PointShares &shares, const std::vector<std::size_t> &points)
 {
-  shares.gather(width, table);
+  shares.gather(width, table, points);
 }
 
 template <int dim>
@@ -118,13 +118,40 @@ double AnswerTable<dim>::pressure(const std::size_t point) const
 }
 
 template <int dim>
+double AnswerTable<dim>::energy(const std::size_t point) const
+{
+  return table[point * width + Row<dim>::energy];
+}
+
+template <int dim>
+double AnswerTable<dim>::safe_strain(const std::size_t point) const
+{
+  return table[(point + 1) * width - 1];
+}
+
+template <int dim>
+template <int size>
+Eigen::Matrix<double, size, size> AnswerTable<dim>::square(const std::size_t point, const std::size_t column) const
+{
+  return Eigen::Map<const Eigen::Matrix<double, size, size, Eigen::RowMajor>>(table.data() + point * width + column);
+}
+
+template <int dim>
+Tensor2<dim> AnswerTable<dim>::P(const std::size_t point) const
+{
+  return square<dim>(point, Row<dim>::P);
+}
+
+template <int dim>
+Tensor4<dim> AnswerTable<dim>::tangent(const std::size_t point) const
+{
+  return square<dim * dim>(point, Row<dim>::tangent);
+}
+
+template <int dim>
 Tensor2<dim> AnswerTable<dim>::sigma(const std::size_t point) const
 {
-  Tensor2<dim> sigma;
-  for (int i = 0; i < dim; ++i)
-    for (int j = 0; j < dim; ++j)
-      sigma(i, j) = table[point * width + Row<dim>::sigma + i * dim + j];
-  return sigma;
+  return square<dim>(point, Row<dim>::sigma);
 }
 
 template <int dim>
@@ -160,7 +187,7 @@ void AnswerTable<dim>::read(const std::size_t point, LawAnswer<dim> &answer) con
   }
   if (conditions)
     answer.spent[point] = condition(point).flow_dissipated + condition(point).failure_dissipated;
-  if (tangents)
+  if (!answer.tangent.empty())
     turgor::read<dim>(row + R::tangent, answer.tangent[point]);
   if (rate_tangents)
     turgor::read<dim>(row + rate_tangent, answer.rate_tangent[point]);

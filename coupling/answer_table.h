@@ -22,12 +22,16 @@ public:
   /// Rows of this rank's points; different points at once from different threads.
   void put(std::size_t point, const RveAnswer<dim> &answer);
   void put_failed(std::size_t point);
-  /// Collective: afterwards every rank holds all rows.
-  void gather(const PointShares &shares);
+  /// Collective: afterwards every rank holds the rows of these points (ascending).
+  void gather(const PointShares &shares, const std::vector<std::size_t> &points);
 
   bool failed(std::size_t point) const;
   bool any_failed() const;
   double pressure(std::size_t point) const;
+  double energy(std::size_t point) const;
+  double safe_strain(std::size_t point) const; ///< only if the table has conditions
+  Tensor2<dim> P(std::size_t point) const;
+  Tensor4<dim> tangent(std::size_t point) const; ///< only if the table has tangents
   Tensor2<dim> sigma(std::size_t point) const;
   RveCondition condition(std::size_t point) const; ///< only if the table has conditions
   RveDiagnostics diagnostics(std::size_t point) const; ///< numbers only: no message, converged as it failed or not
@@ -35,6 +39,9 @@ public:
   void read(std::size_t point, LawAnswer<dim> &answer) const;
 
 private:
+  template <int size>
+  Eigen::Matrix<double, size, size> square(std::size_t point, std::size_t column) const;
+
   bool tangents, rate_tangents, conditions;
   std::size_t rate_tangent, width; ///< columns: where it begins, all
   std::vector<double> table;

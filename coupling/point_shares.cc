@@ -68,23 +68,30 @@ void PointShares::list_mine()
 
 void PointShares::gather(std::size_t width, std::vector<double> &records) const
 {
-  if (n_ranks == 1)
+  std::vector<std::size_t> all(n_ranks == 1 ? 0 : owner.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  gather(width, records, all);
+}
+
+void PointShares::gather(std::size_t width, std::vector<double> &records, const std::vector<std::size_t> &points) const
+{
+  if (n_ranks == 1 || points.empty())
     return;
   std::vector<int> counts(n_ranks, 0);
-  for (const unsigned int r : owner)
-    counts[r] += static_cast<int>(width);
+  std::vector<double> outgoing, incoming(points.size() * width);
+  for (const std::size_t p : points)
+  {
+    counts[owner[p]] += static_cast<int>(width);
+    if (owner[p] == my_rank)
+      outgoing.insert(outgoing.end(), records.begin() + static_cast<std::ptrdiff_t>(p * width),
+                      records.begin() + static_cast<std::ptrdiff_t>((p + 1) * width));
+  }
   const std::vector<int> starts = offsets(counts);
-
-  std::vector<double> outgoing, incoming(records.size());
-  outgoing.reserve(my_points.size() * width);
-  for (const std::size_t p : my_points)
-    outgoing.insert(outgoing.end(), records.begin() + static_cast<std::ptrdiff_t>(p * width),
-                    records.begin() + static_cast<std::ptrdiff_t>((p + 1) * width));
   MPI_Allgatherv(outgoing.data(), count(outgoing.size()), MPI_DOUBLE, incoming.data(), counts.data(),
                  starts.data(), MPI_DOUBLE, MPI_COMM_WORLD);
 
   std::vector<std::size_t> next(starts.begin(), starts.end());
-  for (std::size_t p = 0; p < owner.size(); ++p)
+  for (const std::size_t p : points)
   {
     std::size_t &from = next[owner[p]];
     std::copy_n(incoming.begin() + static_cast<std::ptrdiff_t>(from), width,

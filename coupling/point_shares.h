@@ -31,6 +31,8 @@ public:
 
   /// Collective. records: one row of width doubles per point, this rank's rows filled in; on return all are.
   void gather(std::size_t width, std::vector<double> &records) const;
+  /// Collective. Of these points only (the same on all ranks, ascending).
+  void gather(std::size_t width, std::vector<double> &records, const std::vector<std::size_t> &points) const;
 
   /// Collective. One text per point (any bytes), this rank's filled in; on return all are.
   void gather_texts(std::vector<std::string> &texts) const;

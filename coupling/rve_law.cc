@@ -16,6 +16,8 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -48,7 +50,11 @@ struct RveLaw<dim>::Impl
   tbb::enumerable_thread_specific<std::unique_ptr<typename Rve<dim>::Workspace>> workspaces;
 
   std::vector<dealii::Point<dim>> points;
-  std::vector<RveState<dim>> committed, trial; // entries of this rank's points
+  std::vector<RveState<dim>> committed, trial; // entries of this rank's points; committed: as of the last call where answers come from a table
+  std::optional<Skipping<dim>> skipping;
+  std::vector<std::size_t> all;                // points
+  std::vector<std::size_t> called;             // in the last batch, ascending
+  std::vector<Tensor2<dim>> F_now, F_committed;    // of the last batch and the last commit; empty without skipping
   enum class Last
   {
     none, // no batch since the last commit
@@ -68,8 +74,14 @@ struct RveLaw<dim>::Impl
     , settings(s)
     , arena(static_cast<int>(std::max(1u, s.threads)))
     , workspaces([this] { return rve->make_workspace(); })
-  {}
+  {
+    if (settings.skipping.active())
+      skipping.emplace(*rve, settings.skipping);
+  }
 
+  /// These points, of which this rank calls its own, and gathers all.
+  void call(const std::vector<std::size_t> &points, const std::vector<dealii::Tensor<2, dim>> &F,
+            const std::vector<dealii::Tensor<2, dim>> &F_dot, const LawRequest &request, AnswerTable<dim> &table, std::vector<std::string> &reasons);
   std::string call(std::size_t p, const Tensor2<dim> &F, const Tensor2<dim> &F_dot, const RveRequest &request,
                    AnswerTable<dim> &table);
   void count(const AnswerTable<dim> &table);
@@ -109,11 +121,42 @@ std::string RveLaw<dim>::Impl::call(std::size_t p, const Tensor2<dim> &F, const 
 }
 
 template <int dim>
+void RveLaw<dim>::Impl::call(const std::vector<std::size_t> &which, const std::vector<dealii::Tensor<2, dim>> &F_,
+                             const std::vector<dealii::Tensor<2, dim>> &F_dot, const LawRequest &request, AnswerTable<dim> &table,
+                             std::vector<std::string> &reasons)
+{
+  std::vector<std::size_t> mine;
+  for (const std::size_t p : which)
+    if (shares.owners()[p] == shares.rank())
+      mine.push_back(p);
+  const auto one = [&](std::size_t k) {
+    const std::size_t p = mine[k];
+    if (stop_was_requested()) // the rest of the batch would be thrown away
+      return table.put_failed(p);
+    RveRequest rve_request;
+    rve_request.time_since_commit = request.time_since_commit;
+    rve_request.rate_tangent = request.rate_tangents;
+    rve_request.tangent = request.tangents || (skipping && skipping->needs_tangent(p));
+    reasons[p] = call(p, to_eigen<dim>(F_[p]), to_eigen<dim>(F_dot[p]), rve_request, table);
+  };
+  if (settings.threads <= 1)
+    for (std::size_t k = 0; k < mine.size(); ++k)
+      one(k);
+  else
+    arena.execute([&] { tbb::parallel_for(std::size_t{0}, mine.size(), one, tbb::simple_partitioner()); });
+  table.gather(shares, which);
+  // The table is equal on all ranks: all come here, or none. Whoever catches this has the committed states as they were.
+  if (table.any_failed() && shares.any(stop_was_requested()))
+    throw RunStopped("stopped inside a step of the tissue");
+  called.insert(called.end(), which.begin(), which.end());
+}
+
+template <int dim>
 void RveLaw<dim>::Impl::count(const AnswerTable<dim> &table)
 {
   RveLawStatistics &s = statistics;
   bool any_failed = false;
-  for (std::size_t p = 0; p < points.size(); ++p)
+  for (const std::size_t p : called)
   {
     ++s.calls;
     if (table.failed(p))
@@ -190,6 +233,14 @@ void RveLaw<dim>::set_points(const std::vector<dealii::Point<dim>> &points)
   m.sigma.assign(points.size(), Tensor2<dim>::Constant(unset));
   m.condition.assign(m.rve->has_history() ? points.size() : 0, RveCondition());
   m.cost.assign(points.size(), 0.);
+  m.all.resize(points.size());
+  std::iota(m.all.begin(), m.all.end(), std::size_t{0});
+  if (m.skipping)
+  {
+    m.skipping->set_points(points.size());
+    m.F_now.assign(points.size(), Tensor2<dim>::Identity());
+    m.F_committed = m.F_now;
+  }
   m.last = Impl::Last::none;
 }
 
@@ -204,29 +255,34 @@ void RveLaw<dim>::evaluate(const std::vector<dealii::Tensor<2, dim>> &F,
   if (F.size() != n || F_dot.size() != n)
     throw std::logic_error("RveLaw::evaluate: the batch has another number of points than set_points().");
 
-  AnswerTable<dim> table(n, request, !m.condition.empty());
+  LawRequest columns = request;
+  columns.tangents = request.tangents || m.skipping; // which records need
+  AnswerTable<dim> table(n, columns, !m.condition.empty());
   std::vector<std::string> reasons(n);
-  RveRequest rve_request;
-  rve_request.time_since_commit = request.time_since_commit;
-  rve_request.tangent = request.tangents;
-  rve_request.rate_tangent = request.rate_tangents;
-  const std::vector<std::size_t> &mine = m.shares.mine();
-  const auto one = [&](std::size_t k) {
-    const std::size_t p = mine[k];
-    if (stop_was_requested()) // the rest of the batch would be thrown away
-      return table.put_failed(p);
-    reasons[p] = m.call(p, to_eigen<dim>(F[p]), to_eigen<dim>(F_dot[p]), rve_request, table);
-  };
-  if (m.settings.threads <= 1)
-    for (std::size_t k = 0; k < mine.size(); ++k)
-      one(k);
+  m.called.clear();
+  if (!m.skipping)
+    m.call(m.all, F, F_dot, request, table, reasons);
   else
-    m.arena.execute([&] { tbb::parallel_for(std::size_t{0}, mine.size(), one, tbb::simple_partitioner()); });
-
-  table.gather(m.shares);
-  // The table is equal on all ranks: all come here, or none. Whoever catches this has the committed states as they were.
-  if (table.any_failed() && m.shares.any(stop_was_requested()))
-    throw RunStopped("stopped inside a step of the tissue");
+  {
+    Skipping<dim> &skipping = *m.skipping;
+    auto looking = std::chrono::steady_clock::now();
+    const auto looked = [&] { m.statistics.look_up_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - looking).count(); };
+    for (skipping.begin(F, request); !skipping.calls().empty(); skipping.learn(F_dot, table))
+    {
+      looked();
+      m.call(skipping.calls(), F, F_dot, request, table, reasons);
+      looking = std::chrono::steady_clock::now();
+    }
+    std::sort(m.called.begin(), m.called.end());
+    for (std::size_t p = 0; p < n; ++p)
+    {
+      m.F_now[p] = to_eigen<dim>(F[p]);
+      if (skipping.from_table(p))
+        table.put(p, skipping.answer(p, to_eigen<dim>(F_dot[p]), request));
+    }
+    skipping.end();
+    looked();
+  }
   m.count(table);
 
   answer.P.resize(n);
@@ -265,7 +321,15 @@ void RveLaw<dim>::commit()
     throw std::logic_error("RveLaw::commit: the last batch had failed points.");
   if (m.last == Impl::Last::none)
     return;
-  m.committed.swap(m.trial);
+  if (!m.skipping)
+    m.committed.swap(m.trial);
+  else
+  {
+    for (const std::size_t p : m.called)
+      std::swap(m.committed[p], m.trial[p]); // empty ones where they are not this rank's
+    m.F_committed.swap(m.F_now);
+    m.skipping->commit();
+  }
   m.last = Impl::Last::none;
   ++m.commits;
   if (m.shares.ranks() > 1 && m.settings.rebalance_every > 0 && m.commits % m.settings.rebalance_every == 0)
@@ -304,6 +368,11 @@ void RveLaw<dim>::archive(Archive &a)
     m.shares.gather_texts(texts);
   }
   a.fixed(texts);
+  if (m.skipping)
+  {
+    a.fixed(m.F_committed);
+    a(*m.skipping);
+  }
   if (!a.loading())
     return;
   for (const std::size_t p : m.shares.mine())
@@ -321,6 +390,12 @@ template <int dim>
 const PointShares &RveLaw<dim>::shares() const
 {
   return impl->shares;
+}
+
+template <int dim>
+const Skipping<dim> *RveLaw<dim>::skipping() const
+{
+  return impl->skipping ? &*impl->skipping : nullptr;
 }
 
 template <int dim>
@@ -349,7 +424,11 @@ std::vector<RveState<dim>> RveLaw<dim>::states(const std::vector<std::size_t> &p
   m.shares.gather_texts(texts);
   std::vector<RveState<dim>> result;
   for (const std::size_t p : points)
+  {
     restore(texts[p], result.emplace_back());
+    if (m.skipping && result.back().F != m.F_committed[p]) // brought up to date; nothing has happened since, so the rate does not matter
+      result.back() = m.rve->evaluate(result.back(), m.F_committed[p], Tensor2<dim>::Zero(), {}, *m.rve->make_workspace()).trial;
+  }
   return result;
 }
 

@@ -14,6 +14,7 @@
 #pragma once
 
 #include "coupling/point_shares.h"
+#include "coupling/skipping.h"
 #include "macro/material_law.h"
 #include "rve/rve.h"
 
@@ -28,6 +29,7 @@ struct RveLawSettings
 {
   unsigned int threads = 1;          ///< inside a rank
   unsigned int rebalance_every = 50; ///< commits; 0 = never
+  SkippingSettings skipping;
 };
 
 /// What the batches have cost so far. Sums over all points and ranks.
@@ -45,6 +47,7 @@ struct RveLawStatistics
   double max_stress_spread = 0.;    ///< Pa
   double rve_cpu_seconds = 0.;      ///< inside RVEs, all threads and ranks
   double wall_seconds = 0.;         ///< inside evaluate(), this rank
+  double look_up_seconds = 0.;      ///< of it in the table of answers instead of RVEs
   std::uint64_t rebalances = 0;
   double imbalance = 1.;            ///< busiest rank over mean, by smoothed cost
 };
@@ -72,6 +75,7 @@ public:
 
   const RveLawStatistics &statistics() const;
   const PointShares &shares() const;
+  const Skipping<dim> *skipping() const; ///< null where every RVE is called
 
   /// Pa, mean fluid pressure of every point in the last batch (unset before: signalling NaN).
   const std::vector<double> &pressure() const;

@@ -39,6 +39,7 @@ void TissueBruise::declare_parameters(InputEntries &prm)
                     "The results do not depend on it. Units: 1.",
                     Patterns::Integer(0, 1000000));
   prm.leave_subsection();
+  settings.law.skipping.declare(prm);
   settings.tissue.declare(prm);
   rve_parameters.add_parameters(prm);
 }
@@ -53,6 +54,7 @@ void TissueBruise::check() const
   {
     throw InputError(e.what());
   }
+  settings.law.skipping.check(rve_parameters);
   check_tissue_size(settings.tissue, state_size(rve_parameters));
 }
 
@@ -61,6 +63,7 @@ void TissueBruise::run(RunContext &context)
   const std::shared_ptr<const Rve<2>> rve = make_rve(rve_parameters);
   settings.period = rve_parameters.cell.period;
   settings.law.threads = context.threads();
+  settings.law.skipping = settings.law.skipping.with(rve_parameters);
   context.result("density", rve->density(), "kg/m^3");
   context.note("rve", rve_parameters.rule + ", " + rve_parameters.fluid + " fluid, " +
                         number_text(rve_parameters.columns) + " x " + number_text(rve_parameters.rows) + " cells, yielding " +

@@ -49,6 +49,7 @@ private:
   void report_micro_steps();
   void report_cost();
   void tell_of_bursts();
+  void tell_of_skipping();
 
   RunContext &context;
   const TissueRunSettings &settings;

@@ -36,6 +36,7 @@ void TissueGravity::declare_parameters(InputEntries &prm)
                     "The results do not depend on it. Units: 1.",
                     Patterns::Integer(0, 1000000));
   prm.leave_subsection();
+  settings.law.skipping.declare(prm);
   settings.tissue.declare(prm, false);
   rve_parameters.add_parameters(prm);
 }
@@ -50,6 +51,7 @@ void TissueGravity::check() const
   {
     throw InputError(e.what());
   }
+  settings.law.skipping.check(rve_parameters);
   check_tissue_size(settings.tissue, state_size(rve_parameters), double(settings.cells) * settings.cells * settings.cell_samples * settings.cell_samples);
 }
 
@@ -62,6 +64,7 @@ void TissueGravity::run(RunContext &context)
   settings.tissue.body_force = dealii::Tensor<1, 2>();
   settings.tissue.body_force[1] = -load / (rve->density() * width);
   settings.law.threads = context.threads();
+  settings.law.skipping = settings.law.skipping.with(rve_parameters);
 
   context.result("width", width, "m");
   context.result("density", rve->density(), "kg/m^3");

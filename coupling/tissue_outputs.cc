@@ -9,7 +9,9 @@ namespace turgor
 {
 namespace
 {
-const char *const heat = "of RVEs that tell what they turn to heat", *const torn = "with walls that yield or break", *const ranks = "on several ranks";
+const char *const heat = "of RVEs that tell what they turn to heat", *const torn = "with walls that yield or break", *const ranks = "on several ranks",
+           *const skipped = "with Skipping = certified", *const audited = "with Skipping = certified, where an answer was audited",
+           *const bounded = "with Skipping = certified, where 299 answers were audited";
 
 std::vector<OutputDefinition> energy_results()
 {
@@ -57,6 +59,20 @@ Outputs cost_outputs()
               {"rve_calls_per_wall_second", "1/s", "Number of evaluations over the wall time of the run."},
               {"macro_cpu_time", "s", "CPU time outside RVEs: finite elements, output, waiting threads."},
               {"rve_share_of_cpu_time", "1", "CPU time inside RVEs over that of the whole run."},
+              {"rve_asks", "", "Number of stresses that steps have asked for, of all quadrature points; those asked again of a committed time do not count.", skipped},
+              {"rve_asks_per_call", "1", "These asks over the number of evaluations of an RVE, all of those included.", skipped},
+              {"skipped_share", "1", "Share of the asks that were answered from the table of earlier answers.", skipped},
+              {"history_share_of_asks", "1", "Share of the asks from points whose walls had yielded or broken: called in full.", skipped},
+              {"skipping_records", "", "Number of answers in the table.", skipped},
+              {"skipping_tolerance", "Pa", "Error of a stress (norm of P) that the table aims at.", skipped},
+              {"skipping_audits", "", "Number of answers from the table that were drawn and computed after all.", skipped},
+              {"skipping_audits_refuted", "", "Number of these that were off by more than the tolerance.", skipped},
+              {"look_up_time_per_ask", "s", "Wall time of looking up, answering from and keeping the table, over the number of asks.", skipped},
+              {"skipping_error_rms", "Pa", "Root mean square of the stress error (norm of P) of the answers from the table, by the audits.", audited},
+              {"skipping_error_p99", "Pa", "99th percentile of that error, by the audits.", audited},
+              {"skipping_error_worst", "Pa", "Largest error that an audit found.", audited},
+              {"skipping_error_rms_bound", "Pa", "Upper bound of the root mean square over all answers from the table, which holds with 95 %.", bounded},
+              {"skipping_error_p99_bound", "Pa", "Upper bound of the 99th percentile over all answers from the table, which holds with 95 %.", bounded},
               {"rank_imbalance", "1", "Cost of the RVEs of the busiest rank over the mean of the ranks, smoothed.", ranks},
               {"rank_rebalances", "", "How often RVEs were shared anew among the ranks.", ranks}})
     .table("cost", "One row for each step of the tissue.",

@@ -24,6 +24,7 @@ void TissueCourse::report()
     tell_of_stored_turgor(context, e.dissipated(), e.work, "J/m");
   report_calls();
   tell_of_bursts();
+  tell_of_skipping();
   if (rve.micro_step() > 0.)
     report_micro_steps();
   report_cost();
@@ -67,6 +68,41 @@ void TissueCourse::tell_of_bursts()
   if (share < 0.5)
     remarked(context, "burst_over_macro_step", "In a macro step of " + number_text(step) + " s the cells live " + number_text(rve.burst()) + " s: what relaxes or swings inside them is slowed by " +
                 number_text(1. / share) + ". Stress follows their dynamics only with RVE/Burst length near the macro step.");
+}
+
+/// What was not computed, and what that costs at most.
+void TissueCourse::tell_of_skipping()
+{
+  const Skipping<2> *skipping = law.skipping();
+  if (!skipping)
+    return;
+  const SkippingStatistics &s = skipping->statistics();
+  const SkippingAudit &audit = skipping->audit();
+  const double asks = std::max(1., double(s.asks));
+  context.result("rve_asks", double(s.asks), "");
+  context.result("rve_asks_per_call", double(s.asks) / std::max(1., double(law.statistics().calls)), "1");
+  context.result("skipped_share", double(s.answered) / asks, "1");
+  context.result("history_share_of_asks", double(s.with_history) / asks, "1");
+  context.result("skipping_records", double(skipping->records()), "");
+  context.result("skipping_tolerance", settings.law.skipping.tolerance, "Pa");
+  context.result("skipping_audits", double(audit.count()), "");
+  context.result("skipping_audits_refuted", double(s.refuted), "");
+  context.result("look_up_time_per_ask", law.statistics().look_up_seconds / asks, "s");
+  if (!skipping->worthwhile())
+    remarked(context, "skipping", "A call of an RVE costs no more than three look-ups: all are called.");
+  if (audit.count() == 0)
+    return;
+  context.result("skipping_error_rms", audit.rms(), "Pa");
+  context.result("skipping_error_p99", audit.percentile(), "Pa");
+  context.result("skipping_error_worst", audit.worst(), "Pa");
+  if (audit.count() < SkippingAudit::enough)
+  {
+    remarked(context, "skipping", "The error of the skipped answers has no bound: " + number_text(audit.count()) + " audits were drawn, " +
+                                    number_text(SkippingAudit::enough) + " are needed. Raise Skipping/Audit share.");
+    return;
+  }
+  context.result("skipping_error_rms_bound", audit.rms_bound(), "Pa");
+  context.result("skipping_error_p99_bound", audit.percentile_bound(), "Pa");
 }
 
 /// Both count particles times steps in time; a full run of the piece would move as many particles a cell at the same step. Of a slab that

@@ -4,9 +4,11 @@
 #include "run/cpu_clock.h"
 #include "run/number_text.h"
 #include "rve/acoustic_bound.h"
+#include "rve/affine_flow.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace turgor
@@ -22,18 +24,6 @@ void map(const Tensor2<2> &A, const std::vector<double> &from, std::vector<doubl
       to[i] = A(0, 0) * x + A(0, 1) * y;
       to[i + 1] = A(1, 0) * x + A(1, 1) * y;
     }
-}
-
-Tensor2<2> viscous_stress(const double mu, const Tensor2<2> &L)
-{
-  return mu * (L + L.transpose() + L.trace() * Tensor2<2>::Identity());
-}
-
-void add_to_column(Tensor4<2> &tangent, const int k, const Tensor2<2> &dP)
-{
-  for (int a = 0; a < 2; ++a)
-    for (int b = 0; b < 2; ++b)
-      tangent(2 * a + b, k) += dP(a, b);
 }
 
 // Unit changes of F, component a*2+b, as motions of the current configuration: L = dF F^-1.
@@ -250,6 +240,23 @@ EquilibriumReport HydrostaticRve::drag_on(const RveState<2> &committed, const Te
   return report;
 }
 
+// Affinely |d lambda| <= lambda |dE| / s^2 with s the smallest stretch of F; relaxing walls move unlike F, by up to as much again.
+double HydrostaticRve::safe_strain(const std::vector<double> &x, const Tensor2<2> &F) const
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const WallRing &ring : network.layout().rings)
+    for (std::size_t i = ring.first; i < ring.first + ring.count; ++i)
+      {
+        const double lambda = network.stretch(x, ring, i);
+        if (settings.walls.plastic)
+          least = std::min(least, virgin.reached[i] / lambda - 1.);
+        if (settings.walls.failure())
+          least = std::min(least, settings.walls.critical_stretch / lambda - 1.);
+      }
+  const double s = F.jacobiSvd().singularValues().minCoeff();
+  return std::max(0., 0.5 * s * s * least);
+}
+
 RveCondition HydrostaticRve::condition(const WallHistory &history) const
 {
   RveCondition c;
@@ -277,25 +284,13 @@ Tensor4<2> HydrostaticRve::tangent(const std::vector<double> &x, const Tensor2<2
     }
   result /= reference_volume;
 
-  // P_v = J sigma_v F^-T: dJ = J tr(dL), dF^-T = -dL^T F^-T, dL_flow = -L dL
-  const double mu = network.layout().parameters.fluid_viscosity, J = F.determinant();
-  const Tensor2<2> L = F_dot * F_inverse, sigma = viscous_stress(mu, L);
-  for (int k = 0; k < 4; ++k)
-    {
-      const Tensor2<2> &dL = motions[k];
-      add_to_column(result, k, J * (dL.trace() * sigma + viscous_stress(mu, -L * dL) - sigma * dL.transpose()) * F_inverse.transpose());
-    }
+  result += AffineFlow<2>(network.layout().parameters.fluid_viscosity, F, F_dot).tangent();
   return result;
 }
 
 Tensor4<2> HydrostaticRve::rate_tangent(const Tensor2<2> &F) const
 {
-  const Tensor2<2> F_inverse = F.inverse();
-  const std::array<Tensor2<2>, 4> motions = unit_motions(F_inverse); // of F_dot: L = dF_dot F^-1
-  Tensor4<2> result = Tensor4<2>::Zero();
-  for (int k = 0; k < 4; ++k)
-    add_to_column(result, k, F.determinant() * viscous_stress(network.layout().parameters.fluid_viscosity, motions[k]) * F_inverse.transpose());
-  return result;
+  return AffineFlow<2>(network.layout().parameters.fluid_viscosity, F, Tensor2<2>::Zero()).rate_tangent();
 }
 
 RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor2<2> &F, const Tensor2<2> &F_dot,
@@ -361,11 +356,10 @@ RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor
     }
 
   const double J = F.determinant();
-  const Tensor2<2> L = F_dot * F.inverse();
-  const Tensor2<2> viscous = viscous_stress(network.layout().parameters.fluid_viscosity, L);
-  answer.sigma = e->virial.total() / (J * reference_volume) + viscous;
+  const AffineFlow<2> flow(network.layout().parameters.fluid_viscosity, F, F_dot);
+  answer.sigma = e->virial.total() / (J * reference_volume) + flow.sigma();
   answer.P = J * answer.sigma * F.inverse().transpose();
-  answer.viscous = J * viscous * F.inverse().transpose();
+  answer.viscous = flow.P();
   for (const double p : e->pressure)
     answer.pressure += p;
   answer.pressure /= double(e->pressure.size());
@@ -388,6 +382,7 @@ RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor
       answer.energy = (network.stored_energy(x, H, scratch.history) - reference_energy) / reference_volume;
       answer.condition = condition(scratch.history);
       answer.trial.history = scratch.history.pack();
+      answer.safe_strain = answer.trial.history == virgin.pack() ? safe_strain(x, F) : -1.;
     }
   else if (answer.diagnostics.converged)
     answer.energy = (network.energy(x, H, *e) - reference_energy) / reference_volume;

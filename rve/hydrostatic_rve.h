@@ -39,6 +39,7 @@ struct HydrostaticRveSettings
   unsigned int columns = 1, rows = 1; ///< of square cells
   EquilibriumSettings equilibrium;
   WallLimits walls; ///< needs elastic_equilibrium
+  std::vector<Tensor2<2>> symmetries; ///< of the layout, see rve.h
 };
 
 class HydrostaticRve : public Rve<2>
@@ -55,6 +56,8 @@ public:
                         const RveRequest &request, Workspace &workspace) const override;
 
   double density() const override;
+  double flow_viscosity() const override { return network.layout().parameters.fluid_viscosity; }
+  std::vector<Tensor2<2>> symmetries() const override { return settings.symmetries; }
   bool has_history() const override { return settings.walls.history(); }
   bool knows_heating() const override { return true; }
 
@@ -74,6 +77,7 @@ private:
   EquilibriumReport break_bonds(const Tensor2<2> &F, std::vector<double> &x, Scratch &scratch, const EquilibriumSettings &search) const;
   /// Where a torn RVE finds no equilibrium: the least drag with which it comes to rest.
   EquilibriumReport drag_on(const RveState<2> &committed, const Tensor2<2> &F, std::vector<double> &x, Scratch &scratch) const;
+  double safe_strain(const std::vector<double> &x, const Tensor2<2> &F) const; ///< of a virgin history (rve.h)
   RveCondition condition(const WallHistory &history) const;
   Tensor4<2> tangent(const std::vector<double> &x, const Tensor2<2> &F, const Tensor2<2> &F_dot, bool relaxed,
                      Scratch &scratch, bool &regular) const;

@@ -4,10 +4,31 @@
 #include "rve/hydrostatic_rve.h"
 #include "rve/sph_rve.h"
 
+#include <numbers>
 #include <stdexcept>
 
 namespace turgor
 {
+namespace
+{
+/// Of squares: mirrors, and quarter turns where there are as many columns as rows. None is claimed of other cells.
+std::vector<Tensor2<2>> symmetries(const RveParameters &p)
+{
+  if (!p.structure.square())
+    return {};
+  Tensor2<2> mirror, swap;
+  mirror << 1., 0., 0., -1.;
+  swap << 0., 1., 1., 0.;
+  std::vector<Tensor2<2>> all = {mirror};
+  if (p.columns == p.rows)
+    all.insert(all.end(), {swap, Tensor2<2>(swap * mirror)});
+  const Tensor2<2> R = Eigen::Rotation2Dd(p.structure.rotation * std::numbers::pi / 180.).toRotationMatrix();
+  for (Tensor2<2> &Q : all)
+    Q = (R * Q * R.transpose()).eval();
+  return all;
+}
+} // namespace
+
 std::unique_ptr<Rve<2>> make_rve(const RveParameters &p)
 {
   try
@@ -28,6 +49,7 @@ std::unique_ptr<Rve<2>> make_rve(const RveParameters &p)
           settings.rows = p.rows;
           settings.equilibrium = {p.equilibrium_tolerance(), p.max_iterations};
           settings.walls = p.wall_limits();
+          settings.symmetries = symmetries(p);
           return std::make_unique<HydrostaticRve>(turgid_tissue(p.structure, p.yielding_cell(), p.columns, p.rows), settings);
         }
       SphRveSettings settings;

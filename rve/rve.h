@@ -10,6 +10,7 @@
 #include "micro/geometry/tensor.h"
 #include "run/archive.h"
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -70,6 +71,8 @@ struct RveAnswer
   double heating = 0.;                       ///< W/m^3 of reference volume, heat besides, of motion that F does not show
   double pressure = 0.;                      ///< Pa, mean fluid pressure
   RveCondition condition;
+  /// Green strain |dE| from here within which nothing happens to walls and cells for good, a lower bound; negative: something has happened.
+  double safe_strain = std::numeric_limits<double>::infinity();
   RveState<dim> trial;
   RveDiagnostics diagnostics;
 };
@@ -102,6 +105,13 @@ public:
   /// Whether answers know what viscosity turns into heat. Then work = energy + work of `viscous` + heating over time + what the condition
   /// has dissipated.
   virtual bool knows_heating() const { return false; }
+
+  /// Pa s, mu, where the stress is that of the affine flow of such a fluid (affine_flow.h) and an elastic one that is a function of F
+  /// alone while nothing has happened for good. Negative: it is not.
+  virtual double flow_viscosity() const { return -1.; }
+
+  /// Orthogonal Q with P(F Q) = P(F) Q while nothing has happened for good; the identity need not be among them.
+  virtual std::vector<Tensor2<dim>> symmetries() const { return {}; }
 
   virtual double micro_step() const { return 0.; } ///< s, of one iteration where those are steps in time; 0 where not
   virtual double burst() const { return 0.; }      ///< s, that the cells live through in a call; 0 where they relax or follow F

@@ -1,0 +1,26 @@
+// The user's entries for calls of RVEs that need not be made: subsection "Skipping" (skipping.h).
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace turgor
+{
+class InputEntries;
+struct RveParameters;
+struct SkippingSettings
+{
+  std::string mode = "none";  ///< none | certified
+  double tolerance = 0.;      ///< Pa; 0: share of turgor
+  double share = 1e-3;        ///< of turgor
+  double audit_share = 2.5e-3;
+  std::uint64_t seed = 1;
+
+  bool active() const { return mode != "none"; }
+  void declare(InputEntries &prm);
+  /// Throws InputError for RVEs whose answers cannot be told from F alone.
+  void check(const RveParameters &rve) const;
+  /// With the tolerance in Pa.
+  SkippingSettings with(const RveParameters &rve) const;
+};
+} // namespace turgor
