@@ -17,10 +17,10 @@ sys.path.insert(0, SOURCE)
 from tests.app.test_include_direction import folder_of, includes, sources  # noqa: E402
 
 WHAT = {
-    "run": "what a run is: input, directory,\narchive, checkpoints, tables, fields",
-    "micro/geometry": "box, bins, meshes",
+    "run": "input, directory, archive, tables, fields",
+    "micro/geometry": "box, bins, meshes, obstacles, tilings",
     "micro/laws": "pure functions of a few numbers",
-    "micro/solve": "direct and iterative solvers",
+    "micro/solve": "LDLT, matrix of motion, CG",
     "micro/engine": "particles, lists, steppers",
     "micro/terms": "laws on particles",
     "micro/cells": "what is where; state of cells",
@@ -34,9 +34,9 @@ WHAT = {
 }
 # room: (column, floor)
 PLACE = {
-    "app": (1.5, 9), "coupling": (2.5, 8), "micro/scenes": (0.5, 7.5), "rve": (2.1, 7), "micro/scenes/reference": (0.5, 6.5), "macro": (3.3, 6.5),
-    "micro/processes": (1.3, 5.6), "micro/cells": (1.3, 4.7), "micro/terms": (1.3, 3.8), "micro/engine": (1.3, 2.9), "micro/solve": (1.3, 2.),
-    "micro/laws": (0.6, 1.1), "micro/geometry": (2., 1.1), "run": (2.6, 0.),
+    "app": (1.7, 9.2), "coupling": (2.5, 8.2), "micro/scenes": (0.5, 7.4), "rve": (2.3, 7.), "micro/scenes/reference": (0.35, 6.4), "macro": (3.4, 6.4),
+    "micro/processes": (1.3, 5.6), "micro/cells": (1.3, 4.7), "micro/terms": (1.3, 3.8), "micro/engine": (1.3, 2.9), "micro/solve": (2., 1.95),
+    "micro/laws": (0.5, 1.75), "micro/geometry": (1.4, 0.85), "run": (2.4, 0.),
 }
 
 
@@ -81,13 +81,12 @@ def draw(size, arrows, file):
         colour = "#dcebf7" if room.startswith("micro") else "#e8f3dc" if room in ("rve", "coupling", "macro") else "#f4ead5"
         axes.add_patch(plt.Rectangle((apart * column - width / 2, floor - height / 2), width, height, facecolor=colour, edgecolor="#333333", zorder=3))
         axes.text(apart * column, floor + 0.16, f"{room}/", ha="center", va="center", fontsize=11, fontweight="bold", zorder=4)
-        axes.text(apart * column, floor - 0.03, WHAT[room].split("\n")[0] if "\n" not in WHAT[room] else WHAT[room].replace("\n", " "), ha="center",
-                  va="center", fontsize=7.2, zorder=4)
+        axes.text(apart * column, floor - 0.03, WHAT[room], ha="center", va="center", fontsize=7.2, zorder=4)
         axes.text(apart * column, floor - 0.2, f"{size[room][0]} files, {size[room][1]} lines", ha="center", va="center", fontsize=7.5, color="#555555", zorder=4)
-    axes.set_xlim(-0.2, apart * 3.3 + width / 2 + 0.2)
-    axes.set_ylim(-0.6, 9.6)
+    axes.set_xlim(-0.4, apart * 3.4 + width / 2 + 0.2)
+    axes.set_ylim(-0.5, 9.7)
     axes.axis("off")
-    axes.set_title("Who includes whom: arrows point at what a folder knows (thicker: more includes)", fontsize=12)
+    axes.set_title("Who includes whom: arrows point at what a folder knows; left out where a longer way leads there too", fontsize=12)
     figure.tight_layout()
     figure.savefig(file, dpi=110)
 

@@ -7,7 +7,7 @@
 One process per seed and rule walks a path of F (rve_response, F_dot = 0). Columns: deviatoric
 components against the closed form (Pa), the fluid's mean EOS pressure and its virial pressure against p(A). The virial
 pressure is p(A) - (tr sigma - tr sigma_closed)/2: what is left of the trace when the flat walls' part is taken out. It is
-turgor at F = I by calibration (micro/cells/turgid_reference.h), so its p(A) has no offset; for the EOS mean the closed form
+turgor at F = I by calibration (micro/cells/annealed_cells.h), so its p(A) has no offset; for the EOS mean the closed form
 is shifted to the density that the seed's own EOS mean has at F = I.
 """
 import argparse
