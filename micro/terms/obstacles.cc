@@ -1,5 +1,6 @@
 #include "micro/terms/obstacles.h"
 
+#include "micro/solve/motion_matrix.h"
 #include "micro/solve/step_too_long.h"
 
 #include <algorithm>
@@ -89,6 +90,16 @@ void Obstacles<dim>::add_forces(Particles<dim> &particles, const Box<dim> &, con
         }
     },
     law);
+}
+
+template <int dim>
+void Obstacles<dim>::collect(MotionMatrix &matrix, const Particles<dim> &particles, const double h)
+{
+  for_touches(particles, [&](const std::size_t i, const Contact &c, const SphereContact &does, const Obstacle<dim> &body, const Vector<dim> &x) {
+    const double tangential = friction() * does.area, normal = tangential + h * std::max(0., does.stiffness);
+    if (normal > 0.)
+      matrix.link<dim>(std::uint32_t(i), matrix.given<dim>(body.velocity_at(x, c)), c.normal, normal, tangential);
+  });
 }
 
 template <int dim>

@@ -15,6 +15,7 @@
 
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace turgor
@@ -38,6 +39,8 @@ public:
   void declare(Particles<dim> &particles) override;
   void prepare(const Particles<dim> &particles, const Box<dim> &box, unsigned int threads, bool trial) override;
   void add_forces(Particles<dim> &particles, const Box<dim> &box, std::size_t group) override;
+  /// Links to bodies of given velocity: friction by the area of the contact, with h (s) the slope of the force along the normal too.
+  void collect(MotionMatrix &matrix, const Particles<dim> &particles, double h) override;
   void advance(const Particles<dim> &particles, double dt) override;
   double energy(const Particles<dim> &particles, const Box<dim> &box, std::size_t group) const override;
   void add_virials(const Particles<dim> &particles, std::vector<Tensor2<dim>> &virial) const override;
@@ -49,7 +52,7 @@ public:
   Obstacle<dim> &operator[](const std::size_t k) { return *bodies[k]; }
   const Obstacle<dim> &operator[](const std::size_t k) const { return *bodies[k]; }
 
-  /// visit(particle, contact with the body, what the law makes of it), body by body, particles in their order.
+  /// visit(particle, contact with the body, what the law makes of it[, the body, the particle's place]), body by body, particles in their order.
   template <class Visit>
   void for_touches(const Particles<dim> &particles, const Visit &visit) const
   {
@@ -58,8 +61,11 @@ public:
         const auto view = one.on(particles);
         for (const auto &body : bodies)
           for (const Group &g : particles.groups)
-            for_group(view, particles, *body, g, [&](const std::size_t i, const Vector<dim> &, const Contact &c) {
-              visit(i, c, view(i, c.distance, c.curvature));
+            for_group(view, particles, *body, g, [&](const std::size_t i, const Vector<dim> &x, const Contact &c) {
+              if constexpr (std::is_invocable_v<Visit, std::size_t, const Contact &, const SphereContact &, const Obstacle<dim> &, const Vector<dim> &>)
+                visit(i, c, view(i, c.distance, c.curvature), *body, x);
+              else
+                visit(i, c, view(i, c.distance, c.curvature));
             });
       },
       law);
