@@ -64,16 +64,18 @@ ChildEnd run_child(const std::vector<std::string> &words, const std::string &log
   const auto since_start = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
   int status = 0;
   rusage usage = {};
-  double told = -2.; // s since the start
+  double told = -2., pause = 1.; // s since the start; s
   for (pid_t ended = 0; ended != child;)
     {
       ended = ::wait4(child, &status, WNOHANG, &usage);
       if (ended < 0 && errno != EINTR)
         throw std::runtime_error("lost the child " + words[0] + ": " + std::strerror(errno) + ".");
-      // More than once: a child that has not become its program yet swallows it, and mpirun hands it on to the ranks there are by then.
-      if (ended != child && stop_was_requested() && since_start() - told > 1.)
+      // More than once: a child that has not become its program yet swallows it (soon again, or it has done its work by then), and mpirun
+      // hands it on to the ranks there are by then.
+      if (ended != child && stop_was_requested() && since_start() - told > pause)
         {
           ::kill(child, stop_signal);
+          pause = told < 0. ? 0.1 : 1.;
           told = since_start();
         }
       if (ended == child)
