@@ -74,17 +74,23 @@ void Skipping<dim>::begin(const std::vector<dealii::Tensor<2, dim>> &F, const La
       ask.record = table.find(ask.E, hint[p]);
       if (ask.record == AnswerRecords<dim>::none)
         missing.push_back(p);
-      else if (teaches && skipping_drawn(settings.seed, (batches + batches_since) * asked.size() + p, settings.audit_share))
-        {
-          ask.kind = Kind::audit;
-          now.push_back(p);
-        }
       else
-        ask.kind = Kind::table;
+        serve(p);
     }
   since.asks += teaches ? asked.size() : 0;
   batches_since += teaches;
   choose(missing);
+}
+
+// A point that a record reaches is answered from it, or called to audit it.
+template <int dim>
+void Skipping<dim>::serve(const std::size_t p)
+{
+  const std::uint64_t batch = batches + batches_since - (rounds > 0); // the batch under way is counted after its first look
+  const bool audit = teaches && skipping_drawn(settings.seed, batch * asked.size() + p, settings.audit_share);
+  asked[p].kind = audit ? Kind::audit : Kind::table;
+  if (audit)
+    now.push_back(p);
 }
 
 // Of the points that no record reaches: who is called, and who waits for them.
@@ -143,7 +149,7 @@ void Skipping<dim>::learn(const std::vector<dealii::Tensor<2, dim>> &F_dot, cons
       if (asked[p].record == AnswerRecords<dim>::none)
         missing.push_back(p);
       else
-        asked[p].kind = Kind::table;
+        serve(p);
     }
   choose(missing);
 }

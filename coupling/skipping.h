@@ -11,7 +11,7 @@
 //   skipping.end();
 //
 // - The viscous stress of the affine flow is computed exactly; E, S, energy, pressure and tangent are those of one record.
-// - One answer in 1/audit_share is computed after all and tells the error (skipping_audit.h); a record that it refutes shrinks.
+// - One answer in 1/audit_share, be its record old or of this batch, is computed after all and tells the error (skipping_audit.h); a record that it refutes shrinks.
 // - A batch of the committed time (a probe) asks again what was asked before: it teaches nothing. Records that came since the last commit
 //   are not saved, radii change at commit(): a resumed run goes on with the bits.
 // - The table serves points to which nothing has happened for good, and a record reaches no farther than nothing can happen. All others
@@ -93,6 +93,7 @@ private:
   };
 
   Tensor2<dim> elastic_P(const Ask &ask) const;
+  void serve(std::size_t point);
   void choose(const std::vector<std::size_t> &missing);
   void decide();
 

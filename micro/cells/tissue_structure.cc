@@ -81,7 +81,7 @@ void TissueStructure::add_parameters(InputEntries &prm)
                     "polygons (a table) or image (a segmented picture); Cell/Period then counts for nothing. Other than square they find their periods at turgor themselves, free of stress. "
                     "Units: none.",
                     Selection("square|hexagon|brick|voronoi|polygons|image"));
-  prm.add_parameter("Structure seed", seed, "Seed of what is random in the tissue: Jitter, places and areas of voronoi cells. Units: none.", Integer(0));
+  prm.add_parameter("Structure seed", seed, "Seed of what is random in the tissue: Corner jitter, places and areas of voronoi cells. Units: none.", Integer(0));
   prm.add_parameter("Rotation", rotation, "Angle by which the tissue is turned, counter-clockwise. Units: degrees.", Double(-360., 360.));
   prm.add_parameter("Corner jitter", jitter,
                     "Largest random displacement of a corner of hexagon or brick cells, in x and in y, over Cell/Period. Units: 1.", Double(0., 0.2));
