@@ -13,13 +13,17 @@
 // With ranks, evaluate(), commit(), archive() and states() are collective.
 #pragma once
 
+#include "coupling/answer_table.h"
 #include "coupling/point_shares.h"
+#include "coupling/point_states.h"
+#include "coupling/rve_calls.h"
 #include "coupling/skipping.h"
 #include "macro/material_law.h"
 #include "rve/rve.h"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,7 +61,6 @@ class RveLaw : public MaterialLaw<dim>
 {
 public:
   RveLaw(std::shared_ptr<const Rve<dim>> rve, const RveLawSettings &settings);
-  ~RveLaw() override;
 
   void set_points(const std::vector<dealii::Point<dim>> &points) override;
   void evaluate(const std::vector<dealii::Tensor<2, dim>> &F, const std::vector<dealii::Tensor<2, dim>> &F_dot,
@@ -66,31 +69,61 @@ public:
   /// Throws std::logic_error when the last batch had failed points: there is nothing to commit.
   void commit() override;
 
-  double density() const override;
-  double stiffness_bound() const override;
-  double viscosity_bound() const override;
+  double density() const override { return rve->density(); }
+  double stiffness_bound() const override { return rve->stiffness_bound(); }
+  double viscosity_bound() const override { return rve->viscosity_bound(); }
 
   /// All points in order, whoever owns them: the bytes do not depend on the ranks.
   void archive(Archive &a) override;
 
-  const RveLawStatistics &statistics() const;
-  const PointShares &shares() const;
-  const Skipping<dim> *skipping() const; ///< null where every RVE is called
+  const RveLawStatistics &statistics() const { return counts; }
+  const PointShares &shares() const { return share; }
+  const Skipping<dim> *skipping() const { return skipped ? &*skipped : nullptr; } ///< null where every RVE is called
 
   /// Pa, mean fluid pressure of every point in the last batch (unset before: signalling NaN).
-  const std::vector<double> &pressure() const;
+  const std::vector<double> &pressure() const { return pressures; }
 
   /// Pa, Cauchy stress of every point in the last batch.
-  const std::vector<Tensor2<dim>> &cauchy_stress() const;
+  const std::vector<Tensor2<dim>> &cauchy_stress() const { return sigma; }
 
   /// What has happened for good to the cells of every point, as of the last batch; empty for RVEs without history.
-  const std::vector<RveCondition> &condition() const;
+  const std::vector<RveCondition> &condition() const { return conditions; }
 
   /// The committed states of some points, whoever owns them.
   std::vector<RveState<dim>> states(const std::vector<std::size_t> &points) const;
 
 private:
-  struct Impl;
-  std::unique_ptr<Impl> impl;
+  /// These points, of which this rank calls its own, and gathers all.
+  void call(const std::vector<std::size_t> &points, const RveBatch<dim> &batch, const LawRequest &request);
+  /// In rounds (skipping.h), and all others from its table.
+  void call_what_no_record_answers(const RveBatch<dim> &batch, const LawRequest &request);
+  void read(const AnswerTable<dim> &table, const LawRequest &request, LawAnswer<dim> &answer);
+  void count(const AnswerTable<dim> &table);
+  void rebalance();
+
+  std::shared_ptr<const Rve<dim>> rve;
+  RveLawSettings settings;
+  PointShares share;
+  RveCalls<dim> calls;
+  PointStates<dim> held;
+  std::optional<Skipping<dim>> skipped;
+
+  std::vector<dealii::Point<dim>> points;
+  std::vector<std::size_t> all;                 // points
+  std::vector<std::size_t> called;              // in the last batch, ascending
+  std::vector<Tensor2<dim>> F_now, F_committed; // of the last batch and the last commit; empty without skipping
+  enum class Last
+  {
+    none, // no batch since the last commit
+    good,
+    failed
+  } last = Last::none;
+
+  std::vector<double> pressures;
+  std::vector<Tensor2<dim>> sigma;
+  std::vector<RveCondition> conditions;
+  std::vector<double> cost; // s, smoothed, equal on all ranks
+  std::uint64_t commits = 0;
+  RveLawStatistics counts;
 };
 } // namespace turgor
