@@ -1,7 +1,7 @@
 #include "micro/geometry/triangulated_body.h"
 
+#include "micro/geometry/closed_surface.h"
 #include "micro/geometry/closest_point.h"
-#include "run/number_text.h"
 
 #include <Eigen/Geometry>
 
@@ -13,23 +13,17 @@ TriangulatedBody::TriangulatedBody(TriangleMesh mesh_, const std::vector<Vector<
   : surface(std::move(mesh_))
   , side(side_)
 {
-  surface.complete();
-  if (surface.nodes != nodes.size())
-    throw std::invalid_argument("the triangles of a body name " + number_text(surface.nodes) + " nodes, but there are " + number_text(nodes.size()) + ".");
+  complete_closed_surface(surface, nodes, "a body");
   for (const Vector<3> &node : nodes)
     centre += node / double(nodes.size());
   for (const Vector<3> &node : nodes)
     at_rest.push_back(node - centre);
-  double volume = 0.;
   of_edge.assign(surface.edges.size(), Vector<3>::Zero());
   of_node.assign(nodes.size(), Vector<3>::Zero());
   for (std::size_t f = 0; f < surface.faces.size(); ++f)
     {
       const auto &[a, b, c] = surface.faces[f];
       const Vector<3> twice_area = (at_rest[b] - at_rest[a]).cross(at_rest[c] - at_rest[a]);
-      if (!(twice_area.norm() > 1e-12 * (at_rest[b] - at_rest[a]).squaredNorm()))
-        throw std::invalid_argument("triangle " + number_text(f) + " of a body has no area.");
-      volume += at_rest[a].dot(twice_area) / 6.;
       of_face.push_back(twice_area.normalized());
       for (int k = 0; k < 3; ++k)
         {
@@ -39,8 +33,6 @@ TriangulatedBody::TriangulatedBody(TriangleMesh mesh_, const std::vector<Vector<
           of_node[here] += std::acos(std::clamp(u.dot(v), -1., 1.)) * of_face[f];
         }
     }
-  if (!(volume > 0.))
-    throw std::invalid_argument("the triangles of a body have to be counter-clockwise seen from outside: its volume is " + number_text(volume) + " m^3.");
   for (auto *normals : {&of_edge, &of_node})
     for (Vector<3> &n : *normals)
       n.normalize();

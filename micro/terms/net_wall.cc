@@ -1,5 +1,7 @@
 #include "micro/terms/net_wall.h"
 
+#include "micro/geometry/triangle_hinge.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,37 +9,6 @@ namespace turgor
 {
 namespace
 {
-/// An edge's two faces and the angle between their outward normals, positive where the wall is convex.
-struct Hinge
-{
-  Vector<3> e, n1, n2; // n1, n2: twice the area times the normal
-  double length, n1_squared, n2_squared, angle;
-
-  Hinge(const Vector<3> &a, const Vector<3> &b, const Vector<3> &c, const Vector<3> &d)
-    : e(b - a)
-    , n1(e.cross(c - a))
-    , n2((d - b).cross(e))
-    , length(e.norm())
-    , n1_squared(n1.squaredNorm())
-    , n2_squared(n2.squaredNorm())
-  {
-    // sin and cos times |n1| |n2|
-    const double sine = n2.cross(n1).dot(e) / length, cosine = n1.dot(n2);
-    angle = -std::atan2(sine, cosine);
-  }
-
-  /// d angle/d(a, b, c, d), 1/m
-  void gradient(const Vector<3> &a, const Vector<3> &b, const Vector<3> &c, const Vector<3> &d, Vector<3> g[4]) const
-  {
-    const Vector<3> m1 = n1 / n1_squared, m2 = n2 / n2_squared;
-    const double inverse = 1. / length;
-    g[2] = -length * m1;
-    g[3] = -length * m2;
-    g[0] = (b - c).dot(e) * inverse * m1 + (b - d).dot(e) * inverse * m2;
-    g[1] = (c - a).dot(e) * inverse * m1 + (d - a).dot(e) * inverse * m2;
-  }
-};
-
 double spring_force(const double lambda)
 {
   const double s = 1. / (lambda * lambda);
@@ -57,7 +28,7 @@ NetShape::NetShape(const TriangleMesh &mesh, const std::vector<Vector<3>> &posit
       const double length = (positions[edge.b] - positions[edge.a]).norm();
       rest_length.push_back(length);
       width.push_back(0.5 * length * (cotangent(edge.c, edge.a, edge.b) + cotangent(edge.d, edge.a, edge.b)));
-      rest_angle.push_back(Hinge(positions[edge.a], positions[edge.b], positions[edge.c], positions[edge.d]).angle);
+      rest_angle.push_back(TriangleHinge(positions[edge.a], positions[edge.b], positions[edge.c], positions[edge.d]).angle);
     }
   for (const auto &face : mesh.faces)
     {
@@ -128,7 +99,7 @@ void NetWall::add_forces(Particles<3> &particles, const Box<3> &, const std::siz
       if (hinged(group, k))
         {
           const Vector<3> c = at(edge.c), d = at(edge.d);
-          const Hinge hinge(a, b, c, d);
+          const TriangleHinge hinge(a, b, c, d);
           Vector<3> g[4];
           hinge.gradient(a, b, c, d, g);
           const double moment = bending * (hinge.angle - shape.rest_angle[k]);
@@ -160,7 +131,7 @@ double NetWall::energy(const Particles<3> &particles, const Box<3> &, const std:
                / (4. * l2 * l2);
       if (hinged(group, k))
         {
-          const double bent = Hinge(a, b, particles.position(begin + edge.c), particles.position(begin + edge.d)).angle
+          const double bent = TriangleHinge(a, b, particles.position(begin + edge.c), particles.position(begin + edge.d)).angle
                               - shape.rest_angle[k];
           total += 0.5 * bending * bent * bent;
         }
@@ -193,7 +164,7 @@ Rates NetWall::rates(const Particles<3> &particles) const
       direction.push_back(e / length);
       root.push_back(std::sqrt(parameters.stiffness * shape.width[k] / shape.rest_length[k] * slope));
       across.push_back(std::max(0., parameters.stiffness * shape.width[k] * spring_force(lambda) / length));
-      const Hinge bent(particles.position(g.begin + edge.a), particles.position(g.begin + edge.b),
+      const TriangleHinge bent(particles.position(g.begin + edge.a), particles.position(g.begin + edge.b),
                        particles.position(g.begin + edge.c), particles.position(g.begin + edge.d));
       const double height_squared = std::min(bent.n1_squared, bent.n2_squared) / (bent.length * bent.length);
       for (const int node : {edge.a, edge.b, edge.c, edge.d})
