@@ -30,16 +30,9 @@ template <int dim>
 void SystemMotion<dim>::velocities(Particles<dim> &particles, const double h)
 {
   matrix.clear(medium);
-  if (h > 0. && outer_stiffness)
-    {
-      std::vector<double> stiffness(medium.size(), 0.);
-      outer_stiffness(particles, stiffness);
-      for_chunks(system.threads, particles_of(medium.size()), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-          matrix.medium[i] += h * stiffness[i];
-      });
-    }
   system.collect(matrix, h);
+  if (outer_collect)
+    outer_collect(matrix, particles, h);
   matrix.template solve<dim>(particles.f, particles.v, system.threads);
 }
 

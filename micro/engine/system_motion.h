@@ -4,8 +4,6 @@
 //   motion.medium.assign(n, 0.3);                      N s/m, of each particle
 //   Overdamped<3> stepper(parameters, motion, system.threads);
 //   stepper.step(system.particles, limit);
-//
-// Forces from outside that stiffen with the way add h times their stiffness to the medium's drag in implicit steps, the same in all directions.
 #pragma once
 
 #include "micro/engine/motion.h"
@@ -24,8 +22,7 @@ public:
 
   std::vector<double> medium; ///< N s/m, of each particle
   std::function<void(Particles<dim> &)> outer; ///< adds forces from outside (N) to particles.f
-  /// stiffness (N/m) += that of the outer forces, per particle, at the positions of their last evaluation.
-  std::function<void(const Particles<dim> &, std::vector<double> &)> outer_stiffness;
+  std::function<void(MotionMatrix &, const Particles<dim> &, double h)> outer_collect; ///< Term::collect of what gives them
   /// particles.f = the random forces (N) of step number `step` of length h (s).
   std::function<void(Particles<dim> &, double h, std::uint64_t step)> random;
 

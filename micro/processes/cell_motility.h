@@ -25,7 +25,7 @@
 
 namespace turgor
 {
-/// f = the random forces (N) of step `step` (of length h, s); gamma: N s/m; diffusion: m^2/s.
+/// f = the random forces (N) of step `step` (of length h, s); gamma: N s/m, of each cell with all that is no cell; diffusion: m^2/s.
 inline void set_motility_forces(Particles<3> &particles, const std::vector<std::uint64_t> &id, const std::vector<double> &gamma,
                                 const double diffusion, const double h, const std::uint64_t seed, const std::uint64_t step,
                                 const int directions = 3)

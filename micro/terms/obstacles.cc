@@ -138,6 +138,12 @@ double Obstacles<dim>::friction() const
 }
 
 template <int dim>
+void Obstacles<dim>::add_friction(const Particles<dim> &particles, std::vector<double> &gamma) const
+{
+  for_touches(particles, [&](const std::size_t i, const Contact &, const SphereContact &does) { gamma[i] += friction() * does.area; });
+}
+
+template <int dim>
 double Obstacles<dim>::depth_of(const Vector<dim> &x) const
 {
   double least = HUGE_VAL;

@@ -72,6 +72,8 @@ public:
   }
 
   double friction() const; ///< N s/m^3, of what touches, by the area of its contact
+  /// gamma (N s/m) += the friction of each particle with the bodies, where forces were last asked.
+  void add_friction(const Particles<dim> &particles, std::vector<double> &gamma) const;
 
   /// Of what cells live on: m, of a place below the surface of the nearest body that lets it through; infinite where there is none.
   double depth_of(const Vector<dim> &x) const;

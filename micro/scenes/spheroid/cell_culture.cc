@@ -46,13 +46,16 @@ CellCulture::CellCulture(const CultureParameters &parameters_, Surroundings surr
     if (migrates())
       add_migration_forces(particles, parameters.migration, [state = cells.state()](const std::size_t i) { return state.alive(i); });
   };
-  motion.outer_stiffness = [this](const Particles<3> &particles, std::vector<double> &stiffness) {
+  motion.outer_collect = [this](MotionMatrix &matrix, const Particles<3> &particles, const double step) {
     if (surroundings.walls)
-      surroundings.walls->for_touches(particles, [&](std::size_t i, const auto &, const SphereContact &c) { stiffness[i] += c.stiffness; });
+      surroundings.walls->collect(matrix, particles, step);
   };
   if (parameters.motility > 0.)
     motion.random = [this](Particles<3> &particles, const double step, const std::uint64_t number) {
-      set_motility_forces(particles, cells.id(), motion.medium, parameters.motility, step, parameters.life.variability.seed, number, directions());
+      std::vector<double> gamma = motion.medium;
+      if (surroundings.walls)
+        surroundings.walls->add_friction(particles, gamma);
+      set_motility_forces(particles, cells.id(), gamma, parameters.motility, step, parameters.life.variability.seed, number, directions());
     };
   if (migrates())
     declare_polarity(cells.particles.cells);
@@ -93,11 +96,6 @@ void CellCulture::set_friction()
   gamma.resize(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
     gamma[i] = 4. * std::numbers::pi * R[i] * R[i] * parameters.medium_friction;
-  if (Obstacles<3> *const walls = surroundings.walls)
-    {
-      walls->prepare(cells.particles, {}, cells.threads, false); // cells have grown: a capsule yields to them
-      walls->for_touches(cells.particles, [&](std::size_t i, const auto &, const SphereContact &c) { gamma[i] += walls->friction() * c.area; });
-    }
 }
 
 void CellCulture::gather_others(const Rearrangement &places)
