@@ -5,6 +5,7 @@
 // Forces go to particles.f (N), velocities to particles.v (m/s); what the forces are and how the matrix is solved, the stepper does not know.
 #pragma once
 
+#include "micro/engine/energies.h"
 #include "micro/engine/particles.h"
 
 namespace turgor
@@ -22,6 +23,21 @@ public:
   /// v from f, where forces() was last asked; v holds where the search for it starts. h: s of an implicit step, 0: Gamma alone.
   /// Throws NotSolved.
   virtual void velocities(Particles<dim> &particles, double h) = 0;
+
+  /// The positions of the last forces(), which were a trial, are those of the step: what has a history follows them.
+  virtual void accept(Particles<dim> &particles) = 0;
+
+  // What a step checks that must make no energy: E(after) + dissipated <= E(before) + work.
+
+  /// J, of all forces that are the slope of an energy, where forces() was last asked.
+  virtual Energies energy(const Particles<dim> &particles) const = 0;
+
+  /// W, v'Gamma v >= 0: what friction turns into heat at the velocities of the last velocities(). Before another forces().
+  virtual double dissipation(Particles<dim> &particles) = 0;
+
+  /// J, over h (s) at the same velocities: what bodies of given velocity and active forces do. Bodies stay where they are until the step has
+  /// ended; counted is what they do by friction, and what an implicit step foresees of their push. Before another forces().
+  virtual double work_of_bodies(Particles<dim> &particles, double h) = 0;
 
   /// v once more by the matrix of the last velocities(), for other forces in f.
   virtual void again(Particles<dim> &particles) = 0;

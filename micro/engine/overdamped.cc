@@ -24,7 +24,10 @@ Overdamped<dim>::Overdamped(const OverdampedParameters &parameters_, Motion<dim>
   , motion(motion_)
   , threads(threads_)
   , dt(parameters_.first_step)
-{}
+{
+  if (parameters.energy.on && parameters.method != OverdampedMethod::implicit)
+    throw std::logic_error("only implicit steps are checked against making energy");
+}
 
 template <int dim>
 void Overdamped<dim>::evaluate(Particles<dim> &particles, const double implicit_step, const bool trial)
@@ -79,6 +82,90 @@ typename Overdamped<dim>::Change Overdamped<dim>::change_of(const Components &v)
 }
 
 template <int dim>
+double Overdamped<dim>::fastest_of(const Components &v)
+{
+  const Chunks chunks = bodies_of(v[0].size());
+  worst_of.assign(chunks.count(), 0.);
+  for_chunks(threads, chunks, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      {
+        double square = 0.;
+        for (int d = 0; d < dim; ++d)
+          square += v[d][i] * v[d][i];
+        worst_of[begin / chunks.size] = std::max(worst_of[begin / chunks.size], square);
+      }
+  });
+  double most = 0.;
+  for (const double one : worst_of)
+    most = std::max(most, one);
+  return std::sqrt(most);
+}
+
+template <int dim>
+bool Overdamped<dim>::find_velocities(Particles<dim> &particles, const double h)
+{
+  const bool implicit = parameters.method == OverdampedMethod::implicit;
+  try
+    {
+      if (implicit)
+        evaluate(particles, h, false);
+      if (parameters.method == OverdampedMethod::heun)
+        {
+          move(particles.x, x_before, h, v_before);
+          evaluate(particles, 0., true);
+        }
+      return true;
+    }
+  catch (const StepTooLong &error)
+    { // where an implicit step begins does not depend on its length, only the matrix does
+      if ((implicit && !dynamic_cast<const NotSolved *>(&error)) || 0.2 * h < parameters.least_step)
+        throw;
+      ++rejections;
+      dt = 0.2 * h;
+      copy(x_before, particles.x);
+      return false;
+    }
+}
+
+template <int dim>
+double Overdamped<dim>::checked_step(Particles<dim> &particles, const double h)
+{
+  const Energies before = motion.energy(particles);
+  const double fastest = fastest_of(particles.v), longest = parameters.energy.longest_move * motion.length(particles);
+  const double s = h * fastest > longest ? longest / fastest : h;
+  const double lost = 0.5 * s * motion.dissipation(particles), work = motion.work_of_bodies(particles, s);
+  move(particles.x, x_before, s, particles.v);
+  try
+    {
+      motion.forces(particles, true);
+    }
+  catch (const StepTooLong &)
+    {
+      return 0.;
+    }
+  const Energies after = motion.energy(particles);
+  const bool rests = s * fastest <= 1e-12 * motion.length(particles); // positions are not known any better
+  const bool falls = rests || after.sum + lost <= before.sum + work + parameters.energy.tolerance * std::max(before.size, after.size);
+  if (falls)
+    motion.accept(particles);
+  return falls ? s : 0.;
+}
+
+template <int dim>
+void Overdamped<dim>::fail(const bool rose) const
+{
+  std::ostringstream text;
+  text << "the step fell below " << parameters.least_step << " s: ";
+  if (rose)
+    text << "every step makes energy, more than " << parameters.energy.tolerance
+         << " of the energies at play. Use softer contacts, a finer mesh of cells, or a larger tolerance of the energy.";
+  else
+    text << "the cells' forces change too fast for the tolerance of " << parameters.tolerance
+         << " radii. Use Method = implicit, a larger tolerance, or softer contacts.";
+  throw std::runtime_error(text.str());
+}
+
+template <int dim>
 double Overdamped<dim>::step(Particles<dim> &particles, const double limit)
 {
   const std::size_t n = particles.size();
@@ -94,25 +181,8 @@ double Overdamped<dim>::step(Particles<dim> &particles, const double limit)
   for (;;)
     {
       const double h = std::min({dt, limit, parameters.longest_step});
-      try
-        {
-          if (implicit)
-            evaluate(particles, h, false);
-          if (heun)
-            {
-              move(particles.x, x_before, h, v_before);
-              evaluate(particles, 0., true);
-            }
-        }
-      catch (const StepTooLong &error)
-        { // where an implicit step begins does not depend on its length, only the matrix does
-          if ((implicit && !dynamic_cast<const NotSolved *>(&error)) || 0.2 * h < parameters.least_step)
-            throw;
-          ++rejections;
-          dt = 0.2 * h;
-          copy(x_before, particles.x);
-          continue;
-        }
+      if (!find_velocities(particles, h))
+        continue;
       const auto [worst, total] = change_of(particles.v);
       const bool finite = std::isfinite(total);
       // What has changed since the step before, over a step of this length; a change over this very step where that is known.
@@ -120,38 +190,38 @@ double Overdamped<dim>::step(Particles<dim> &particles, const double limit)
       const double largest = 0.5 * h * over_step * std::sqrt(worst);
       const double error = !parameters.mean_error ? largest :
                                                     std::max(0.5 * h * over_step * std::sqrt(total / double(n)), parameters.tolerance * 4. * largest);
-      const double factor = error > 0. ? std::clamp(0.9 * std::sqrt(allowed / error), 0.2, 2.) : 2.;
-      if (finite && error <= allowed)
+      double factor = error > 0. ? std::clamp(0.9 * std::sqrt(allowed / error), 0.2, 2.) : 2.;
+      const bool accurate = finite && error <= allowed;
+      const double passed = !accurate ? 0. : parameters.energy.on ? checked_step(particles, h) : h;
+      if (passed > 0.)
         {
           for_chunks(threads, bodies_of(n), [&](std::size_t begin, std::size_t end) {
             for (int d = 0; d < dim; ++d)
               for (std::size_t i = begin; i < end; ++i)
                 {
                   const double v = heun ? 0.5 * (particles.v[d][i] + v_before[d][i]) : particles.v[d][i];
-                  particles.x[d][i] = x_before[d][i] + h * v;
+                  particles.x[d][i] = x_before[d][i] + passed * v;
                   v_before[d][i] = particles.v[d][i] = v;
                 }
           });
+          if (parameters.energy.on)
+            factor = std::min(factor, parameters.energy.growth) * passed / h;
           if (h >= dt || factor < 1.) // a step cut short by the limit says nothing against the long one
             dt = h * factor;
-          move_at_random(particles, h);
+          move_at_random(particles, passed);
           ++accepted;
-          last_step = h;
+          last_step = passed;
           if (jumped)
-            after_jump = h;
+            after_jump = passed;
           jumped = false;
-          return h;
+          return passed;
         }
       ++rejections;
-      dt = h * (finite ? std::min(factor, 0.9) : 0.2);
+      rises += accurate;
+      dt = h * (accurate ? 0.5 : finite ? std::min(factor, 0.9) : 0.2);
       copy(x_before, particles.x);
       if (dt < parameters.least_step)
-        {
-          std::ostringstream text;
-          text << "the step fell below " << parameters.least_step << " s: the cells' forces change too fast for the tolerance of "
-               << parameters.tolerance << " radii. Use Method = implicit, a larger tolerance, or softer contacts.";
-          throw std::runtime_error(text.str());
-        }
+        fail(accurate);
     }
 }
 
@@ -164,7 +234,10 @@ void Overdamped<dim>::move_at_random(Particles<dim> &particles, const double h)
     for (auto &v : particles.v)
       std::fill(v.begin() + std::ptrdiff_t(begin), v.begin() + std::ptrdiff_t(end), 0.);
   });
-  motion.again(particles);
+  if (parameters.energy.on) // the matrix of its last solution belongs to other positions than the lists do now
+    motion.velocities(particles, h);
+  else
+    motion.again(particles);
   move(particles.x, particles.x, h, particles.v);
   copy(v_before, particles.v);
 }
@@ -183,7 +256,7 @@ template <int dim>
 void Overdamped<dim>::archive(Archive &a)
 {
   a.section("overdamped");
-  a(dt, last_step, after_jump, jumped, rejections, accepted, v_before);
+  a(dt, last_step, after_jump, jumped, rejections, accepted, rises, v_before);
 }
 
 template class Overdamped<2>;

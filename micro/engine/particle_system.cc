@@ -5,6 +5,7 @@
 #include "run/number_text.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -41,6 +42,13 @@ void ParticleSystem<dim>::prepare(const bool trial)
 {
   for (const auto &term : terms)
     term->prepare(particles, box, threads, trial);
+}
+
+template <int dim>
+void ParticleSystem<dim>::accept()
+{
+  for (const auto &term : terms)
+    term->accept();
 }
 
 template <int dim>
@@ -114,6 +122,37 @@ double ParticleSystem<dim>::potential_energy() const
   for (std::size_t group = 0; group < particles.groups.size(); ++group)
     for (const auto &term : terms)
       total += term->energy(particles, box, group);
+  return total;
+}
+
+template <int dim>
+Energies ParticleSystem<dim>::energies() const
+{
+  energy_of.assign(particles.groups.size(), {});
+  for_groups([this](const std::size_t group) {
+    for (const auto &term : terms)
+      {
+        const double one = term->energy(particles, box, group);
+        energy_of[group].sum += one;
+        energy_of[group].size += std::abs(one);
+      }
+  });
+  Energies total;
+  for (const Energies &one : energy_of)
+    {
+      total.sum += one.sum;
+      total.size += one.size;
+    }
+  return total;
+}
+
+template <int dim>
+double ParticleSystem<dim>::active_work(const double h) const
+{
+  double total = 0.;
+  for (std::size_t group = 0; group < particles.groups.size(); ++group)
+    for (const auto &term : terms)
+      total += term->active_work(particles, box, group, h);
   return total;
 }
 

@@ -4,6 +4,7 @@
 // summed over groups is summed in their order: same bits on any number of threads.
 #pragma once
 
+#include "micro/engine/energies.h"
 #include "micro/engine/term.h"
 
 #include <functional>
@@ -48,6 +49,9 @@ public:
   /// Tells all terms that the positions of all groups are final, before their forces.
   void prepare(bool trial = false);
 
+  /// Tells all terms that the positions of the last prepare(), a trial, are those of the step.
+  void accept();
+
   /// Tells all terms that the group's positions have moved by dt times its velocities.
   void drift_of_group(std::size_t group, double dt);
 
@@ -67,6 +71,8 @@ public:
 
   /// J, after compute_forces at the same positions.
   double potential_energy() const;
+  Energies energies() const; ///< the same, group by group on all threads
+  double active_work(double h) const; ///< J, of all terms over h (s), after compute_forces at the same positions
   double kinetic_energy() const;
   double heat() const; ///< J, what the terms' impulses have taken from the motion so far
   Vector<dim> momentum() const; ///< kg m/s, of the particles that are not clamped
@@ -87,6 +93,7 @@ public:
 
 private:
   std::vector<std::unique_ptr<Term<dim>>> terms;
+  mutable std::vector<Energies> energy_of; ///< of each group; kept for its memory
 };
 
 extern template class ParticleSystem<2>;

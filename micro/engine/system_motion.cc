@@ -16,11 +16,13 @@ template <int dim>
 SystemMotion<dim>::SystemMotion(ParticleSystem<dim> &system_, const SolveParameters &solve)
   : system(system_)
   , matrix(solve)
+  , friction(solve)
 {}
 
 template <int dim>
 void SystemMotion<dim>::forces(Particles<dim> &particles, const bool trial)
 {
+  friction_collected = false;
   system.compute_forces(trial);
   if (outer)
     outer(particles);
@@ -33,7 +35,64 @@ void SystemMotion<dim>::velocities(Particles<dim> &particles, const double h)
   system.collect(matrix, h);
   if (outer_collect)
     outer_collect(matrix, particles, h);
+  if (correct_clusters)
+    matrix.template correct_clusters<dim>(particles.x);
   matrix.template solve<dim>(particles.f, particles.v, system.threads);
+}
+
+template <int dim>
+void SystemMotion<dim>::accept(Particles<dim> &)
+{
+  system.accept();
+}
+
+template <int dim>
+Energies SystemMotion<dim>::energy(const Particles<dim> &) const
+{
+  return system.energies();
+}
+
+template <int dim>
+MotionMatrix::Power SystemMotion<dim>::friction_power(const Particles<dim> &particles)
+{
+  if (!friction_collected)
+    {
+      friction.clear(medium);
+      system.collect(friction, 0.);
+      if (outer_collect)
+        outer_collect(friction, particles, 0.);
+      friction_collected = true;
+    }
+  return friction.template power<dim>(particles.v, system.threads);
+}
+
+template <int dim>
+double SystemMotion<dim>::dissipation(Particles<dim> &particles)
+{
+  return friction_power(particles).lost;
+}
+
+template <int dim>
+double SystemMotion<dim>::work_of_bodies(Particles<dim> &particles, const double h)
+{
+  double total = system.active_work(h);
+  if (matrix.moves_bodies())
+    { // by friction; and the push that h K foresees
+      const MotionMatrix::Power by_friction = friction_power(particles);
+      total += h * (by_friction.given + matrix.template power<dim>(particles.v, system.threads).pushed - by_friction.pushed);
+    }
+  if (!outer)
+    return total;
+  auto from_outside = particles.f;
+  for (auto &f : from_outside)
+    std::fill(f.begin(), f.end(), 0.);
+  std::swap(particles.f, from_outside);
+  outer(particles);
+  std::swap(particles.f, from_outside);
+  for (int d = 0; d < dim; ++d)
+    for (std::size_t i = 0; i < particles.size(); ++i)
+      total += h * from_outside[d][i] * particles.v[d][i];
+  return total;
 }
 
 template <int dim>
@@ -53,6 +112,8 @@ bool SystemMotion<dim>::random_forces(Particles<dim> &particles, const double h,
 template <int dim>
 double SystemMotion<dim>::length(const Particles<dim> &particles) const
 {
+  if (own_length > 0.)
+    return own_length;
   const std::vector<double> &radius = particles.field("radius");
   std::vector<double> parts;
   const double sum = sum_chunks(system.threads, particles_of(radius.size()), parts, [&](std::size_t begin, std::size_t end) {

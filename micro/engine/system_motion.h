@@ -4,6 +4,8 @@
 //   motion.medium.assign(n, 0.3);                      N s/m, of each particle
 //   Overdamped<3> stepper(parameters, motion, system.threads);
 //   stepper.step(system.particles, limit);
+//
+// Forces from outside have no energy: a step that checks its energy counts what they do as work.
 #pragma once
 
 #include "micro/engine/motion.h"
@@ -25,19 +27,29 @@ public:
   std::function<void(MotionMatrix &, const Particles<dim> &, double h)> outer_collect; ///< Term::collect of what gives them
   /// particles.f = the random forces (N) of step number `step` of length h (s).
   std::function<void(Particles<dim> &, double h, std::uint64_t step)> random;
+  bool correct_clusters = false; ///< clusters' net force and torque exactly (motion_matrix.h), where the medium is much weaker than the links
+  double own_length = 0.;        ///< m, of length(); 0: the mean of the field `radius`
 
   // particles: always those of the system
   void forces(Particles<dim> &particles, bool trial) override;
   void velocities(Particles<dim> &particles, double h) override;
+  void accept(Particles<dim> &particles) override;
+  Energies energy(const Particles<dim> &particles) const override;
+  double dissipation(Particles<dim> &particles) override;
+  double work_of_bodies(Particles<dim> &particles, double h) override;
   void again(Particles<dim> &particles) override;
   bool random_forces(Particles<dim> &particles, double h, std::uint64_t step) override;
-  double length(const Particles<dim> &particles) const override; ///< m, the mean of the field `radius`
+  double length(const Particles<dim> &particles) const override;
 
   const MotionMatrix &solver() const { return matrix; }
 
 private:
+  MotionMatrix::Power friction_power(const Particles<dim> &particles);
+
   ParticleSystem<dim> &system;
   MotionMatrix matrix;
+  MotionMatrix friction; ///< without h K, where a step checks its energy
+  bool friction_collected = false; ///< at the positions of the last forces()
 };
 
 extern template class SystemMotion<2>;

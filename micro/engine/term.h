@@ -64,6 +64,9 @@ public:
   /// brought up to date, on up to `threads` threads. trial: positions that may be taken back; what has a history (who touches) does not follow.
   virtual void prepare(const Particles<dim> &, const Box<dim> &, unsigned int /*threads*/, bool /*trial*/) {}
 
+  /// The positions of the last prepare(), which were a trial, are those of the step: what has a history follows them now.
+  virtual void accept() {}
+
   /// f += forces on the particles of the group.
   virtual void add_forces(Particles<dim> &particles, const Box<dim> &box, std::size_t group) = 0;
 
@@ -91,6 +94,10 @@ public:
   /// J; the part of the term's energy that belongs to the group. 0 for dissipative laws.
   /// Valid after add_forces at the same positions.
   virtual double energy(const Particles<dim> &particles, const Box<dim> &box, std::size_t group) const = 0;
+
+  /// J; what forces that are no slope of the energy (active ones) do on the group over h (s) at the velocities it carries: sum of f . v h.
+  /// After add_forces at the same positions. Friction that is collected and bodies of given velocity are counted by the matrix of motion.
+  virtual double active_work(const Particles<dim> &, const Box<dim> &, std::size_t /*group*/, double /*h*/) const { return 0.; }
 
   /// N m; what periodic images add to the virial -sum_k f_k (x) x_k of the group's own
   /// forces. Zero for laws within a group.

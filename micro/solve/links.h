@@ -137,6 +137,32 @@ struct LinkedBodies
   }
 };
 
+/// Power that goes into the links of one body (W), half of it where the other body counts it too.
+class PowerRow
+{
+public:
+  PowerRow(const std::vector<BodyVector> &v_, const std::size_t i, const std::size_t bodies_)
+    : me(v_[i].v)
+    , v(v_.data())
+    , bodies(bodies_)
+  {}
+  PowerRow(const PowerRow &other) = default;
+  void take(const PowerRow &done) { total = done.total; }
+  void link(const double normal, const double tangential, const DoubleRow e, const std::uint32_t other, bool /*touches*/)
+  {
+    const DoubleRow u = me - v[other].v, along = e * u, square = u * u; // u[3] = 0
+    const double speed = (along[0] + along[1]) + along[2];
+    total += (other < bodies ? 0.5 : 1.) * (tangential * ((square[0] + square[1]) + square[2]) + (normal - tangential) * speed * speed);
+  }
+  double result() const { return total; }
+
+private:
+  DoubleRow me;
+  const BodyVector *v;
+  std::size_t bodies;
+  double total = 0.;
+};
+
 class LinkSource
 {
 public:
@@ -152,6 +178,7 @@ public:
   virtual void add(std::size_t i, LinkRow<true> &row) const = 0;
   virtual void add(std::size_t i, LinkRow<false> &row) const = 0;
   virtual void add(std::size_t i, LinkedBodies &row) const = 0;
+  virtual void add(std::size_t i, PowerRow &row) const = 0;
 };
 
 template <class List>
@@ -162,6 +189,7 @@ public:
   void add(const std::size_t i, LinkRow<true> &row) const override { all_of(i, row); }
   void add(const std::size_t i, LinkRow<false> &row) const override { all_of(i, row); }
   void add(const std::size_t i, LinkedBodies &row) const override { all_of(i, row); }
+  void add(const std::size_t i, PowerRow &row) const override { all_of(i, row); }
 
 private:
   template <class Row>

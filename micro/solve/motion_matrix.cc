@@ -43,6 +43,7 @@ void MotionMatrix::clear_parts()
   sources.clear();
   products.clear();
   given_velocity.clear();
+  listed = false;
   find_clusters = {};
 }
 
@@ -103,6 +104,9 @@ void MotionMatrix::correct_clusters(const std::array<std::vector<double>, dim> &
 
 void MotionMatrix::make_lists()
 {
+  if (listed)
+    return;
+  listed = true;
   if (!pushed.empty())
     {
       pushed.sort(medium.size());
@@ -172,16 +176,18 @@ double MotionMatrix::exact_residual()
   });
 }
 
+std::vector<BodyVector> MotionMatrix::product_of(const std::vector<BodyVector> &velocity)
+{
+  const std::vector<BodyVector> no_forces(medium.size());
+  std::vector<BodyVector> product(medium.size());
+  residual_of({{}, no_forces.data()}, velocity, [&](const std::size_t i, const DoubleRow one) { product[i].v = -one; });
+  return product;
+}
+
 void MotionMatrix::measure_clusters()
 {
   find_clusters();
-  const std::vector<BodyVector> none(medium.size());
-  clusters.measure(
-    [&](const std::vector<BodyVector> &velocity, std::vector<BodyVector> &product) {
-      product.resize(medium.size());
-      residual_of({{}, none.data()}, velocity, [&](const std::size_t i, const DoubleRow one) { product[i].v = -one; });
-    },
-    v.size());
+  clusters.measure([&](const std::vector<BodyVector> &velocity, std::vector<BodyVector> &product) { product = product_of(velocity); }, v.size());
 }
 
 /// The residual after it.
@@ -193,14 +199,19 @@ double MotionMatrix::correct_as_rigid()
   return exact_residual();
 }
 
+std::vector<BodyVector> MotionMatrix::given_alone() const
+{
+  std::vector<BodyVector> at_rest(v.size());
+  std::copy(given_velocity.begin(), given_velocity.end(), at_rest.end() - std::ptrdiff_t(given_velocity.size()));
+  return at_rest;
+}
+
 /// The square of what the tolerance is relative to: of the forces, and of what bodies of given velocity do to others at rest.
 double MotionMatrix::scale_of_forces(const double forces)
 {
   if (given_velocity.empty())
     return forces;
-  std::vector<BodyVector> at_rest(v.size());
-  std::copy(v.end() - std::ptrdiff_t(given_velocity.size()), v.end(), at_rest.end() - std::ptrdiff_t(given_velocity.size()));
-  return std::max(forces, residual_of(F, at_rest, [](std::size_t, DoubleRow) {}));
+  return std::max(forces, residual_of(F, given_alone(), [](std::size_t, DoubleRow) {}));
 }
 
 std::size_t MotionMatrix::memory_bytes() const

@@ -70,6 +70,18 @@ public:
   template <int dim>
   void again(const std::array<std::vector<double>, dim> &f, std::array<std::vector<double>, dim> &v, unsigned int threads);
 
+  /// What velocities cost by the matrix as it was collected, whether it has been solved or not; exact.
+  struct Power
+  {
+    double lost = 0.;   ///< W, v'Av of all bodies, those of given velocity included
+    double given = 0.;  ///< W, of it what those of given velocity put in
+    double pushed = 0.; ///< W, what their motion does on the others: -v'A (velocities given, all else at rest)
+  };
+  template <int dim>
+  Power power(const std::array<std::vector<double>, dim> &v, unsigned int threads);
+  /// There are bodies of given velocity.
+  bool moves_bodies() const { return !given_velocity.empty(); }
+
   unsigned int iterations() const { return last_iterations; }
   std::uint64_t total_iterations() const { return all_iterations; }
   std::size_t memory_bytes() const;
@@ -92,8 +104,10 @@ private:
   template <class Store>
   double residual_of(const Forces &forces, const std::vector<BodyVector> &v, const Store &store);
   double exact_residual();
+  std::vector<BodyVector> product_of(const std::vector<BodyVector> &v); ///< A v, exact
   void measure_clusters();
   double correct_as_rigid();
+  std::vector<BodyVector> given_alone() const; ///< those of given velocity move, all others are at rest
   double scale_of_forces(double forces);
   void correct(double target, double start, double allowed);
   double product(std::size_t begin, std::size_t last);
@@ -103,6 +117,7 @@ private:
   RowMatrix own_rows;
   std::vector<const LinkSource *> sources;
   std::vector<OwnProduct *> products;
+  bool listed = false;                 ///< what was pushed is sorted
   std::function<void()> find_clusters; ///< empty: none are corrected
   RigidClusters clusters;
 

@@ -198,6 +198,8 @@ void MotionMatrix::medium_alone(const std::array<std::vector<double>, dim> &f, s
   });
 }
 
+template double MotionMatrix::start<2>(const std::array<std::vector<double>, 2> &, const std::array<std::vector<double>, 2> &);
+template double MotionMatrix::start<3>(const std::array<std::vector<double>, 3> &, const std::array<std::vector<double>, 3> &);
 template void MotionMatrix::solve<2>(const std::array<std::vector<double>, 2> &, std::array<std::vector<double>, 2> &, unsigned int);
 template void MotionMatrix::again<2>(const std::array<std::vector<double>, 2> &, std::array<std::vector<double>, 2> &, unsigned int);
 template void MotionMatrix::solve<3>(const std::array<std::vector<double>, 3> &, std::array<std::vector<double>, 3> &, unsigned int);

@@ -29,6 +29,17 @@ public:
   virtual void add(const FloatRow *p, std::size_t begin, std::size_t end, FloatRow *product) const = 0;
   virtual void add(const BodyVector *v, std::size_t begin, std::size_t end, BodyVector *product) const = 0;
 
+  /// v'Av (W) of bodies [0, bodies), after begin(v). A part that bodies of given velocity enter counts them in.
+  virtual double power(const BodyVector *v, const std::size_t bodies) const
+  {
+    std::vector<BodyVector> product(bodies);
+    add(v, 0, bodies, product.data());
+    double total = 0.;
+    for (std::size_t i = 0; i < bodies; ++i)
+      total += eight_floats::sum(v[i].v * product[i].v);
+    return total;
+  }
+
   /// blocks[i - begin] += A_ii for bodies [begin, end).
   virtual void add_blocks(std::size_t begin, std::size_t end, Block *blocks) const = 0;
 

@@ -122,6 +122,14 @@ void RowMatrix::add(const BodyVector *, const std::size_t begin, const std::size
       product[i - begin].v += exact_number[row_of[k]] * of_body[k].g;
 }
 
+double RowMatrix::power(const BodyVector *, std::size_t) const
+{
+  double total = 0.;
+  for (const double one : exact_number)
+    total += one * one;
+  return total;
+}
+
 void RowMatrix::add_blocks(const std::size_t begin, const std::size_t end, Block *blocks) const
 {
   for (std::size_t i = begin; i < end; ++i)

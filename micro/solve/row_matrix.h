@@ -33,6 +33,7 @@ public:
   void begin(const BodyVector *v, unsigned int threads) override;
   void add(const FloatRow *p, std::size_t begin, std::size_t end, FloatRow *product) const override;
   void add(const BodyVector *v, std::size_t begin, std::size_t end, BodyVector *product) const override;
+  double power(const BodyVector *v, std::size_t bodies) const override;
   void add_blocks(std::size_t begin, std::size_t end, Block *blocks) const override;
   void connect(const std::function<void(std::uint32_t, std::uint32_t)> &join) const override;
 

@@ -140,6 +140,7 @@ void SphereContacts::declare(Particles<3> &particles)
 
 void SphereContacts::prepare(const Particles<3> &particles, const Box<3> &, const unsigned int threads, const bool trial)
 {
+  links.clear();
   const std::vector<double> &radius = particles.field("radius");
   if (pairs.stale(particles, radius, threads))
     {
@@ -151,6 +152,13 @@ void SphereContacts::prepare(const Particles<3> &particles, const Box<3> &, cons
   pack(particles, threads);
   contact.resize(pairs.pairs().size());
   std::visit([&](const auto &one) { compute_pairs(one, threads, trial); }, law);
+}
+
+void SphereContacts::accept()
+{
+  if (std::visit([](const auto &one) { return one.has_history; }, law))
+    for (std::size_t p = 0; p < contact.size(); ++p)
+      touching[p] = contact[p].distance != 0.;
 }
 
 void SphereContacts::gather_forces(Particles<3> &particles, const std::size_t begin, const std::size_t end) const
@@ -203,8 +211,8 @@ void SphereContacts::collect(MotionMatrix &matrix, const Particles<3> &, const d
   with_step.step = h;
   if (with_step.none())
     return;
-  links = std::make_unique<SphereLinks>(*this, with_step);
-  matrix.add(*links);
+  links.push_back(std::make_unique<SphereLinks>(*this, with_step));
+  matrix.add(*links.back());
 }
 
 double SphereContacts::energy() const

@@ -91,6 +91,7 @@ public:
   void declare(Particles<3> &particles) override;
   /// Pairs, lists brought up to date. Throws StepTooLong naming two cells whose centres coincide. trial: which pairs touch is not remembered.
   void prepare(const Particles<3> &particles, const Box<3> &box, unsigned int threads, bool trial) override;
+  void accept() override; ///< which pairs touch
   void add_forces(Particles<3> &particles, const Box<3> &box, std::size_t group) override;
   void add_forces_of(Particles<3> &particles, const Box<3> &box, std::size_t begin, std::size_t end) override;
   /// Of the pairs whose first cell is the group's.
@@ -141,6 +142,6 @@ private:
   PairList<3> pairs;
   std::vector<PairContact> contact;
   std::vector<unsigned char> touching;
-  std::unique_ptr<LinkSource> links; ///< of the last collect()
+  std::vector<std::unique_ptr<LinkSource>> links; ///< collected since the last prepare()
 };
 } // namespace turgor

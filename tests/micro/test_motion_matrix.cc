@@ -179,6 +179,35 @@ void agrees_with_a_dense_solution()
     }
 }
 
+/// What velocities cost, before anything is solved and afterwards.
+template <int dim>
+void power_is_that_of_the_dense_matrix()
+{
+  for (const bool with_given : {false, true})
+    {
+      const std::uint32_t n = 93;
+      Both<dim> both(n, with_given ? std::vector<Vector<dim>>{arrow<dim>(1, 20), arrow<dim>(2, 20)} : std::vector<Vector<dim>>(), 0.1);
+      fill(both, with_given);
+      const Components<dim> velocity = components<dim>(n, 14, 1.);
+      Eigen::VectorXd v = Eigen::VectorXd::Zero(both.A.rows()), pushed = v;
+      for (std::uint32_t i = 0; i < n; ++i)
+        for (int d = 0; d < dim; ++d)
+          v[dim * i + d] = velocity[d][i];
+      v.tail(both.given.size()) = pushed.tail(both.given.size()) = both.given;
+      const Eigen::VectorXd product = both.A * v;
+      for (const unsigned int threads : {1u, 2u})
+        {
+          const MotionMatrix::Power power = both.matrix.template power<dim>(velocity, threads);
+          BOOST_TEST(power.lost == v.dot(product), boost::test_tools::tolerance(1e-11));
+          BOOST_CHECK_SMALL(power.given - both.given.dot(product.tail(both.given.size())), 1e-11 * power.lost);
+          BOOST_CHECK_SMALL(power.pushed + (both.A * pushed).head(dim * n).dot(v.head(dim * n)), 1e-11 * power.lost);
+          Components<dim> solution = velocity;
+          both.matrix.template solve<dim>(components<dim>(n, 10, 1.), solution, threads);
+          BOOST_CHECK_SMALL(difference<dim>(solution, both.exact(components<dim>(n, 10, 1.))), 1e-8);
+        }
+    }
+}
+
 template <int dim>
 void inverse_is_symmetric_and_positive()
 {
@@ -211,6 +240,8 @@ BOOST_AUTO_TEST_SUITE(motion_matrix)
 
 BOOST_AUTO_TEST_CASE(agrees_with_a_dense_solution_in_2d) { agrees_with_a_dense_solution<2>(); }
 BOOST_AUTO_TEST_CASE(agrees_with_a_dense_solution_in_3d) { agrees_with_a_dense_solution<3>(); }
+BOOST_AUTO_TEST_CASE(power_in_2d) { power_is_that_of_the_dense_matrix<2>(); }
+BOOST_AUTO_TEST_CASE(power_in_3d) { power_is_that_of_the_dense_matrix<3>(); }
 BOOST_AUTO_TEST_CASE(is_symmetric_and_positive_in_2d) { inverse_is_symmetric_and_positive<2>(); }
 BOOST_AUTO_TEST_CASE(is_symmetric_and_positive_in_3d) { inverse_is_symmetric_and_positive<3>(); }
 
