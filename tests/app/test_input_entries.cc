@@ -123,7 +123,12 @@ BOOST_AUTO_TEST_CASE(deal_ii_reads_every_input_the_same_way)
             in_section(setting, [&] { prm.declare_entry(setting.name, setting.value); });
           prm.parse_input(item.path().string());
           for (const PrmSetting &setting : all.settings)
-            in_section(setting, [&] { BOOST_TEST(prm.get(setting.name) == setting.value); });
+            in_section(setting, [&] {
+              std::string value = prm.get(setting.name);
+              if (setting.value.starts_with("input_files/")) // of a file the run has a copy
+                value = "input_files/" + std::filesystem::path(value).filename().string();
+              BOOST_TEST(value == setting.value);
+            });
           ++files;
         }
       }

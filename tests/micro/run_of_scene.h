@@ -1,4 +1,4 @@
-// Runs a scene of growing cells in memory: its growth.csv and its results, at once or with a stop and a resumed run.
+// Runs a scene in memory: one of its tables (of growing cells growth.csv) and its results, at once or with a stop and a resumed run.
 #pragma once
 
 #include "run/input_entries.h"
@@ -28,7 +28,7 @@ void read(Scene &scene, const std::string &text)
 }
 
 template <class Scene>
-Outcome run(const std::string &text, const unsigned int threads = 1, const unsigned long stop_at = 0)
+Outcome run(const std::string &text, const unsigned int threads = 1, const unsigned long stop_at = 0, const std::string &table = "growth")
 {
   Disk disk;
   for (bool resume = false;; resume = true)
@@ -41,7 +41,7 @@ Outcome run(const std::string &text, const unsigned int threads = 1, const unsig
       try
         {
           scene.run(context);
-          return {disk.series.at("growth"), context.results};
+          return {disk.series.at(table), context.results};
         }
       catch (const RunStopped &)
         {

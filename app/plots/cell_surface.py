@@ -1,0 +1,43 @@
+"""Draws the surface of a deformable cell of surface.xdmf, seen from the side, its triangles coloured by in-plane stress."""
+import os
+import sys
+
+import numpy as np
+from matplotlib.collections import PolyCollection
+from matplotlib.colors import TwoSlopeNorm
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from drawing import plt  # noqa: E402
+
+COLOURS = plt.get_cmap("RdBu_r")  # red: tension, blue: compression
+
+
+def stress(frame):
+    """In uN/m, of each node."""
+    return frame.field("in_plane_stress").ravel() * 1e6
+
+
+def stress_scale(frames):
+    """White at 0; the ends hold 99 of 100 nodes of all frames."""
+    values = np.concatenate([stress(frame) for frame in frames])
+    low, high = np.percentile(values, [0.5, 99.5])
+    reach = max(high, -low, 1e-9)
+    return TwoSlopeNorm(0.0, min(low, -0.25 * reach), max(high, 0.25 * reach))
+
+
+def draw_surface(axis, frame, norm, right, up, at=(0.0, 0.0)):
+    """Lengths in um. right, up: directions of the picture; at: where the cell's middle is drawn."""
+    right, up = (np.array(v, dtype=float) / np.linalg.norm(v) for v in (right, up))
+    view = np.cross(right, up)  # towards the viewer
+    x = frame.points * 1e6
+    x = x - 0.5 * (x.min(axis=0) + x.max(axis=0))
+    corners = x[frame.cells]
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normal /= np.linalg.norm(normal, axis=1)[:, None] + 1e-300
+    front = normal @ view > 0
+    order = np.argsort(corners[front].mean(axis=1) @ view)
+    colour = COLOURS(norm(stress(frame)[frame.cells][front].mean(axis=1)))
+    colour[:, :3] *= (0.72 + 0.28 * np.clip(normal[front] @ (0.8 * view + 0.5 * up - 0.33 * right), 0, 1))[:, None]
+    flat = np.stack([corners[front] @ right, corners[front] @ up], axis=-1) + np.array(at)
+    axis.add_collection(PolyCollection(flat[order], facecolors=colour[order], edgecolors=(0, 0, 0, 0.12), linewidths=0.15))
+    axis.set_aspect("equal")
