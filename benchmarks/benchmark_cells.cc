@@ -11,11 +11,14 @@
 //   which needs no directions (and is what explicit steps of the scenes have). assembly_ns_cell: with the right-hand side and one
 //   product; iteration_ns_cell: of conjugate gradients to 1e-6.
 // friction_iterations: their number at 10^4 cells, by pair over medium friction and digits of the tolerance, all directions the same.
+// rows: walls of deformable cells of 162 nodes, their springs as links, hinges, areas and volumes as rows (31 entries a node); push_ns_node: giving
+//   them to the matrix; assembly and iteration as above, of conjugate gradients to 1e-2.
 // The time column is wall time.
 #include "micro/laws/counter_random.h"
 #include "micro/engine/overdamped.h"
 #include "micro/engine/space_order.h"
 #include "micro/engine/system_motion.h"
+#include "micro/geometry/geodesic_sphere.h"
 #include "micro/terms/sphere_contacts.h"
 
 #include <benchmark/benchmark.h>
@@ -204,6 +207,84 @@ void friction_iterations(benchmark::State &state)
   state.counters["iterations"] = motion.solver().iterations();
 }
 BENCHMARK(friction_iterations)->ArgNames({"ratio", "digits"})->ArgsProduct({{1, 10, 100, 1000}, {6, 10}})->Iterations(1);
+
+/// A new matrix of spheres of triangles side by side.
+void push_walls(MotionMatrix &matrix, const GeodesicSphere &sphere, const std::uint32_t cells)
+{
+  const std::uint32_t nodes = sphere.mesh.nodes;
+  matrix.clear(cells * nodes);
+  matrix.medium.assign(cells * nodes, 0.05);
+  const auto x = [&](const std::size_t i) -> const Vector<3> & { return sphere.positions[i]; };
+  std::vector<Vector<3>> outwards;
+  for (std::size_t i = 0; i < nodes; ++i)
+    outwards.push_back(0.01 * x(i));
+  for (std::uint32_t at = 0; at < cells * nodes; at += nodes)
+    {
+      for (const TriangleMesh::Edge &e : sphere.mesh.edges)
+        {
+          matrix.link<3>(at + e.a, at + e.b, (x(e.a) - x(e.b)).normalized(), 1., 0.02);
+          const Vector<3> n = (x(e.a) + x(e.b)).normalized();
+          matrix.row<3>(std::array{at + e.a, at + e.b, at + e.c, at + e.d}, std::array<Vector<3>, 4>{-n, -n, n, n}, 0.3);
+        }
+      for (const auto &f : sphere.mesh.faces)
+        {
+          const std::array bodies{at + f[0], at + f[1], at + f[2]};
+          const Vector<3> n = (x(f[1]) - x(f[0])).cross(x(f[2]) - x(f[0])).normalized();
+          std::array<Vector<3>, 3> grow, tilt;
+          for (std::size_t k = 0; k < 3; ++k)
+            grow[k] = n.cross(x(f[(k + 2) % 3]) - x(f[(k + 1) % 3]));
+          matrix.row<3>(bodies, grow, 0.5);
+          for (const int side : {0, 1})
+            {
+              for (std::size_t k = 0; k < 3; ++k)
+                tilt[k] = grow[k][side] * n;
+              matrix.row<3>(bodies, tilt, 0.1);
+            }
+        }
+      matrix.whole<3>(at, outwards, 1.);
+    }
+}
+void rows(benchmark::State &state)
+{
+  const std::uint32_t cells = std::uint32_t(state.range(0));
+  const unsigned int threads = unsigned(state.range(1));
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  GeodesicSphere sphere = make_geodesic_sphere(4);
+  sphere.mesh.complete();
+  const std::uint32_t n = cells * sphere.mesh.nodes;
+  MotionMatrix assembled({.tolerance = 1e9}), solved({.tolerance = 1e-2});
+  std::array<std::vector<double>, 3> f, v;
+  for (std::size_t d = 0; d < 3; ++d)
+    for (std::size_t i = 0; i < n; ++i)
+      f[d].push_back(random_uniform(3, 3 * i + d) - 0.5);
+  double push = 0., assembly = 0., all = 0., iterations = 0.;
+  const auto once = [&] {
+    const double t0 = cpu();
+    push_walls(assembled, sphere, cells);
+    push += cpu() - t0;
+    push_walls(solved, sphere, cells);
+    for (MotionMatrix *matrix : {&assembled, &solved})
+      {
+        for (auto &one : v)
+          one.assign(n, 0.);
+        const double start = cpu();
+        matrix->solve<3>(f, v, threads);
+        (matrix == &solved ? all : assembly) += cpu() - start;
+      }
+    iterations += solved.iterations();
+  };
+  once(); // memory is there
+  push = assembly = all = iterations = 0.;
+  for (auto _ : state)
+    once();
+  const double runs = double(state.iterations());
+  state.counters["push_ns_node"] = push / (runs * n);
+  state.counters["assembly_ns_node"] = assembly / (runs * n);
+  state.counters["iteration_ns_node"] = (all - assembly) / (iterations * n);
+  state.counters["iterations"] = iterations / runs;
+  state.counters["bytes_node"] = double(solved.memory_bytes()) / n;
+}
+BENCHMARK(rows)->ArgNames({"cells", "threads"})->ArgsProduct({{13, 100}, {1, 2}})->MeasureProcessCPUTime()->UseRealTime();
 } // namespace
 
 BENCHMARK_MAIN();

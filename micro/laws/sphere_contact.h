@@ -17,16 +17,20 @@
 // In: R (m), E (Pa), W (J/m^2), delta (m). Out: force (N), stiffness dF/d(delta) (N/m), area pi a^2 (m^2), energy (J).
 #pragma once
 
-#include <algorithm>
+#include "micro/laws/lanes.h"
+
 #include <cmath>
 #include <numbers>
 
 namespace turgor
 {
-struct SphereContact
+/// Of one pair (double), or of several side by side (lanes.h).
+template <class Number>
+struct ContactOf
 {
-  double force = 0., stiffness = 0., area = 0., energy = 0.;
+  Number force{}, stiffness{}, area{}, energy{};
 };
+using SphereContact = ContactOf<double>;
 
 /// R of two radii; the same form serves E of two moduli that carry their own 1 - nu^2.
 inline double in_series(const double a, const double b) { return a * b / (a + b); }
@@ -87,34 +91,41 @@ struct JkrContact
     return delta >= 0. || (before && delta > release(R, E));
   }
 
-  /// Contact radius of the stable branch, m; delta >= release().
-  double radius(const double R, const double E, const double delta) const
+  /// Contact radius of the stable branch, m; delta >= release(). Of one pair or of four, with the same bits.
+  template <class Number>
+  Number radius(const Number R, const Number E, const Number delta) const
   {
+    using namespace lanes;
     // u = sqrt(a): f = u^4/R - c u - delta is convex; from above Newton's steps only descend, to the largest root.
-    const double c = std::sqrt(2. * std::numbers::pi * W / E);
-    double u = std::sqrt(std::sqrt(R * std::max(delta, 0.))) + std::cbrt(R * c);
-    const double least = std::cbrt(0.25 * R * c); // where df/du = 0: the release
-    for (int k = 0; k < 60; ++k)
+    const Number c = root(2. * std::numbers::pi * W / E), zero{}, from = cube_root(R * c);
+    Number u = root(root(R * where(delta < zero, zero, delta))) + from;
+    Number least{}; // where df/du = 0: the release, 0.63 of `from`
+    bool near = false;
+    auto searching = zero == zero;
+    for (int k = 0; k < 60 && any(searching); ++k)
       {
-        const double u3 = u * u * u, slope = 4. * u3 / R - c;
-        if (!(slope > 0.))
-          return least * least;
-        const double next = u - (u * u3 / R - c * u - delta) / slope;
-        if (!(next < u))
-          break;
-        u = std::max(next, least);
+        const Number u3 = u * u * u, slope = 4. * u3 / R - c, next = u - (u * u3 / R - c * u - delta) / slope;
+        const auto descends = slope > zero, lower = next < u;
+        if (!near && any(searching & (no(descends) | (next < 0.64 * from))))
+          {
+            near = true;
+            least = cube_root(0.25 * R * c);
+          }
+        u = where(searching, where(descends, where(lower, where(next < least, least, next), u), least), u);
+        searching = searching & descends & lower;
       }
     return u * u;
   }
 
-  SphereContact operator()(const double R, const double E, const double delta) const
+  template <class Number>
+  ContactOf<Number> operator()(const Number R, const Number E, const Number delta) const
   {
-    const double a = radius(R, E, delta), root = std::sqrt(a), c = std::sqrt(2. * std::numbers::pi * W / E);
-    const double area = std::numbers::pi * a * a;
+    using namespace lanes;
+    const Number a = radius(R, E, delta), sqrt_a = root(a), c = root(2. * std::numbers::pi * W / E), area = std::numbers::pi * a * a, zero{};
     // dF/d(delta) = (dF/da) / (d(delta)/da)
-    const double dF = 4. * E * a * a / R - 3. * E * c * root, d_delta = 2. * a / R - 0.5 * c / root;
-    return {4. * E * a * a * a / (3. * R) - 2. * E * c * a * root, d_delta > 0. ? dF / d_delta : HUGE_VAL, area,
-            8. * E * a * a * a * a * a / (15. * R * R) - 4. * E * c * a * a * a * root / (3. * R) + W * area};
+    const Number dF = 4. * E * a * a / R - 3. * E * c * sqrt_a, d_delta = 2. * a / R - 0.5 * c / sqrt_a;
+    return {4. * E * a * a * a / (3. * R) - 2. * E * c * a * sqrt_a, where(d_delta > zero, dF / d_delta, zero + HUGE_VAL), area,
+            8. * E * a * a * a * a * a / (15. * R * R) - 4. * E * c * a * a * a * sqrt_a / (3. * R) + W * area};
   }
 };
 } // namespace turgor

@@ -114,7 +114,7 @@ void MotionMatrix::make_lists()
     }
   if (!own_rows.empty())
     {
-      own_rows.sort(medium.size());
+      own_rows.sort(medium.size(), threads);
       products.push_back(&own_rows);
     }
 }

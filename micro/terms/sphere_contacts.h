@@ -132,6 +132,8 @@ private:
   void pack(const Particles<3> &particles, unsigned int threads);
   /// f += forces on the cells [begin, end).
   void gather_forces(Particles<3> &particles, std::size_t begin, std::size_t end) const;
+  struct Touch;
+  void store(const Touch &touch, const SphereContact &does);
   template <class Law>
   void compute_pairs(const Law &law, unsigned int threads, bool trial);
 

@@ -1,5 +1,6 @@
 // Contact of two spheres: Hertz and JKR against their closed forms, energies against forces, hysteresis.
 #include "micro/laws/contact_law.h"
+#include "micro/laws/counter_random.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -117,6 +118,34 @@ BOOST_AUTO_TEST_CASE(laws_are_chosen_by_name)
   BOOST_TEST(wrong_adhesion(jkr, 1., 1., "R").starts_with("Adhesion is 0.5 J/m^2"));
   BOOST_TEST(wrong_adhesion(make_contact_law("jkr", 0.), 1., 1., "R").starts_with("Adhesion is 0, but Law = jkr"));
   BOOST_CHECK_THROW(make_contact_law("glue", 0.), std::logic_error);
+}
+
+// Pairs side by side find the bits that one alone does: pushed together, drawn apart and on the brink of letting go in turns, some at the brink
+// itself and beyond, where the search ends at the release.
+BOOST_AUTO_TEST_CASE(four_jkr_pairs_have_the_bits_of_one)
+{
+  const JkrContact law{1e-4};
+  for (std::uint64_t i = 0; i < 4000; ++i)
+    {
+      lanes::Four radius{}, modulus{}, overlap{};
+      for (std::size_t k = 0; k < 4; ++k)
+        {
+          const std::uint64_t number = 4 * i + k;
+          radius[k] = 3.5e-6 * (0.9 + 0.2 * random_uniform(1, number));
+          modulus[k] = 225. * (0.5 + random_uniform(2, number));
+          const double u = random_uniform(3, number), off = law.release(radius[k], modulus[k]);
+          overlap[k] = number % 5 == 0 ? off * u : number % 5 == 1 ? off * (1. - 1e-9 * u) : number % 35 == 2 ? off * (1. + u * u) : 1.5e-6 * u * u;
+        }
+      const ContactOf<lanes::Four> four = law(radius, modulus, overlap);
+      for (std::size_t k = 0; k < 4; ++k)
+        {
+          const SphereContact one = law(double(radius[k]), double(modulus[k]), double(overlap[k]));
+          BOOST_REQUIRE(four.force[k] == one.force);
+          BOOST_REQUIRE(four.stiffness[k] == one.stiffness);
+          BOOST_REQUIRE(four.area[k] == one.area);
+          BOOST_REQUIRE(four.energy[k] == one.energy);
+        }
+    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
