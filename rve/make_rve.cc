@@ -27,68 +27,75 @@ std::vector<Tensor2<2>> symmetries(const RveParameters &p)
     Q = (R * Q * R.transpose()).eval();
   return all;
 }
-} // namespace
 
-std::unique_ptr<Rve<2>> make_rve(const RveParameters &p)
+HydrostaticRveSettings hydrostatic_settings(const RveParameters &p)
+{
+  HydrostaticRveSettings settings;
+  settings.rule = p.rule == "cauchy_born" ? HydrostaticRule::cauchy_born : HydrostaticRule::elastic_equilibrium;
+  settings.columns = p.columns;
+  settings.rows = p.rows;
+  settings.equilibrium = {p.equilibrium_tolerance(), p.max_iterations};
+  settings.walls = p.wall_limits();
+  settings.symmetries = symmetries(p);
+  return settings;
+}
+
+SphRveSettings sph_settings(const RveParameters &p)
+{
+  SphRveSettings settings;
+  settings.rule = p.rule == "cauchy_born"         ? SphRule::cauchy_born :
+                  p.rule == "elastic_equilibrium" ? SphRule::elastic_equilibrium :
+                                                    SphRule::constrained_runs;
+  settings.columns = p.columns;
+  settings.rows = p.rows;
+  settings.sph = p.sph;
+  settings.step_fraction = p.step_fraction;
+  settings.burst = p.burst;
+  settings.bursts = p.bursts;
+  settings.window = p.window;
+  settings.tolerance = p.equilibrium_tolerance();
+  settings.relax_steps = p.relax_steps;
+  return settings;
+}
+
+/// What is wrong with the entries is told as such, whoever finds it.
+template <class Build>
+auto of_entries(const RveParameters &p, const Build &build)
 {
   try
     {
       p.check();
-      if (p.fluid == "hydrostatic")
-        {
-          HydrostaticRveSettings settings;
-          if (p.rule == "cauchy_born")
-            settings.rule = HydrostaticRule::cauchy_born;
-          else if (p.rule == "elastic_equilibrium")
-            settings.rule = HydrostaticRule::elastic_equilibrium;
-          else
-            throw InputError("RVE/Rule is " + p.rule +
-                             ", which needs a fluid that flows. With RVE/Fluid = hydrostatic use cauchy_born or "
-                             "elastic_equilibrium.");
-          settings.columns = p.columns;
-          settings.rows = p.rows;
-          settings.equilibrium = {p.equilibrium_tolerance(), p.max_iterations};
-          settings.walls = p.wall_limits();
-          settings.symmetries = symmetries(p);
-          return std::make_unique<HydrostaticRve>(turgid_tissue(p.structure, p.yielding_cell(), p.columns, p.rows), settings);
-        }
-      SphRveSettings settings;
-      settings.rule = p.rule == "cauchy_born"         ? SphRule::cauchy_born :
-                      p.rule == "elastic_equilibrium" ? SphRule::elastic_equilibrium :
-                                                        SphRule::constrained_runs;
-      settings.columns = p.columns;
-      settings.rows = p.rows;
-      settings.sph = p.sph;
-      settings.step_fraction = p.step_fraction;
-      settings.burst = p.burst;
-      settings.bursts = p.bursts;
-      settings.window = p.window;
-      settings.tolerance = p.equilibrium_tolerance();
-      settings.relax_steps = p.relax_steps;
-      return std::make_unique<SphRve>(p.cell, settings);
+      return build();
     }
   catch (const std::invalid_argument &wrong)
     {
       throw InputError(wrong.what());
     }
 }
+} // namespace
+
+std::unique_ptr<Rve<2>> make_rve(const RveParameters &p)
+{
+  return of_entries(p, [&]() -> std::unique_ptr<Rve<2>> {
+    if (p.fluid == "hydrostatic")
+      return std::make_unique<HydrostaticRve>(turgid_tissue(p.structure, p.yielding_cell(), p.columns, p.rows), hydrostatic_settings(p));
+    return std::make_unique<SphRve>(p.cell, sph_settings(p));
+  });
+}
 
 std::size_t state_size(const RveParameters &p)
 {
-  if (p.fluid == "hydrostatic")
-    {
-      const RveState<2> state = make_rve(p)->initial_state();
-      return state.unknowns.size() + state.history.size();
-    }
-  try
-    {
-      p.check();
-    }
-  catch (const std::invalid_argument &wrong)
-    {
-      throw InputError(wrong.what());
-    }
-  const std::size_t particles = 4 * std::size_t(p.cell.nodes_per_side) + std::size_t(p.sph.particles_per_side) * p.sph.particles_per_side;
-  return p.rule == "cauchy_born" ? 0 : std::size_t(p.columns) * p.rows * particles * (p.sph.formulation == "thesis" ? 5 : 4);
+  return of_entries(p, [&]() -> std::size_t {
+    const std::size_t cells = std::size_t(p.columns) * p.rows;
+    if (p.fluid == "hydrostatic")
+      {
+        const std::size_t nodes =
+          p.structure.square() ? cells * 4 * p.cell.nodes_per_side : laid_tissue(p.structure, p.yielding_cell(), p.columns, p.rows).nodes.size();
+        return 2 * nodes + WallHistory::packed_size(p.wall_limits(), nodes, cells);
+      }
+    if (p.rule == "cauchy_born")
+      return 0;
+    return cells * particles_of_square_cell(p.cell, p.sph) * (p.sph.formulation == "thesis" ? 5 : 4);
+  });
 }
 } // namespace turgor

@@ -97,11 +97,7 @@ void RveParameters::add_parameters(InputEntries &prm)
                     "Whether walls soften when they are stretched (thesis Eq. 3.8): none; reversible, along the same curve back; "
                     "plastic, elastic on the way back, so that a stretch stays. Units: none.",
                     Selection("none|reversible|plastic"));
-  prm.add_parameter("Yield sharpness", yield.sharpness,
-                    "A of Eq. 3.8, the higher, the sooner the wall gives way: half of what it loses is lost at a stretch of 1 + 1/A. Units: 1.",
-                    Double(1e-3, 1e4));
-  prm.add_parameter("Yield drop", yield.drop, "B of Eq. 3.8, the share of the stiffness that a wall loses by yielding at large stretch. Units: 1.",
-                    Double(0., 1.));
+  declare_yield(prm, yield);
   prm.rename("Yield sharpness A", "Yield sharpness");
   prm.rename("Yield drop B", "Yield drop");
   prm.add_parameter("Critical stretch", walls.critical_stretch,
@@ -134,6 +130,9 @@ void RveParameters::check() const
     throw std::invalid_argument("Structure/Structure = " + structure.kind + " and Structure/Rotation need 'RVE/Fluid = hydrostatic' (it is " + fluid
                                 + "): RVEs with particles have square cells as they lie.");
   make_parenchyma(yielding_cell(), columns, rows, true, true);
+  if (fluid == "hydrostatic" && rule == "constrained_runs")
+    throw std::invalid_argument("RVE/Rule is " + rule + ", which needs a fluid that flows. With RVE/Fluid = hydrostatic use cauchy_born or "
+                                "elastic_equilibrium.");
   const WallLimits limits = wall_limits();
   limits.check(yield);
   if (limits.failure() || yielding != "none")

@@ -34,8 +34,7 @@ void BrickParameters::add_parameters(InputEntries &prm)
                     "Wall yielding, thesis Eq. 3.8: none; reversible: force g(lambda) F(lambda) on the way out and back; plastic: "
                     "what goes beyond that curve stays longer. Units: none.",
                     Selection("none|reversible|plastic"));
-  prm.add_parameter("Yield sharpness", yield.sharpness, "A of Eq. 3.8: half of what a wall loses by yielding is lost at a stretch of 1 + 1/A. Units: none.", Double(1e-3, 1e4));
-  prm.add_parameter("Yield drop", yield.drop, "B of Eq. 3.8, the share of the stiffness that a wall loses by yielding at large stretch. Units: none.", Double(0., 1.));
+  declare_yield(prm, yield);
   prm.add_parameter("Critical stretch", critical_stretch,
                     "Length over rest length at which a wall bond breaks and its cell has failed; 0: never. Units: none.",
                     Double(0., 100.));
@@ -47,7 +46,9 @@ void BrickParameters::add_parameters(InputEntries &prm)
 
 NeoHookeanWall BrickParameters::wall_law(const ParenchymaParameters &cell) const
 {
-  return {cell.wall_stiffness, cell.depth, cell.wall_beta, yielding == "none" ? WallYield{} : yield};
+  ParenchymaParameters yielding_cell = cell;
+  yielding_cell.wall_yield = yielding == "none" ? WallYield{} : yield;
+  return yielding_cell.wall_law();
 }
 
 double BrickParameters::turgid_side(const ParenchymaParameters &cell) const

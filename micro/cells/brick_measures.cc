@@ -70,8 +70,11 @@ double BrickTissue::void_fraction() const
           high[d] = std::max(high[d], centre);
         }
     }
-  // Every second row is moved by half a cell: the box must not reach beyond the shorter side.
-  const double inset = p.groups.size() > 1 && high[0] - low[0] > spacing ? 0.25 * spacing * p.groups.front().wall_count() / 4. * 2. : 0.;
+  // Every second row is moved by half a cell: the box must not reach beyond the shorter side, by half a side of the widest cell.
+  std::uint32_t widest = 0;
+  for (const Group &g : p.groups)
+    widest = std::max(widest, g.wall_count());
+  const double inset = p.groups.size() > 1 && high[0] - low[0] > spacing ? 0.25 * spacing * widest / 4. * 2. : 0.;
   low[0] += inset;
   high[0] -= inset;
   const int grid = 400;

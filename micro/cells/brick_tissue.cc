@@ -16,6 +16,63 @@ double ratio_that_holds_torn_walls(const double critical_stretch, const double s
 {
   return critical_stretch > 1. ? 1.5 * std::pow(2. * (critical_stretch - 1.) * slenderness, 2) : 0.;
 }
+
+/// Rings as laid, `inside` particles in each; returns the mass of a fluid particle of each cell, kg.
+std::vector<double> lay_particles(BrickTissue &tissue, const ParenchymaParameters &p, const std::uint32_t inside, const unsigned int seed)
+{
+  const CellLayout &layout = tissue.layout;
+  Particles<2> &particles = tissue.system.particles;
+  particles.resize(layout.nodes.size() + layout.cells() * inside);
+  std::vector<double> mass;
+  std::uint32_t begin = 0;
+  for (std::size_t c = 0; c < layout.cells(); ++c)
+    {
+      const WallRing &ring = layout.rings[c];
+      particles.groups.push_back({begin, begin + ring.count, begin + ring.count + inside});
+      for (std::uint32_t k = 0; k < ring.count; ++k)
+        {
+          for (int d = 0; d < 2; ++d)
+            particles.x[d][begin + k] = layout.nodes[ring.first + k][d];
+          particles.inverse_mass[begin + k] = 1. / layout.node_mass[ring.first + k];
+        }
+      begin += ring.count;
+      mass.push_back(inside > 0 ? p.fluid_density * tissue.cell_area(c) * p.depth / inside : 0.);
+      std::fill_n(particles.inverse_mass.begin() + begin, inside, 1. / mass.back());
+      begin += inside;
+      if (inside > 0)
+        lay_fluid(particles, c, seed);
+    }
+  begin_at(particles.x);
+  return mass;
+}
+
+/// The layout's ties between the particles that are its nodes.
+std::vector<LamellaTie> ties_of_particles(const BrickTissue &tissue, const std::uint32_t inside)
+{
+  std::vector<std::uint32_t> particle; // of a node
+  for (std::size_t c = 0; c < tissue.layout.cells(); ++c)
+    for (std::uint32_t k = 0; k < tissue.layout.rings[c].count; ++k)
+      particle.push_back(tissue.layout.rings[c].first + k + std::uint32_t(c) * inside);
+  std::vector<LamellaTie> ties = tissue.layout.ties;
+  for (LamellaTie &tie : ties)
+    for (std::uint32_t *node : {&tie.a, &tie.b})
+      *node = particle[*node];
+  return ties;
+}
+
+CellContactParameters contact_of(const BrickTissue &tissue, const BrickParameters &brick)
+{
+  CellContactParameters contact;
+  contact.surface = {0.2 * tissue.spacing, 0.25 * tissue.spacing};
+  contact.range = 1.6 * contact.surface.inset; // below sqrt(3): three cells that meet feel nothing
+  contact.stiffness = tissue.spring_stiffness
+                      * std::max(brick.contact_ratio, ratio_that_holds_torn_walls(brick.critical_stretch, tissue.spacing / contact.range));
+  contact.fluid_range = contact.surface.inset;
+  contact.skin = 0.5 * tissue.spacing;
+  contact.spacing = tissue.spacing;
+  contact.node_mass = tissue.lightest_node;
+  return contact;
+}
 } // namespace
 
 void lay_fluid(Particles<2> &particles, const std::size_t cell, const unsigned int seed)
@@ -37,32 +94,15 @@ std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, co
   p.check();
   auto tissue = std::make_unique<BrickTissue>();
   ParticleSystem<2> &system = tissue->system;
-  Particles<2> &particles = system.particles;
   const bool filled = filling == BrickFilling::particles;
   tissue->layout = lay_bricks(p, brick);
   const CellLayout &layout = tissue->layout;
   const std::size_t cells = layout.cells();
-  const std::uint32_t ring_nodes = 4 * p.nodes_per_side, inside = filled ? sph.particles_per_side * sph.particles_per_side : 0;
+  const std::uint32_t ring_nodes = layout.rings[0].count, inside = filled ? sph.particles_per_side * sph.particles_per_side : 0; // rings are all as long
   tissue->spacing = layout.spacing;
-  tissue->node_mass = layout.node_mass.front();
+  tissue->lightest_node = *std::min_element(layout.node_mass.begin(), layout.node_mass.end());
   tissue->spring_stiffness = layout.spring_stiffness;
-
-  std::vector<double> mass; // kg, of a fluid particle
-  particles.resize(cells * (ring_nodes + inside));
-  for (std::size_t c = 0; c < cells; ++c)
-    {
-      const std::uint32_t begin = std::uint32_t(c * (ring_nodes + inside));
-      particles.groups.push_back({begin, begin + ring_nodes, begin + ring_nodes + inside});
-      for (std::uint32_t k = 0; k < ring_nodes; ++k)
-        for (int d = 0; d < 2; ++d)
-          particles.x[d][begin + k] = layout.nodes[layout.rings[c].first + k][d];
-      mass.push_back(filled ? p.fluid_density * tissue->cell_area(c) * p.depth / inside : 0.);
-      std::fill_n(particles.inverse_mass.begin() + begin, ring_nodes, 1. / tissue->node_mass);
-      std::fill_n(particles.inverse_mass.begin() + begin + ring_nodes, inside, 1. / mass.back());
-      if (filled)
-        lay_fluid(particles, c, sph.seed);
-    }
-  begin_at(particles.x);
+  const std::vector<double> mass = lay_particles(*tissue, p, inside, sph.seed);
 
   tissue->wall = &system.add(make_walls(layout));
   if (filled && brick.critical_stretch > 0.)
@@ -77,30 +117,13 @@ std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, co
       tissue->fluid = &system.add(make_cell_fluid(turgid, sph, tissue->spacing, mass, tissue->damage));
     }
   else
-    {
-      const EquationOfState eos(p.fluid_density, p.fluid_modulus, p.cavitation_pressure);
-      system.add(std::make_unique<EnclosedFluid<2>>(eos, mass, p.depth, nullptr)).hold_pressure(p.turgor);
-    }
+    system.add(std::make_unique<EnclosedFluid<2>>(p.equation_of_state(), mass, p.depth, nullptr)).hold_pressure(p.turgor);
   if (!layout.ties.empty())
-    {
-      std::vector<LamellaTie> ties = layout.ties;
-      for (LamellaTie &tie : ties)
-        for (std::uint32_t *node : {&tie.a, &tie.b})
-          *node = *node / ring_nodes * (ring_nodes + inside) + *node % ring_nodes;
-      tissue->ties = &system.add(std::make_unique<LamellaTies>(std::move(ties), tissue->node_mass, brick.lamella_strength * tissue->spacing * p.depth));
-    }
+    tissue->ties = &system.add(std::make_unique<LamellaTies>(ties_of_particles(*tissue, inside), tissue->lightest_node,
+                                                             brick.lamella_strength * tissue->spacing * p.depth));
   if (filled && brick.yielding == "plastic")
     tissue->flow = std::make_shared<WallFlow>(cells, ring_nodes);
-  CellContactParameters contact;
-  contact.surface = {0.2 * tissue->spacing, 0.25 * tissue->spacing};
-  contact.range = 1.6 * contact.surface.inset; // below sqrt(3): three cells that meet feel nothing
-  contact.stiffness = tissue->spring_stiffness
-                      * std::max(brick.contact_ratio, ratio_that_holds_torn_walls(brick.critical_stretch, tissue->spacing / contact.range));
-  contact.fluid_range = contact.surface.inset;
-  contact.skin = 0.5 * tissue->spacing;
-  contact.spacing = tissue->spacing;
-  contact.node_mass = tissue->node_mass;
-  tissue->contact = &system.add(std::make_unique<CellContact>(contact, tissue->damage));
+  tissue->contact = &system.add(std::make_unique<CellContact>(contact_of(*tissue, brick), tissue->damage));
   return tissue;
 }
 } // namespace turgor

@@ -52,7 +52,7 @@ struct BrickTissue
   std::shared_ptr<WallFlow> flow;     ///< null without plastic yielding; the wall gets it when it is inflated (tissue_inflation.h)
   double spacing = 0.;                ///< m, mean length of a bond at rest
   double spring_stiffness = 0.;       ///< N/m, of one wall spring at rest
-  double node_mass = 0.;              ///< kg
+  double lightest_node = 0.;          ///< kg
 
   /// Bonds between a node of the ring and the nearest place where three cells meet; the whole ring where there is none.
   std::uint32_t to_junction(std::size_t cell, std::uint32_t node) const;

@@ -108,18 +108,138 @@ bool NetworkEquilibrium::leave_saddle(std::vector<double> &x, const Tensor2<2> &
   return false;
 }
 
+/// One search under way.
+struct NetworkEquilibrium::Search
+{
+  EquilibriumReport report;
+  double tolerance;                     ///< of the residual
+  double smallest_shift, largest_shift; ///< N/m
+  double shift = 0.;                    ///< N/m, added to the Hessian
+  bool minimum = true;                  ///< the last Hessian was positive definite
+
+  /// After a step that led nowhere; false, and a message, where no more helps.
+  bool stiffen(const char *message)
+  {
+    shift = std::max(16. * shift, smallest_shift);
+    if (shift > largest_shift)
+      report.message = message;
+    return !(shift > largest_shift);
+  }
+};
+
+bool NetworkEquilibrium::make_model(Search &search)
+{
+  search.shift = search.shift <= search.smallest_shift || search.report.residual <= search.tolerance ? 0. : 0.2 * search.shift;
+  ++search.report.factorisations;
+  while (!factorise(search.shift))
+    {
+      search.shift = search.shift == 0. ? search.smallest_shift : 5. * search.shift;
+      ++search.report.factorisations;
+      if (search.shift > search.largest_shift)
+        {
+          search.report.message = "The stiffness of the wall network is not finite or too far from positive.";
+          return false;
+        }
+    }
+  search.minimum = search.shift == 0.;
+  return true;
+}
+
+bool NetworkEquilibrium::escape(std::vector<double> &x, const Tensor2<2> &H, Search &search)
+{
+  EquilibriumReport &report = search.report;
+  if (report.escapes >= 20 || !leave_saddle(x, H))
+    {
+      report.message = "A stationary point that is no minimum could not be left.";
+      return false;
+    }
+  ++report.escapes;
+  ++report.iterations;
+  evaluate(x, H, NetworkOrder::hessian, now);
+  report.residual = residual(now);
+  return true;
+}
+
+double NetworkEquilibrium::largest_change() const
+{
+  double largest = 0.;
+  for (const WallRing &ring : network.layout().rings)
+    for (std::uint32_t k = 0; k < ring.count; ++k)
+      {
+        const std::size_t i = ring.first + k, j = ring.first + (k + 1) % ring.count;
+        const double dx = moved(2 * j) - moved(2 * i), dy = moved(2 * j + 1) - moved(2 * i + 1);
+        const double change = (dx * dx + dy * dy) * now.inverse_length[i] * now.inverse_length[i];
+        if (!(change <= largest))
+          largest = change;
+      }
+  return largest;
+}
+
+bool NetworkEquilibrium::descend(std::vector<double> &x, const Tensor2<2> &H, double length, const double slope, Search &search)
+{
+  EquilibriumReport &report = search.report;
+  double here = std::numeric_limits<double>::quiet_NaN();
+  for (int halving = 0; halving < 40; ++halving, length *= 0.5)
+    {
+      for (std::size_t d = 0; d < x.size(); ++d)
+        x_trial[d] = x[d] + length * moved(d);
+      evaluate(x_trial, H, NetworkOrder::hessian, trial);
+      const double there = residual(trial);
+      const bool inside_out = std::any_of(trial.volume.begin(), trial.volume.end(), [](const double v) { return !(v > 0.); });
+      if (inside_out || !std::isfinite(there))
+        continue;
+      // Newton's method at work: no energy needed.
+      bool accepted = search.minimum && length == 1. && (there <= 0.5 * report.residual || there <= search.tolerance);
+      if (!accepted)
+        {
+          if (std::isnan(here))
+            {
+              evaluate(x, H, NetworkOrder::energy, energy_scratch);
+              here = energy_scratch.energy;
+            }
+          evaluate(x_trial, H, NetworkOrder::energy, energy_scratch);
+          ++report.energy_checks;
+          const double wanted = 1e-4 * length * slope;
+          accepted = energy_scratch.energy <= here + wanted ||
+                     // the difference is lost in round-off: forces decide
+                     (-wanted < 1e-13 * std::abs(here) && there <= report.residual);
+        }
+      if (!accepted)
+        continue;
+      std::swap(x, x_trial);
+      std::swap(now, trial);
+      report.residual = there;
+      return true;
+    }
+  return false;
+}
+
+bool NetworkEquilibrium::newton_step(std::vector<double> &x, const Tensor2<2> &H, Search &search)
+{
+  step.assign(size, 0.);
+  for (std::size_t d = 0; d < unknown.size(); ++d)
+    if (unknown[d] >= 0)
+      step[unknown[d]] = -now.gradient[d];
+  solver.solve(step.data());
+  ++search.report.iterations;
+  const double change = largest_change();
+  double slope = 0.;
+  for (std::size_t d = 0; d < x.size(); ++d)
+    slope += moved(d) * now.gradient[d];
+  if (!std::isfinite(change) || !(slope < 0.))
+    return search.stiffen("Newton's method found no direction that lowers the energy.");
+  // No edge may change by more than half its length in one step.
+  return descend(x, H, std::min(1., 0.5 / std::sqrt(change)), slope, search) || search.stiffen("The line search found no lower energy.");
+}
+
 EquilibriumReport NetworkEquilibrium::solve(std::vector<double> &x, const Tensor2<2> &H,
                                             const EquilibriumSettings &settings)
 {
-  EquilibriumReport report;
-  const CellLayout &layout = network.layout();
-  const double tolerance = std::max(settings.tolerance, round_off_floor);
   // Against the stiffness of a wall spring. The smallest has to lie below the softest negative curvature
   // of several cells that buckle together, or the way down it takes hundreds of steps.
-  const double spring = layout.spring_stiffness, smallest_shift = 1e-8 * spring,
-               largest_shift = 1e2 * spring;
-  double shift = 0.;
-  bool minimum = true; // the last Hessian was positive definite
+  const double spring = network.layout().spring_stiffness;
+  Search search{{}, std::max(settings.tolerance, round_off_floor), 1e-8 * spring, 1e2 * spring};
+  EquilibriumReport &report = search.report;
   x_trial.resize(x.size());
   drag = settings.drag;
   if (drag > 0.)
@@ -134,7 +254,7 @@ EquilibriumReport NetworkEquilibrium::solve(std::vector<double> &x, const Tensor
           report.message = "The starting positions give no finite force.";
           return report;
         }
-      if (report.residual <= tolerance && minimum)
+      if (report.residual <= search.tolerance && search.minimum)
         {
           report.converged = true;
           return report;
@@ -146,142 +266,13 @@ EquilibriumReport NetworkEquilibrium::solve(std::vector<double> &x, const Tensor
         }
       if (settings.each_iteration)
         settings.each_iteration();
-
-      // A positive definite model of the energy.
-      shift = shift <= smallest_shift || report.residual <= tolerance ? 0. : 0.2 * shift;
-      ++report.factorisations;
-      while (!factorise(shift))
-        {
-          shift = shift == 0. ? smallest_shift : 5. * shift;
-          ++report.factorisations;
-          if (shift > largest_shift)
-            {
-              report.message = "The stiffness of the wall network is not finite or too far from positive.";
-              return report;
-            }
-        }
-      minimum = shift == 0.;
-      if (report.residual <= tolerance)
-        {
-          if (minimum)
-            continue;
-          if (report.escapes >= 20 || !leave_saddle(x, H))
-            {
-              report.message = "A stationary point that is no minimum could not be left.";
-              return report;
-            }
-          ++report.escapes;
-          ++report.iterations;
-          evaluate(x, H, NetworkOrder::hessian, now);
-          report.residual = residual(now);
-          continue;
-        }
-
-      step.assign(size, 0.);
-      for (std::size_t d = 0; d < unknown.size(); ++d)
-        if (unknown[d] >= 0)
-          step[unknown[d]] = -now.gradient[d];
-      solver.solve(step.data());
-      ++report.iterations;
-
-      // No edge may change by more than half its length in one step.
-      double largest_change = 0., slope = 0.;
-      const auto moved = [&](const std::size_t d) { return unknown[d] >= 0 ? step[unknown[d]] : 0.; };
-      for (const WallRing &ring : layout.rings)
-        for (std::uint32_t k = 0; k < ring.count; ++k)
-          {
-            const std::size_t i = ring.first + k, j = ring.first + (k + 1) % ring.count;
-            const double dx = moved(2 * j) - moved(2 * i), dy = moved(2 * j + 1) - moved(2 * i + 1);
-            const double change = (dx * dx + dy * dy) * now.inverse_length[i] * now.inverse_length[i];
-            if (!(change <= largest_change))
-              largest_change = change;
-          }
-      for (std::size_t d = 0; d < x.size(); ++d)
-        slope += moved(d) * now.gradient[d];
-      if (!std::isfinite(largest_change) || !(slope < 0.))
-        {
-          shift = std::max(16. * shift, smallest_shift);
-          if (shift > largest_shift)
-            {
-              report.message = "Newton's method found no direction that lowers the energy.";
-              return report;
-            }
-          continue;
-        }
-      double length = std::min(1., 0.5 / std::sqrt(largest_change));
-      double here = std::numeric_limits<double>::quiet_NaN();
-      bool accepted = false;
-      for (int halving = 0; halving < 40; ++halving, length *= 0.5)
-        {
-          for (std::size_t d = 0; d < x.size(); ++d)
-            x_trial[d] = x[d] + length * moved(d);
-          evaluate(x_trial, H, NetworkOrder::hessian, trial);
-          const double residual_there = residual(trial);
-          bool inside_out = false;
-          for (const double v : trial.volume)
-            inside_out = inside_out || !(v > 0.);
-          if (inside_out || !std::isfinite(residual_there))
-            continue;
-          // Newton's method at work: no energy needed.
-          accepted = minimum && length == 1. && (residual_there <= 0.5 * report.residual || residual_there <= tolerance);
-          if (!accepted)
-            {
-              NetworkEvaluation &energy = energy_scratch;
-              if (std::isnan(here))
-                {
-                  evaluate(x, H, NetworkOrder::energy, energy);
-                  here = energy.energy;
-                }
-              evaluate(x_trial, H, NetworkOrder::energy, energy);
-              ++report.energy_checks;
-              const double wanted = 1e-4 * length * slope;
-              accepted = energy.energy <= here + wanted ||
-                         // the difference is lost in round-off: forces decide
-                         (-wanted < 1e-13 * std::abs(here) && residual_there <= report.residual);
-            }
-          if (accepted)
-            {
-              std::swap(x, x_trial);
-              std::swap(now, trial);
-              report.residual = residual_there;
-              break;
-            }
-        }
-      if (!accepted)
-        {
-          shift = std::max(16. * shift, smallest_shift);
-          if (shift > largest_shift)
-            {
-              report.message = "The line search found no lower energy.";
-              return report;
-            }
-        }
+      if (!make_model(search))
+        return report;
+      const bool stationary = report.residual <= search.tolerance;
+      if (stationary && search.minimum)
+        continue;
+      if (!(stationary ? escape(x, H, search) : newton_step(x, H, search)))
+        return report;
     }
-}
-
-bool NetworkEquilibrium::relaxed_curvature(const std::vector<double> &x, const Tensor2<2> &H,
-                                           const std::array<Tensor2<2>, 4> &L, Tensor4<2> &curvature)
-{
-  evaluate(x, H, NetworkOrder::hessian, now);
-  if (!factorise(0.))
-    return false;
-  std::array<std::vector<double>, 4> forces;
-  network.affine_response(x, H, now, L, forces, curvature);
-  std::array<std::vector<double>, 4> follow;
-  for (int k = 0; k < 4; ++k)
-    {
-      follow[k].assign(size, 0.);
-      for (std::size_t d = 0; d < unknown.size(); ++d)
-        if (unknown[d] >= 0)
-          follow[k][unknown[d]] = forces[k][d];
-      solver.solve(follow[k].data());
-    }
-  for (int k = 0; k < 4; ++k)
-    for (int l = 0; l < 4; ++l)
-      for (std::size_t d = 0; d < unknown.size(); ++d)
-        if (unknown[d] >= 0)
-          curvature(k, l) -= forces[k][d] * follow[l][unknown[d]];
-  curvature = (0.5 * (curvature + curvature.transpose())).eval();
-  return curvature.allFinite();
 }
 } // namespace turgor

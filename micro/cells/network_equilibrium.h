@@ -77,6 +77,16 @@ private:
   double residual(const NetworkEvaluation &at) const;
   bool leave_saddle(std::vector<double> &x, const Tensor2<2> &H);
 
+  // Parts of solve(); false, and a message in the report, where the search ends.
+  struct Search;
+  bool make_model(Search &search); ///< a positive definite model of the energy, factorised
+  bool escape(std::vector<double> &x, const Tensor2<2> &H, Search &search);
+  bool newton_step(std::vector<double> &x, const Tensor2<2> &H, Search &search);
+  /// From step x length on, halved until it lowers the energy; slope: J, of the energy along the step. False where none does.
+  bool descend(std::vector<double> &x, const Tensor2<2> &H, double length, double slope, Search &search);
+  double largest_change() const; ///< of an edge in the step, over its length, squared
+  double moved(const std::size_t d) const { return unknown[d] >= 0 ? step[unknown[d]] : 0.; }
+
   /// With the springs of drag in energy and gradient.
   void evaluate(const std::vector<double> &x, const Tensor2<2> &H, NetworkOrder order, NetworkEvaluation &out) const;
 

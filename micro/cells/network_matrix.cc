@@ -119,4 +119,30 @@ bool NetworkEquilibrium::factorise(const double shift)
   assemble(shift + drag);
   return solver.factorise() && solver.negative_pivots() == static_cast<unsigned int>(n_cells);
 }
+
+bool NetworkEquilibrium::relaxed_curvature(const std::vector<double> &x, const Tensor2<2> &H,
+                                           const std::array<Tensor2<2>, 4> &L, Tensor4<2> &curvature)
+{
+  evaluate(x, H, NetworkOrder::hessian, now);
+  if (!factorise(0.))
+    return false;
+  std::array<std::vector<double>, 4> forces;
+  network.affine_response(x, H, now, L, forces, curvature);
+  std::array<std::vector<double>, 4> follow;
+  for (int k = 0; k < 4; ++k)
+    {
+      follow[k].assign(size, 0.);
+      for (std::size_t d = 0; d < unknown.size(); ++d)
+        if (unknown[d] >= 0)
+          follow[k][unknown[d]] = forces[k][d];
+      solver.solve(follow[k].data());
+    }
+  for (int k = 0; k < 4; ++k)
+    for (int l = 0; l < 4; ++l)
+      for (std::size_t d = 0; d < unknown.size(); ++d)
+        if (unknown[d] >= 0)
+          curvature(k, l) -= forces[k][d] * follow[l][unknown[d]];
+  curvature = (0.5 * (curvature + curvature.transpose())).eval();
+  return curvature.allFinite();
+}
 } // namespace turgor

@@ -1,6 +1,6 @@
 #include "micro/cells/round_cell.h"
 
-#include "micro/geometry/geodesic_sphere.h"
+#include "micro/cells/sph_parenchyma.h"
 #include "micro/laws/counter_random.h"
 #include "run/start_disturbance.h"
 #include "micro/terms/thesis_fluid.h"
@@ -101,74 +101,48 @@ void add_thesis_fluid(RoundCell<dim> &cell, const EquationOfState &eos, const do
         std::vector<double>(1, mass), faces));
     }
 }
-} // namespace
 
 template <int dim>
-std::unique_ptr<RoundCell<dim>> make_round_cell(const RoundCellParameters &parameters, const bool can_fail)
+void lay_wall(RoundCell<dim> &cell, const std::uint32_t fluid_particles)
 {
-  parameters.check(dim);
-  auto cell = std::make_unique<RoundCell<dim>>();
-  cell->parameters = parameters;
-  const RoundCellParameters &p = cell->parameters;
-  cell->rest_radius = p.radius / p.turgid_stretch(dim);
-  const double r0 = cell->rest_radius;
-
-  std::vector<Vector<dim>> nodes;
+  const RoundLayout<dim> &layout = cell.layout;
+  const std::uint32_t count = std::uint32_t(layout.nodes.size());
+  Particles<dim> &particles = cell.system.particles;
+  particles.resize(count + fluid_particles);
+  particles.groups.push_back({0, count, count + fluid_particles});
+  for (std::uint32_t i = 0; i < count; ++i)
+    {
+      for (int d = 0; d < dim; ++d)
+        particles.x[d][i] = layout.nodes[i][d];
+      particles.inverse_mass[i] = 1. / layout.node_mass[i];
+    }
   if constexpr (dim == 3)
     {
-      GeodesicSphere sphere = make_geodesic_sphere(p.frequency);
-      for (const Vector<3> &x : sphere.positions)
-        nodes.push_back(r0 * x);
-      cell->mesh = std::make_shared<const TriangleMesh>(std::move(sphere.mesh));
+      cell.mesh = layout.mesh;
+      cell.wall = &cell.system.add(make_net_wall(layout));
     }
   else
-    for (unsigned int k = 0; k < p.ring_nodes; ++k)
-      nodes.push_back({r0 * std::cos(2. * pi * k / p.ring_nodes), r0 * std::sin(2. * pi * k / p.ring_nodes)});
-  const std::uint32_t nw = std::uint32_t(nodes.size());
-  const std::uint32_t nf = p.has_particles() ? p.fluid_particles : 0;
-  if (can_fail && p.fluid == "thesis")
-    throw std::invalid_argument("Cell/Fluid is thesis, whose wall cannot open; a wall that fails needs Cell/Fluid = sph or pressure.");
-  const std::size_t bond_count = dim == 3 ? cell->mesh->edges.size() : nw, face_count = dim == 3 ? cell->mesh->faces.size() : nw;
-  if (can_fail)
-    cell->damage = std::make_shared<WallDamage>(1, bond_count, face_count);
+    cell.wall = &cell.system.add(
+      std::make_unique<RingWall>(layout.parameters.wall_law(), ring_shapes(layout), layout.spacing, layout.node_mass[0]));
+}
 
-  Particles<dim> &particles = cell->system.particles;
-  particles.resize(nw + nf);
-  particles.groups.push_back({0, nw, nw + nf});
-  for (std::uint32_t i = 0; i < nw; ++i)
-    for (int d = 0; d < dim; ++d)
-      particles.x[d][i] = nodes[i][d];
-
+template <int dim>
+void fill(RoundCell<dim> &cell)
+{
+  const RoundCellParameters &p = cell.parameters;
+  const EquationOfState eos = p.equation_of_state();
+  Particles<dim> &particles = cell.system.particles;
+  const std::uint32_t nw = cell.group().wall_count(), nf = cell.group().fluid_count();
+  double content; // kg
   if constexpr (dim == 3)
-    {
-      // Bending and mass both need the thickness; without bending the mass is still the wall's.
-      NetWallParameters wall{p.wall_stiffness, p.wall_thickness, p.wall_density, p.wall_bending};
-      cell->wall = &cell->system.add(std::make_unique<NetWall>(cell->mesh, NetShape(*cell->mesh, nodes), wall));
-      for (std::uint32_t i = 0; i < nw; ++i)
-        particles.inverse_mass[i] = 1. / cell->wall->node_mass(i);
-    }
+    content = cell.layout.fluid_mass;
   else
-    {
-      const double chord = 2. * r0 * std::sin(pi / nw);
-      const double node_mass = p.wall_density * p.wall_thickness * p.depth * chord;
-      const double B = p.wall_bending ? 4. * p.wall_stiffness * p.wall_thickness * p.wall_thickness * p.depth / 12. : 0.;
-      std::vector<RingShape> shape(1);
-      shape[0].rest_length.assign(nw, chord);
-      shape[0].rest_angle.assign(nw, 2. * pi / nw);
-      shape[0].hinge.assign(nw, B / chord);
-      cell->wall = &cell->system.add(std::make_unique<RingWall>(p.ring_law(), shape, chord, node_mass));
-      std::fill(particles.inverse_mass.begin(), particles.inverse_mass.end(), 1. / node_mass);
-    }
-  if (can_fail)
-    cell->wall->set_damage(cell->damage);
-
-  const EquationOfState eos(p.fluid_density, p.fluid_modulus, p.cavitation_pressure);
-  const double volume = cell->volume();
+    content = cell.layout.fluid_mass[0];
   if (p.has_particles())
     {
-      const double spacing = dim == 3 ? std::cbrt(volume / nf) : std::sqrt(volume / p.depth / nf);
-      const auto points = scattered<dim>(nf, r0, spacing, p.seed);
-      const double mass = p.fluid_density * volume / nf;
+      const double volume = cell.volume(), spacing = dim == 3 ? std::cbrt(volume / nf) : std::sqrt(volume / p.depth / nf);
+      const auto points = scattered<dim>(nf, cell.rest_radius, spacing, p.seed);
+      const double mass = content / nf;
       for (std::uint32_t i = 0; i < nf; ++i)
         {
           for (int d = 0; d < dim; ++d)
@@ -176,14 +150,33 @@ std::unique_ptr<RoundCell<dim>> make_round_cell(const RoundCellParameters &param
           particles.inverse_mass[nw + i] = 1. / mass;
         }
       if (p.fluid == "thesis")
-        add_thesis_fluid(*cell, eos, spacing, mass);
+        add_thesis_fluid(cell, eos, spacing, mass);
       else
-        add_sph_fluid(*cell, eos, spacing, mass);
+        add_sph_fluid(cell, eos, spacing, mass);
     }
   else if (p.fluid == "pressure")
-    cell->enclosed = &cell->system.add(std::make_unique<EnclosedFluid<dim>>(
-      eos, std::vector<double>(1, p.fluid_density * volume), p.depth, cell->mesh));
-  begin_at(particles.x);
+    cell.enclosed =
+      &cell.system.add(std::make_unique<EnclosedFluid<dim>>(eos, std::vector<double>(1, content), p.depth, cell.mesh));
+}
+} // namespace
+
+template <int dim>
+std::unique_ptr<RoundCell<dim>> make_round_cell(const RoundCellParameters &p, const bool can_fail)
+{
+  if (can_fail && p.fluid == "thesis")
+    throw std::invalid_argument("Cell/Fluid is thesis, whose wall cannot open; a wall that fails needs Cell/Fluid = sph or pressure.");
+  auto cell = std::make_unique<RoundCell<dim>>(p, round_layout<dim>(p));
+  lay_wall(*cell, p.has_particles() ? p.fluid_particles : 0);
+  if (can_fail)
+    {
+      std::size_t faces = cell->bonds();
+      if constexpr (dim == 3)
+        faces = cell->mesh->faces.size();
+      cell->damage = std::make_shared<WallDamage>(1, cell->bonds(), faces);
+      cell->wall->set_damage(cell->damage);
+    }
+  fill(*cell);
+  begin_at(cell->system.particles.x);
   return cell;
 }
 

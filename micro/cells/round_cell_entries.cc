@@ -1,19 +1,14 @@
 // The entries of a round cell: names, ranges, what they must not be together.
-#include "micro/cells/round_cell.h"
+#include "micro/cells/cell_entry.h"
+#include "micro/cells/round_cell_parameters.h"
 #include "run/input_entries.h"
 
 #include <cmath>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
 
 namespace turgor
 {
-NeoHookeanWall RoundCellParameters::ring_law() const
-{
-  return NeoHookeanWall(wall_stiffness, depth, wall_beta, WallYield{yield_sharpness, yield_drop});
-}
-
 void RoundCellParameters::add_parameters(InputEntries &prm)
 {
   using namespace Patterns;
@@ -22,31 +17,15 @@ void RoundCellParameters::add_parameters(InputEntries &prm)
   prm.add_parameter("Ring nodes", ring_nodes, "Dimension = 2: number of nodes of the wall. Units: none.", Integer(8, 60000));
   prm.add_parameter("Frequency", frequency,
                     "Dimension = 3: nu of the geodesic sphere, 10 nu^2 + 2 wall nodes (14: 1962). Units: none.", Integer(2, 80));
-  prm.add_parameter("Wall stiffness", wall_stiffness, "G t0, shear modulus times thickness of the wall; of an incompressible wall with Young's modulus E it is E t0/3. Units: N/m.",
-                    Double(1e-6, 1e9));
-  prm.add_parameter("Wall thickness", wall_thickness, "Thickness t0 of the wall, which gives it its mass and bending stiffness; Wall stiffness contains it already. Units: m.",
-                    Double(1e-10, 1e-3));
-  prm.add_parameter("Wall density", wall_density,
-                    "Mass of the wall over its volume. Quasi-static loading may take a larger one than the wall's: longer steps, same equilibrium. Units: kg/m^3.",
-                    Double(1., 1e7));
-  prm.add_parameter("Wall beta", wall_beta, "Dimension = 2: axial over hoop stress of the wall (thesis Eq. 3.5), 0.5 of a cylinder, 1 of a cube. Units: none.",
-                    Double(0., 1.));
-  prm.add_parameter("Yield sharpness", yield_sharpness, "Dimension = 2: A of Eq. 3.8, half of what a wall loses by yielding is lost at a stretch of 1 + 1/A. Units: none.", Double(0., 1e6));
-  prm.add_parameter("Yield drop", yield_drop, "Dimension = 2: B of Eq. 3.8, the share of the stiffness that yielding takes at large stretch; 0: the wall does not yield. Units: none.",
-                    Double(0., 1.));
-  prm.add_parameter("Wall bending", wall_bending, "Whether the wall has the bending stiffness of its own thickness. Units: true or false.", Bool());
-  prm.add_parameter("Turgor", turgor, "Pressure of the turgid cell's fluid above that outside. Units: Pa.", Double(0., 1e8));
+  declare_wall(prm);
+  declare_yield(prm, wall_yield);
+  declare_fluid(prm);
   prm.add_parameter("Fluid", fluid,
                     "What fills the cell. sph: particles; thesis: particles by the thesis's scheme (density by continuity, Lennard-Jones wall, Eq. 3.7), the "
                     "baseline, intact walls only; pressure: one pressure for the whole cell (nothing flows, quasi-static loading only); "
                     "none: an empty shell. Units: none.",
                     Selection("sph|thesis|pressure|none"));
   prm.add_parameter("Fluid particles", fluid_particles, "Number of particles of the fluid, with Fluid = sph or thesis. Units: none.", Integer(20, 60000));
-  prm.add_parameter("Fluid density", fluid_density, "Density rho_0 of the fluid without pressure (Eq. 2.22). Units: kg/m^3.", Double(1., 1e5));
-  prm.add_parameter("Fluid modulus", fluid_modulus, "K of Eq. 2.22; the bulk modulus is 7 K. Units: Pa.", Double(1e3, 1e10));
-  prm.add_parameter("Fluid viscosity", fluid_viscosity, "Dynamic viscosity mu of the cell's fluid (water: 1e-3). Units: Pa s.", Double(0., 1e6));
-  prm.add_parameter("Cavitation pressure", cavitation_pressure,
-                    "Gauge pressure below which the liquid gives way. Units: Pa.", Double(-1e10, -1e-3));
   prm.add_parameter("Kernel", kernel,
                     "Kernel of the fluid's sums. fourth_order has no second moment: sound waves and pressure gradients are smoothed to "
                     "fourth order in the support, at shorter steps; walls that do not fail only. Units: none.",
@@ -73,20 +52,18 @@ void RoundCellParameters::add_parameters(InputEntries &prm)
 void RoundCellParameters::check(const int dim) const
 {
   const auto fail = [](const std::string &entry, const double value, const std::string &allowed) {
-    std::ostringstream sentence;
-    sentence << "Cell/" << entry << " is " << value << ", but it has to be " << allowed << ".";
-    throw std::invalid_argument(sentence.str());
+    require_cell_entry(false, entry, value, allowed);
   };
+  check_wall();
+  check_fluid();
   if (!(wall_thickness < 0.2 * radius))
     fail("Wall thickness", wall_thickness, "thinner than a fifth of the radius (m): the wall is a membrane");
-  if (!(cavitation_pressure > -fluid_modulus))
-    fail("Cavitation pressure", cavitation_pressure, "above minus the fluid modulus (Pa)");
   if (fluid == "none" && turgor > 0.)
     fail("Turgor", turgor, "0 (Pa) with Fluid = none: an empty shell holds no pressure");
   if (dim == 3 && !(turgor * radius < 2. * wall_stiffness))
     fail("Turgor", turgor, "below 2 G t0/Radius (Pa): tension grows no further than G t0 (Eq. 3.6), the cell would burst");
-  if (dim == 3 && yield_drop > 0.)
-    fail("Yield drop", yield_drop, "0 with Dimension = 3 (only the 2D wall yields by Eq. 3.8)");
+  if (dim == 3 && wall_yield.drop > 0.)
+    fail("Yield drop", wall_yield.drop, "0 with Dimension = 3 (only the 2D wall yields by Eq. 3.8)");
   const double most = dim == 3 ? std::cbrt(4. / 3. * std::numbers::pi / fluid_particles) : std::sqrt(std::numbers::pi / fluid_particles);
   if (fluid == "thesis" && !(turgor > 0.))
     fail("Turgor", turgor, "positive (Pa) with Fluid = thesis: the repulsion of the wall's nodes is chosen by the pressure it holds");
@@ -100,7 +77,7 @@ void RoundCellParameters::check(const int dim) const
 double RoundCellParameters::turgid_stretch(const int dim) const
 {
   if (dim == 2)
-    return ring_law().stretch_at(turgor * radius * depth);
+    return wall_law(depth).stretch_at(turgor * radius * depth);
   return std::pow(1. - turgor * radius / (2. * wall_stiffness), -1. / 6.);
 }
 } // namespace turgor

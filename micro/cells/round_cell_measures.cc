@@ -134,21 +134,6 @@ double RoundCell<dim>::cut_tension(double &deviation) const
   return sum / cuts;
 }
 
-template <int dim>
-double RoundCell<dim>::largest_unbalanced() const
-{
-  double most = 0.;
-  for (std::size_t i = 0; i < system.particles.size(); ++i)
-    {
-      double squared = 0.;
-      for (int d = 0; d < dim; ++d)
-        squared += system.particles.f[d][i] * system.particles.f[d][i];
-      if (!(squared <= most * most))
-        most = std::sqrt(squared);
-    }
-  return most;
-}
-
 template struct RoundCell<2>;
 template struct RoundCell<3>;
 } // namespace turgor

@@ -124,6 +124,11 @@ std::vector<CellContents> unannealed_cells(const CellLayout &layout, const SphPa
   return cells;
 }
 
+std::size_t particles_of_square_cell(const ParenchymaParameters &cell, const SphParameters &sph)
+{
+  return 4 * std::size_t(cell.nodes_per_side) + std::size_t(sph.particles_per_side) * sph.particles_per_side;
+}
+
 CellContents unannealed_cell(const CellLayout &layout, const SphParameters &sph)
 {
   CellContents cell;
@@ -137,6 +142,8 @@ CellContents unannealed_cell(const CellLayout &layout, const SphParameters &sph)
   // A perfect lattice is the worst start (it melts violently later): jitter by a fifth of the spacing.
   const unsigned int n = sph.particles_per_side;
   const double dx = p.period / n;
+  for (std::vector<double> *component : {&cell.x, &cell.y})
+    component->reserve(particles_of_square_cell(p, sph));
   for (unsigned int j = 0; j < n; ++j)
     for (unsigned int i = 0; i < n; ++i)
       {
@@ -144,7 +151,7 @@ CellContents unannealed_cell(const CellLayout &layout, const SphParameters &sph)
         cell.x.push_back((i + 0.5 + 0.2 * (2. * random_uniform(sph.seed, counter) - 1.)) * dx);
         cell.y.push_back((j + 0.5 + 0.2 * (2. * random_uniform(sph.seed, counter + 1) - 1.)) * dx);
       }
-  const EquationOfState eos(p.fluid_density, p.fluid_modulus, p.cavitation_pressure);
+  const EquationOfState eos = p.equation_of_state();
   cell.particle_mass = eos.density_at(p.turgor) * p.period * p.period * p.depth / (double(n) * n);
   return cell;
 }
@@ -159,7 +166,7 @@ std::unique_ptr<CellFluid<2>> make_cell_fluid(const ParenchymaParameters &p, con
                                               const double wall_spacing, const std::vector<double> &mass,
                                               std::shared_ptr<const WallDamage> damage)
 {
-  const EquationOfState eos(p.fluid_density, p.fluid_modulus, p.cavitation_pressure);
+  const EquationOfState eos = p.equation_of_state();
   const double dx = p.period / sph.particles_per_side;
   if (sph.formulation == "thesis")
     {
@@ -187,9 +194,8 @@ std::unique_ptr<CellFluid<2>> make_cell_fluid(const ParenchymaParameters &p, con
   return std::make_unique<SphFluid<2>>(fluid, eos, mass, std::move(damage));
 }
 
-std::unique_ptr<RingWall> make_walls(const CellLayout &layout)
+std::vector<RingShape> ring_shapes(const CellLayout &layout)
 {
-  const ParenchymaParameters &p = layout.parameters;
   std::vector<RingShape> shapes;
   for (const WallRing &ring : layout.rings)
     {
@@ -198,8 +204,13 @@ std::unique_ptr<RingWall> make_walls(const CellLayout &layout)
       };
       shapes.push_back({of_ring(layout.rest_length), of_ring(layout.rest_angle), of_ring(layout.hinge)});
     }
+  return shapes;
+}
+
+std::unique_ptr<RingWall> make_walls(const CellLayout &layout)
+{
   const auto [shortest, longest] = std::minmax_element(layout.rest_length.begin(), layout.rest_length.end());
-  return std::make_unique<RingWall>(p.wall_law(), std::move(shapes), layout.spacing,
+  return std::make_unique<RingWall>(layout.parameters.wall_law(), ring_shapes(layout), layout.spacing,
                                     *std::min_element(layout.node_mass.begin(), layout.node_mass.end()), *shortest == *longest);
 }
 

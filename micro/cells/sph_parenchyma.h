@@ -48,6 +48,9 @@ struct CellContents
   CellContents without_fluid() const;
 };
 
+/// The rings of the layout as they are without stress.
+std::vector<RingShape> ring_shapes(const CellLayout &layout);
+
 /// The walls of the layout.
 std::unique_ptr<RingWall> make_walls(const CellLayout &layout);
 
@@ -82,6 +85,9 @@ std::unique_ptr<CellFluid<2>> make_cell_fluid(const ParenchymaParameters &cell, 
 
 /// One square cell before annealing: fluid on a jittered lattice.
 CellContents unannealed_cell(const CellLayout &layout, const SphParameters &sph);
+
+/// Particles of such a cell, wall and fluid.
+std::size_t particles_of_square_cell(const ParenchymaParameters &cell, const SphParameters &sph);
 
 /// Cells of any shape before annealing: the fluid mass of the layout, spread evenly (even_points.h) in as many particles as the cell's area is to
 /// that of Particles per side in a square of side Period.

@@ -1,7 +1,7 @@
 #include "micro/cells/tissue_structure.h"
 
+#include "micro/cells/parenchyma.h"
 #include "micro/cells/tiled_layout.h"
-#include "micro/cells/turgid_lattice.h"
 #include "micro/cells/turgid_layout.h"
 #include "micro/geometry/joined_polygons.h"
 #include "micro/geometry/laguerre_tiling.h"
@@ -139,9 +139,11 @@ Tiling TissueStructure::tiling(const double side, const unsigned int columns, co
   return without_short_sides(tiling, shortest);
 }
 
-CellLayout turgid_tissue(const TissueStructure &structure, ParenchymaParameters cell, const unsigned int columns, const unsigned int rows)
+CellLayout laid_tissue(const TissueStructure &structure, ParenchymaParameters cell, const unsigned int columns, const unsigned int rows)
 {
   structure.check();
+  if (structure.square())
+    return make_parenchyma(cell, columns, rows, true, true);
   TissueStructure laid = structure;
   if (structure.measured())
     {
@@ -151,8 +153,14 @@ CellLayout turgid_tissue(const TissueStructure &structure, ParenchymaParameters 
       laid.area_scatter = found.area_scatter();
       cell.period = std::sqrt(found.mean_area());
     }
-  CellLayout layout = laid.square() ? turgid_parenchyma(cell, columns, rows, true, true) :
-                                      turgid_with_lattice(lay_cells(laid.tiling(cell.period, columns, rows, cell.period / cell.nodes_per_side), cell));
-  return laid.rotation == 0. ? layout : turned(std::move(layout), laid.rotation * std::numbers::pi / 180.);
+  return lay_cells(laid.tiling(cell.period, columns, rows, cell.period / cell.nodes_per_side), cell);
+}
+
+CellLayout turgid_tissue(const TissueStructure &structure, const ParenchymaParameters &cell, const unsigned int columns, const unsigned int rows)
+{
+  structure.check();
+  CellLayout layout =
+    structure.square() ? turgid_parenchyma(cell, columns, rows, true, true) : turgid_with_lattice(laid_tissue(structure, cell, columns, rows));
+  return structure.rotation == 0. ? layout : turned(std::move(layout), structure.rotation * std::numbers::pi / 180.);
 }
 } // namespace turgor

@@ -50,6 +50,9 @@ struct TissueStructure
   Tiling tiling(double side, unsigned int columns, unsigned int rows, double shortest) const;
 };
 
-/// columns x rows periodic cells at turgor, turned: the reference F = I of an RVE. Throws std::invalid_argument.
-CellLayout turgid_tissue(const TissueStructure &structure, ParenchymaParameters cell, unsigned int columns, unsigned int rows);
+/// columns x rows periodic cells as they are laid, before turgor: nodes, bonds and ties are those of turgid_tissue(). Throws std::invalid_argument.
+CellLayout laid_tissue(const TissueStructure &structure, ParenchymaParameters cell, unsigned int columns, unsigned int rows);
+
+/// The same at turgor, turned: the reference F = I of an RVE. Throws std::invalid_argument.
+CellLayout turgid_tissue(const TissueStructure &structure, const ParenchymaParameters &cell, unsigned int columns, unsigned int rows);
 } // namespace turgor

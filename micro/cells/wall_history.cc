@@ -77,6 +77,11 @@ std::vector<double> WallHistory::pack() const
   return numbers;
 }
 
+std::size_t WallHistory::packed_size(const WallLimits &limits, const std::size_t bonds, const std::size_t cells)
+{
+  return limits.history() ? 2 + (limits.plastic ? bonds : 0) + (limits.failure() ? bonds + cells : 0) : 0;
+}
+
 void WallHistory::unpack(const std::vector<double> &numbers, const NeoHookeanWall &loaded, const NeoHookeanWall &elastic)
 {
   if (empty() && numbers.empty())

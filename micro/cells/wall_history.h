@@ -60,6 +60,8 @@ public:
   /// To and from plain numbers, for RveState. Throws std::invalid_argument for numbers of another network. Which cells have failed follows
   /// from `broken` and is left to who knows the cells.
   std::vector<double> pack() const;
+  /// How many numbers that is.
+  static std::size_t packed_size(const WallLimits &limits, std::size_t bonds, std::size_t cells);
   void unpack(const std::vector<double> &numbers, const NeoHookeanWall &loaded, const NeoHookeanWall &elastic);
 
   /// Force on a bond, N, and its slope, N.

@@ -1,5 +1,7 @@
 #include "micro/engine/descent.h"
 
+#include "micro/engine/at_rest.h"
+
 #include "run/archive.h"
 
 #include <algorithm>
@@ -23,8 +25,7 @@ Descent<dim>::Descent(ParticleSystem<dim> &system_)
 template <int dim>
 void Descent<dim>::stop()
 {
-  for (int d = 0; d < dim; ++d)
-    std::fill(system.particles.v[d].begin(), system.particles.v[d].end(), 0.);
+  halt(system.particles);
   share = first_share;
   downhill = 0;
 }

@@ -12,7 +12,27 @@ namespace
 {
 constexpr std::uint64_t steps_between_looks = 100;
 constexpr double smoothing = 40.; // of viscosity, over the Reynolds number of a spacing
+constexpr double alike = 1e-9;    // cells whose spacings differ by less than that are copies of one cell, round-off of their places apart
+
+/// m, of the particles of every cell: its box shared out among them.
+template <int dim>
+std::vector<double> spacings(const Particles<dim> &p)
+{
+  std::vector<double> all;
+  for (const Group &g : p.groups)
+    {
+      double volume = 1.;
+      for (int d = 0; d < dim; ++d)
+        {
+          const auto [low, high] = std::minmax_element(p.x[d].begin() + g.begin, p.x[d].begin() + g.end);
+          volume *= *high - *low;
+        }
+      const double own = std::pow(volume / double(g.end - g.begin), 1. / dim);
+      all.push_back(!all.empty() && std::abs(own - all.front()) <= alike * all.front() ? all.front() : own);
+    }
+  return all;
 }
+} // namespace
 
 template <int dim>
 StepControl<dim>::StepControl(ParticleSystem<dim> &system_, const double fraction_, const double spacings_a_step_,
@@ -24,19 +44,7 @@ StepControl<dim>::StepControl(ParticleSystem<dim> &system_, const double fractio
 {
   const double bound = system->stable_time_step();
   step = fraction * std::min(bound, measure_stable_step(*system, bound).dt);
-  // Of the first cell: its box shared out among its particles.
-  const Particles<dim> &p = system->particles;
-  if (!p.groups.empty())
-    {
-      const Group &g = p.groups.front();
-      double volume = 1.;
-      for (int d = 0; d < dim; ++d)
-        {
-          const auto [low, high] = std::minmax_element(p.x[d].begin() + g.begin, p.x[d].begin() + g.end);
-          volume *= *high - *low;
-        }
-      spacing = std::pow(volume / double(g.end - g.begin), 1. / dim);
-    }
+  spacing = spacings(system->particles);
   step = std::min(step, step_of_speed());
   remember();
 }
@@ -45,9 +53,10 @@ template <int dim>
 double StepControl<dim>::step_of_speed() const
 {
   const Particles<dim> &p = system->particles;
-  double fastest = 0.; // mean square of a cell
-  for (const Group &g : p.groups)
+  double shortest = HUGE_VAL;
+  for (std::size_t c = 0; c < p.groups.size(); ++c)
     {
+      const Group &g = p.groups[c];
       double mean[dim]{};
       for (int d = 0; d < dim; ++d)
         {
@@ -59,12 +68,11 @@ double StepControl<dim>::step_of_speed() const
       for (std::uint32_t i = g.begin; i < g.end; ++i)
         for (int d = 0; d < dim; ++d)
           square += (p.v[d][i] - mean[d]) * (p.v[d][i] - mean[d]);
-      fastest = std::max(fastest, square / (g.end - g.begin));
+      const double v = std::sqrt(square / (g.end - g.begin));
+      if (v > 0.)
+        shortest = std::min(shortest, spacings_a_step * (spacing[c] + smoothing * viscosity / v) / v);
     }
-  if (!(fastest > 0.))
-    return HUGE_VAL;
-  const double v = std::sqrt(fastest);
-  return spacings_a_step * (spacing + smoothing * viscosity / v) / v;
+  return shortest;
 }
 
 template <int dim>
@@ -77,9 +85,10 @@ template <int dim>
 bool StepControl<dim>::moved() const
 {
   const Particles<dim> &p = system->particles;
-  for (const Group &g : p.groups)
+  for (std::size_t c = 0; c < p.groups.size(); ++c)
     for (int d = 0; d < dim; ++d)
       {
+        const Group &g = p.groups[c];
         double mean = 0., low = HUGE_VAL, high = -HUGE_VAL;
         for (std::uint32_t i = g.begin; i < g.end; ++i)
           {
@@ -89,7 +98,7 @@ bool StepControl<dim>::moved() const
             high = std::max(high, move);
           }
         mean /= g.end - g.begin;
-        if (!(high - mean < spacing && mean - low < spacing)) // also where something is not finite
+        if (!(high - mean < spacing[c] && mean - low < spacing[c])) // also where something is not finite
           return true;
       }
   return false;

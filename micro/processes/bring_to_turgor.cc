@@ -1,5 +1,6 @@
 #include "micro/processes/bring_to_turgor.h"
 
+#include "micro/engine/at_rest.h"
 #include "micro/engine/sound_state.h"
 #include "micro/engine/descent.h"
 #include "run/number_text.h"
@@ -8,9 +9,23 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace turgor
 {
+namespace
+{
+std::string not_at_rest(const RoundCellParameters &p, const unsigned int more, const double pressure, const double residual)
+{
+  return "the cell has not come to rest after Cell/Anneal steps = " + number_text(p.anneal_steps) + " and " + number_text(more)
+         + " of Cell/Rest steps = " + number_text(p.rest_steps) + " (pressure " + number_text(pressure) + " Pa, turgor " + number_text(p.turgor)
+         + " Pa; unbalanced force " + number_text(residual) + " of turgor times the wall of a node, allowed " + number_text(p.rest_residual) + "): use "
+         + (p.turgor > 0. && p.turgor < 1e-3 * p.fluid_modulus ?
+              "a softer fluid, a smaller Cell/Fluid modulus (now " + number_text(p.fluid_modulus) + " Pa)." :
+              "more Cell/Rest steps.");
+}
+} // namespace
+
 template <int dim>
 void settle_fluid(RoundCell<dim> &cell, const std::function<void(unsigned int, unsigned int, double)> &watch)
 {
@@ -38,8 +53,7 @@ void settle_fluid(RoundCell<dim> &cell, const std::function<void(unsigned int, u
         watch(s + 1, p.settle_steps, dt);
     }
   std::copy(own.begin(), own.end(), particles.inverse_mass.begin());
-  for (int d = 0; d < dim; ++d)
-    std::fill(particles.v[d].begin(), particles.v[d].end(), 0.);
+  halt(particles);
 }
 
 template <int dim>
@@ -92,7 +106,7 @@ double bring_to_turgor(RoundCell<dim> &cell, const std::function<void(unsigned i
         watch(s + 1, steps, dt);
     }
   const double scale = p.turgor > 0. ? p.turgor : 0.01 * p.wall_stiffness / p.radius; // Pa
-  const auto unbalanced = [&] { return cell.largest_unbalanced() / (scale * cell.surface() / nw); };
+  const auto unbalanced = [&] { return largest_force(cell.system.particles) / (scale * cell.surface() / nw); };
   const auto at_rest = [&] { return unbalanced() <= p.rest_residual && std::abs(cell.pressure() - p.turgor) <= 0.02 * scale; };
   cell.system.compute_forces();
   unsigned int more = 0;
@@ -116,20 +130,12 @@ double bring_to_turgor(RoundCell<dim> &cell, const std::function<void(unsigned i
   if (cell.sph)
     cell.sph->set_viscosity(p.fluid_viscosity);
   std::copy(own.begin(), own.end(), inverse_mass.begin());
-  for (int d = 0; d < dim; ++d)
-    std::fill(cell.system.particles.v[d].begin(), cell.system.particles.v[d].end(), 0.);
+  halt(cell.system.particles);
   cell.system.compute_forces();
   require_sound(steps + more);
   const double residual = unbalanced();
   if (steps > 0 && !at_rest())
-    throw std::runtime_error("the cell has not come to rest after Cell/Anneal steps = " + number_text(steps) + " and "
-                             + number_text(more) + " of Cell/Rest steps = " + number_text(p.rest_steps) + " (pressure "
-                             + number_text(cell.pressure()) + " Pa, turgor " + number_text(p.turgor) + " Pa; unbalanced force "
-                             + number_text(residual) + " of turgor times the wall of a node, allowed "
-                             + number_text(p.rest_residual) + "): use "
-                             + (p.turgor > 0. && p.turgor < 1e-3 * p.fluid_modulus
-                                  ? "a softer fluid, a smaller Cell/Fluid modulus (now " + number_text(p.fluid_modulus) + " Pa)."
-                                  : "more Cell/Rest steps."));
+    throw std::runtime_error(not_at_rest(p, more, cell.pressure(), residual));
   return residual;
 }
 

@@ -1,5 +1,6 @@
 #include "micro/processes/tissue_inflation.h"
 
+#include "micro/engine/at_rest.h"
 #include "run/archive.h"
 #include "micro/engine/measured_step.h"
 #include "run/number_text.h"
@@ -16,18 +17,6 @@ namespace
 constexpr std::uint64_t ordering_steps = 400, settle_steps = 600, look_every = 50, still_for = 500, most_steps = 1000000;
 constexpr unsigned int most_stops = 5;    // between two looks; a sound descent has one at most, one that chatters 13 to 26
 constexpr double step_fraction = 0.8, largest_move = 0.1; // of the stable step; of a particle's spacing, in a step while the fluid settles
-
-double largest_force(const Particles<2> &p)
-{
-  double most = 0.;
-  for (std::size_t i = 0; i < p.size(); ++i)
-    {
-      const double squared = p.f[0][i] * p.f[0][i] + p.f[1][i] * p.f[1][i];
-      if (!(squared <= most)) // keeps what is no number
-        most = squared;
-    }
-  return std::sqrt(most);
-}
 } // namespace
 
 std::unique_ptr<BrickTissue> rest_of_the_walls(const ParenchymaParameters &cell, const SphParameters &sph, const BrickParameters &brick,
@@ -63,18 +52,25 @@ TissueInflation::TissueInflation(BrickTissue &tissue_, const ParenchymaParameter
   : tissue(tissue_), cell(cell_), sph(sph_), brick(brick_), fluid(dynamic_cast<SphFluid<2> &>(*tissue.fluid)), descent(tissue.system),
     damped(tissue.system)
 {
-  const double particle = cell.fluid_density * cell.period * cell.period * cell.depth / tissue.system.particles.groups.front().fluid_count();
-  heavy = 1. / std::max(tissue.node_mass, 0.5 * particle);
   scale = cell.turgor * tissue.spacing * cell.depth;
   spacing = fluid.support() / sph.support_ratio;
   settle_rate = fluid.equation_of_state().sound_speed(cell.fluid_density) / spacing;
 }
 
-void TissueInflation::set_walls(const double inverse_mass)
+void TissueInflation::set_walls(const Walls walls)
 {
   Particles<2> &p = tissue.system.particles;
-  for (const Group &g : p.groups)
-    std::fill(p.inverse_mass.begin() + g.begin, p.inverse_mass.begin() + g.fluid, inverse_mass);
+  const double cell_mass = cell.fluid_density * cell.period * cell.period * cell.depth;
+  for (std::size_t c = 0; c < p.groups.size(); ++c)
+    {
+      const Group &g = p.groups[c];
+      const double heavy = 0.5 * (cell_mass / g.fluid_count());
+      for (std::uint32_t i = g.begin; i < g.fluid; ++i)
+        {
+          const double own = tissue.layout.node_mass[tissue.layout.rings[c].first + (i - g.begin)];
+          p.inverse_mass[i] = walls == Walls::held ? 0. : 1. / (walls == Walls::heavy ? std::max(own, heavy) : own);
+        }
+    }
 }
 
 void TissueInflation::begin(const BrickTissue &walls)
@@ -94,7 +90,7 @@ void TissueInflation::begin(const BrickTissue &walls)
   at_rest = still = false;
   first = last = 0.;
   angle_then = -1.;
-  set_walls(0.);
+  set_walls(Walls::held);
   begin_part();
 }
 
@@ -107,8 +103,7 @@ void TissueInflation::set_fluid()
 void TissueInflation::begin_part()
 {
   ParticleSystem<2> &system = tissue.system;
-  for (int d = 0; d < 2; ++d)
-    std::fill(system.particles.v[d].begin(), system.particles.v[d].end(), 0.);
+  halt(system.particles);
   set_fluid();
   system.compute_forces();
   dt = step_fraction * measure_stable_step(system, system.stable_time_step()).dt;
@@ -144,7 +139,7 @@ void TissueInflation::step()
     begin_part();
   if (count == settle_steps)
     {
-      set_walls(heavy);
+      set_walls(Walls::heavy);
       begin_part();
       angle_then = tissue.angle_deviation();
       stretch_then = tissue.mean_stretch();
@@ -241,10 +236,8 @@ void TissueInflation::archive(Archive &a)
 
 void TissueInflation::end()
 {
-  Particles<2> &p = tissue.system.particles;
-  set_walls(1. / tissue.node_mass);
-  for (int d = 0; d < 2; ++d)
-    std::fill(p.v[d].begin(), p.v[d].end(), 0.);
+  set_walls(Walls::own);
+  halt(tissue.system.particles);
   set_fluid();
   tissue.system.compute_forces();
   if (tissue.flow)

@@ -53,7 +53,13 @@ public:
   void archive(Archive &a);
 
 private:
-  void set_walls(double inverse_mass); ///< 1/kg, of all nodes
+  enum class Walls
+  {
+    held,  ///< do not move
+    heavy, ///< at least as heavy as half a fluid particle of their cell
+    own    ///< as laid
+  };
+  void set_walls(Walls walls);
   void begin_part();       ///< velocities zero, the stable step measured
   void keep_step_stable(); ///< measured anew where the state has outgrown it
   void quieten();          ///< half the step where a contact that opens and closes makes the descent begin anew again and again
@@ -70,7 +76,7 @@ private:
   SphFluid<2> &fluid;
   Descent<2> descent;
   KickDriftKick<2> damped;
-  double heavy, settle_rate, scale, spacing; ///< 1/kg, 1/s, N, m
+  double settle_rate, scale, spacing; ///< 1/s, N, m
   // what changes
   double dt = 0.;                              ///< s
   std::uint64_t count = 0;

@@ -12,7 +12,7 @@ struct SphParameters;
 /// Columns, Rows (cells) and Load (Pa): the clamped block of full_micro and static_lattice.
 void declare_block(InputEntries &prm, unsigned int &columns, unsigned int &rows, double &load);
 
-/// frozen | free | osmosis | slab, as in tissue_block.h
+/// frozen | free | osmosis | slab, as in cut_block.h
 void declare_surfaces(InputEntries &prm, std::string &surfaces);
 
 void declare_step_fraction(InputEntries &prm, double &step_fraction);

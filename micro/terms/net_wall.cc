@@ -139,27 +139,21 @@ double NetWall::energy(const Particles<3> &particles, const Box<3> &, const std:
   return total;
 }
 
-Rates NetWall::rates(const Particles<3> &particles) const
+double NetWall::stiffest(const Particles<3> &particles, const std::size_t group, const std::vector<std::vector<std::uint32_t>> &edges_of) const
 {
   // Springs: K = sum k_e b b^T with b = (e, -e); its largest eigenvalue over the masses is that of the matrix
   // sqrt(k_e k_f) b_e . M^-1 b_f of edges, bounded by its row sums (sixfold net: 8 k/m, the true value is 6 k/m).
   // Tension: F/l of each edge across it, at most twice their sum per node. Hinges: each node is part of 12, with
   // gradients of at most 1/h: 4 * 12 k_b/(h^2 m).
-  Rates bound;
-  if (particles.groups.empty())
-    return bound;
-  const Group &g = particles.groups.front(); // all cells are alike
-  std::vector<std::vector<std::uint32_t>> edges_of(mesh->nodes);
+  const Group &g = particles.groups[group];
   std::vector<Vector<3>> direction;
   std::vector<double> root, across, inverse_mass(particles.inverse_mass.begin() + g.begin, particles.inverse_mass.begin() + g.fluid);
   double hinge = 0.;
   for (std::uint32_t k = 0; k < mesh->edges.size(); ++k)
     {
       const TriangleMesh::Edge &edge = mesh->edges[k];
-      edges_of[edge.a].push_back(k);
-      edges_of[edge.b].push_back(k);
       const Vector<3> e = particles.position(g.begin + edge.b) - particles.position(g.begin + edge.a);
-      const double length = e.norm(), lambda = length / rest(0, k);
+      const double length = e.norm(), lambda = length / rest(group, k);
       const double slope = 1. + 5. * std::pow(std::min(lambda, 1.), -6.);
       direction.push_back(e / length);
       root.push_back(std::sqrt(parameters.stiffness * shape.width[k] / shape.rest_length[k] * slope));
@@ -186,7 +180,20 @@ Rates NetWall::rates(const Particles<3> &particles) const
         sum += across[k];
       tension = std::max(tension, 2. * sum * inverse_mass[node]);
     }
-  bound.wall.frequency_squared = spring + tension + hinge;
+  return spring + tension + hinge;
+}
+
+Rates NetWall::rates(const Particles<3> &particles) const
+{
+  constexpr double alike = 1. + 1e-9; // copies of one cell differ by the round-off of their places
+  std::vector<std::vector<std::uint32_t>> edges_of(mesh->nodes);
+  for (std::uint32_t k = 0; k < mesh->edges.size(); ++k)
+    for (const int node : {mesh->edges[k].a, mesh->edges[k].b})
+      edges_of[node].push_back(k);
+  Rates bound;
+  for (std::size_t c = 0; c < particles.groups.size(); ++c)
+    if (const double own = stiffest(particles, c, edges_of); !(own <= alike * bound.wall.frequency_squared)) // keeps what is no number
+      bound.wall.frequency_squared = own;
   return bound;
 }
 } // namespace turgor

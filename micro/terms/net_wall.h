@@ -84,6 +84,9 @@ private:
                                         || damage->cells[group].face_gone[mesh->edges[edge].right]));
   }
 
+  /// 1/s^2, bound of the eigenvalues of a cell's stiffness over its masses; edges_of: the edges at each node.
+  double stiffest(const Particles<3> &particles, std::size_t group, const std::vector<std::vector<std::uint32_t>> &edges_of) const;
+
   std::shared_ptr<const TriangleMesh> mesh;
   NetShape shape;
   NetWallParameters parameters;

@@ -1,9 +1,12 @@
 // A layout of cells that are not alike: rings, ties across the periods, masses; what is impossible is named.
+#include "micro/cells/round_layout.h"
 #include "tests/micro/unlike_cells.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 #include <set>
 #include <stdexcept>
@@ -70,6 +73,33 @@ BOOST_AUTO_TEST_CASE(impossible_layouts_are_named)
   wrong([](CellLayout &l) { l.fluid_mass.pop_back(); });
   wrong([](CellLayout &l) { l.ties[5].stiffness = 0.; });
   wrong([](CellLayout &l) { l.rings.clear(); });
+}
+
+// A regular polygon and a geodesic sphere: areas, volumes and masses by hand; what does not belong together is refused.
+BOOST_AUTO_TEST_CASE(round_cells_are_layouts)
+{
+  RoundCellParameters p;
+  p.ring_nodes = 12;
+  p.frequency = 6;
+  const double r2 = p.radius / p.turgid_stretch(2), r3 = p.radius / p.turgid_stretch(3), pi = std::numbers::pi;
+  const auto near = boost::test_tools::tolerance(1e-12);
+  const CellLayout ring = round_layout<2>(p);
+  BOOST_TEST(ring.cells() == 1u);
+  BOOST_TEST(ring.total_fluid_mass() == p.fluid_density * p.depth * 6. * std::sin(pi / 6.) * r2 * r2, near);
+  BOOST_TEST(ring.total_wall_mass() == p.wall_density * p.wall_thickness * p.depth * 24. * r2 * std::sin(pi / 12.), near);
+  BOOST_TEST(std::accumulate(ring.rest_angle.begin(), ring.rest_angle.end(), 0.) == 2. * pi, near);
+  const SurfaceLayout sphere = round_layout<3>(p);
+  BOOST_TEST(sphere.nodes.size() == 362u);
+  BOOST_TEST(sphere.fluid_mass == p.fluid_density * sphere.volume(), near);
+  BOOST_TEST(sphere.volume() == 4. / 3. * pi * std::pow(r3, 3), boost::test_tools::tolerance(0.03)); // of the polyhedron inside
+  BOOST_TEST(sphere.volume() < 4. / 3. * pi * std::pow(r3, 3));
+  BOOST_TEST(std::accumulate(sphere.node_mass.begin(), sphere.node_mass.end(), 0.)
+               == p.wall_density * p.wall_thickness * 4. * pi * r3 * r3, boost::test_tools::tolerance(0.03));
+  BOOST_CHECK_THROW(SurfaceLayout(sphere.mesh, {sphere.nodes[0]}, p, p), std::invalid_argument);
+  std::vector<Vector<3>> mirrored = sphere.nodes;
+  for (Vector<3> &node : mirrored)
+    node[0] *= -1.;
+  BOOST_CHECK_THROW(SurfaceLayout(sphere.mesh, mirrored, p, p), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

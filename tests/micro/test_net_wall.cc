@@ -246,4 +246,26 @@ BOOST_AUTO_TEST_CASE(the_stated_step_is_stable_and_not_far_from_the_limit)
   BOOST_TEST(bound < 2. * largest); // step within 1/sqrt 2 of the limit
 }
 
+// The lightest cell decides the step; a copy somewhere else changes no bit of it.
+BOOST_AUTO_TEST_CASE(every_cell_counts_for_the_step)
+{
+  NetWall *net = nullptr;
+  const auto one = sphere_of(4, wall, 1.02, 0., net);
+  const double alone = net->rates(one->particles).wall.frequency_squared;
+  Particles<3> two = one->particles;
+  const std::uint32_t n = std::uint32_t(two.size());
+  two.resize(2 * n);
+  two.groups = {{0, n, n}, {n, 2 * n, 2 * n}};
+  for (std::uint32_t i = 0; i < n; ++i)
+    {
+      for (int d = 0; d < 3; ++d)
+        two.x[d][n + i] = two.x[d][i] + 1.7 * radius;
+      two.inverse_mass[n + i] = two.inverse_mass[i];
+    }
+  BOOST_TEST(net->rates(two).wall.frequency_squared == alone);
+  for (std::uint32_t i = 0; i < n; ++i)
+    two.inverse_mass[n + i] *= 3.;
+  BOOST_TEST(net->rates(two).wall.frequency_squared == 3. * alone, boost::test_tools::tolerance(1e-9));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

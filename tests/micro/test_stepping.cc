@@ -195,6 +195,31 @@ BOOST_AUTO_TEST_CASE(a_fast_cell_gets_a_shorter_step)
   BOOST_TEST(again.dt() == control.dt());
 }
 
+// Of two cells at the same speed the one whose particles are nearer each other decides; of two that are copies of each other neither does.
+BOOST_AUTO_TEST_CASE(every_cell_counts_by_its_own_spacing)
+{
+  const auto step_of = [](const double first, const double second) {
+    ParticleSystem<2> system;
+    system.particles.resize(4);
+    system.particles.groups = {{0, 2, 2}, {2, 4, 4}};
+    std::fill(system.particles.inverse_mass.begin(), system.particles.inverse_mass.end(), 1.);
+    system.particles.x[0] = {0., first, 7., 7. + second};
+    system.particles.x[1] = {0., first, 0., second};
+    for (const int i : {0, 2})
+      {
+        system.particles.v[0][i] = 100.;
+        system.particles.v[0][i + 1] = -100.;
+      }
+    system.add(std::make_unique<Springs>(100., 0., false));
+    return StepControl<2>(system, 0.9).dt();
+  };
+  const double coarse = step_of(0.3, 0.3), fine = step_of(0.1, 0.1);
+  BOOST_TEST(3. * fine == coarse, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(step_of(0.3, 0.1) == fine, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(step_of(0.1, 0.3) == fine);
+  BOOST_TEST(coarse == collision_spacings * (0.3 / std::sqrt(2.)) / 100., boost::test_tools::tolerance(1e-12));
+}
+
 BOOST_AUTO_TEST_CASE(the_state_is_looked_at_again_where_particles_have_moved_by_a_spacing)
 {
   // Springs become four times as stiff: seen, and the step halved, once a particle has moved by a spacing against the mean of its cell.

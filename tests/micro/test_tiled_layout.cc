@@ -3,7 +3,7 @@
 #include "micro/cells/parenchyma.h"
 #include "micro/cells/tiled_layout.h"
 #include "micro/cells/tissue_structure.h"
-#include "micro/cells/turgid_lattice.h"
+#include "micro/cells/turgid_layout.h"
 #include "micro/geometry/regular_tilings.h"
 
 #include <boost/test/unit_test.hpp>

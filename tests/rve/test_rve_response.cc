@@ -180,6 +180,13 @@ BOOST_AUTO_TEST_CASE(size_of_a_state_is_known_before)
   p.walls.critical_stretch = 0.;
   compare();
   p.yielding = "none";
+  p.structure.kind = "voronoi";
+  p.structure.rotation = 20.;
+  compare();
+  p.walls.critical_stretch = 1.5;
+  compare();
+  p.walls.critical_stretch = 0.;
+  p.structure = {};
   p.fluid = "sph";
   p.sph.particles_per_side = 9;
   p.sph.anneal_steps = 10000;

@@ -148,7 +148,7 @@ double CellEndurance::Run::power() const
 
 double CellEndurance::Run::pressure_of_area(const double pressure_at_reference, const double J) const
 {
-  const EquationOfState eos(scene.cell.fluid_density, scene.cell.fluid_modulus, scene.cell.cavitation_pressure);
+  const EquationOfState eos = scene.cell.equation_of_state();
   return eos.pressure(eos.density_at(pressure_at_reference) / J);
 }
 

@@ -25,7 +25,7 @@ inline BalloonModel balloon_of(const RoundCellParameters &cell, const double res
     lambda = std::pow(1. - pressure * lambda * rest_radius / (2. * cell.wall_stiffness), -1. / 6.);
   if (!std::isfinite(lambda))
     throw std::runtime_error("a balloon of this wall does not hold " + number_text(pressure) + " Pa");
-  const EquationOfState eos(cell.fluid_density, cell.fluid_modulus, cell.cavitation_pressure);
+  const EquationOfState eos = cell.equation_of_state();
   const double mass = eos.density_at(pressure) * 4. / 3. * std::numbers::pi * std::pow(lambda * rest_radius, 3);
   balloon.pressure_of_volume = [=](const double V) { return eos.pressure(mass / V); };
   return balloon;

@@ -70,13 +70,12 @@ private:
   void compare_with_ring(RunContext &context, const Rows &mean) const
   {
     const double chord = 2. * rest_radius * std::sin(std::numbers::pi / cell.ring_nodes);
-    SqueezedRing ring{NeoHookeanWall(cell.wall_stiffness, cell.depth, cell.wall_beta,
-                                     WallYield{cell.yield_sharpness, cell.yield_drop}),
+    SqueezedRing ring{cell.wall_law(cell.depth),
                       chord * cell.ring_nodes, cell.depth, {}};
     // the turgid ring has the pressure that the cell's wall was measured to balance
     ring.pressure_of_area = [&](double) { return start_pressure; };
     const double turgid = ring.radius();
-    const EquationOfState eos(cell.fluid_density, cell.fluid_modulus, cell.cavitation_pressure);
+    const EquationOfState eos = cell.equation_of_state();
     const double mass = eos.density_at(start_pressure) * std::numbers::pi * turgid * turgid; // per depth
     ring.pressure_of_area = [=](const double A) { return eos.pressure(mass / A); };
     const auto table = context.series("ring", {{"deformation", "1"}, {"force", "N"}, {"pressure", "Pa"}, {"stretch", "1"}});

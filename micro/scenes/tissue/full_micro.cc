@@ -1,6 +1,7 @@
 #include "micro/scenes/tissue/full_micro.h"
 
 #include "micro/cells/sph_cell_entries.h"
+#include "micro/engine/at_rest.h"
 #include "micro/engine/sound_state.h"
 #include "micro/engine/watched_steps.h"
 #include "micro/processes/osmosis.h"
@@ -118,7 +119,8 @@ FullMicro::Run::Run(const FullMicro &scene_, RunContext &context_)
   : scene(scene_)
   , context(context_)
   , reference(anneal_reference(context, scene.cell, scene.sph))
-  , block(make_tissue_block(scene.cell, scene.sph, reference, scene.columns, scene.rows, surfaces_from(scene.surfaces)))
+  , block(make_tissue_block(make_parenchyma(scene.cell, scene.columns, scene.rows, true, true), scene.sph,
+                            std::vector<CellContents>(std::size_t(scene.columns) * scene.rows, reference), surfaces_from(scene.surfaces)))
   , system(block.cells->system)
   , integrator(system, scene.step_fraction, collision_spacings, scene.cell.fluid_viscosity / scene.cell.fluid_density)
   , acceleration(-scene.load / (block.density * block.width))
@@ -198,8 +200,7 @@ void FullMicro::Run::relax()
             throw RunStopped("stopped while the free surface was relaxed");
         }
     }
-  for (int d = 0; d < 2; ++d)
-    std::fill(system.particles.v[d].begin(), system.particles.v[d].end(), 0.);
+  halt(system.particles);
 }
 
 void FullMicro::Run::require_sound() const
