@@ -89,107 +89,149 @@ int run_serial_or_on_ranks(RunOptions run, const bool ranks_given, const bool un
   return under_mpi && code == 130 ? 0 : code; // see run_ranks
 }
 
-int dispatch(int argc, char **argv)
+/// What stands on the command line.
+struct CommandLine
 {
-  CLI::App app("Turgor: soft tissue at two scales, a finite-element tissue whose stress comes from its cells.");
-  app.require_subcommand(1);
-  app.set_version_flag("--version", program_version());
+  CLI::App app{"Turgor: soft tissue at two scales, a finite-element tissue whose stress comes from its cells."};
   bool under_mpi = false;
-  app.add_flag("--under-mpi", under_mpi)->group("");
-
   RunOptions run;
-  const auto input_options = [&](CLI::App *command) {
+  StudyOptions study;
+  ValidateOptions validate;
+  std::string scenario, plot_directory, plot_data;
+  bool all_outputs = false;
+  CLI::App *run_app, *list_app, *parameters_app, *check_app, *study_app, *validate_app, *plot_app;
+
+  CommandLine()
+  {
+    app.require_subcommand(1);
+    app.set_version_flag("--version", program_version());
+    app.add_flag("--under-mpi", under_mpi)->group("");
+    add_run();
+    list_app = app.add_subcommand("list", "All scenes");
+    add_parameters();
+    add_check();
+    add_study();
+    add_validate();
+    add_plot();
+    app.add_subcommand("test", "Build and run all tests (by the launcher ./turgor)");
+  }
+
+  void require_known(const std::string &command) const
+  {
+    std::vector<std::string> commands;
+    for (const CLI::App *known : app.get_subcommands([](const CLI::App *) { return true; }))
+      commands.push_back(known->get_name());
+    if (std::find(commands.begin(), commands.end(), command) == commands.end())
+      throw InputError("There is no command '" + command + "'." + suggestion(command, commands));
+  }
+
+private:
+  void add_input(CLI::App *command)
+  {
     command->add_option("FILE", run.file, "Input file (.prm)")->required();
     command->add_option("--set", run.overrides, "Section/Name=value, over the file's value; may be repeated")
       ->allow_extra_args(false);
-  };
-  CLI::App *run_app = app.add_subcommand("run", "Run the scene of an input file");
-  input_options(run_app);
-  run_app->add_option("-o,--output", run.directory, "Output directory (default runs/<name of the file>)");
-  run_app->add_flag("--resume", run.resume, "Continue from the last checkpoint");
-  run_app->add_flag("--overwrite", run.overwrite, "Replace a finished run of another input in the output directory");
-  run_app->add_flag("--quiet", run.quiet, "No progress bar, no remarks and no pictures (`turgor plot DIR` draws them later)");
-  run_app->add_option("--threads", run.threads, "Threads (default: all cores)")->check(CLI::Range(1u, 1024u));
-  run_app->add_option("--ranks", run.ranks, "MPI ranks (default: 1, without MPI)")->check(CLI::Range(1u, 1024u));
+  }
 
-  CLI::App *list_app = app.add_subcommand("list", "All scenes");
-  std::string scenario;
-  CLI::App *parameters_app = app.add_subcommand("parameters", "A commented input file of a scene's entries with defaults, and what its runs leave");
-  auto *const scenario_option = parameters_app->add_option("SCENARIO", scenario, "Name of the scene; 'study' for the entries of a study");
-  bool all_outputs = false;
-  parameters_app->add_flag("--outputs", all_outputs, "What runs of all scenes leave: doc/outputs.md")->excludes(scenario_option);
-  CLI::App *check_app = app.add_subcommand("check", "Parse and check an input file without running it");
-  input_options(check_app);
-  check_app->add_flag("--identity", run.identity, "Print the run's identity: its entries, the files they name, this program");
+  void add_run()
+  {
+    run_app = app.add_subcommand("run", "Run the scene of an input file");
+    add_input(run_app);
+    run_app->add_option("-o,--output", run.directory, "Output directory (default runs/<name of the file>)");
+    run_app->add_flag("--resume", run.resume, "Continue from the last checkpoint");
+    run_app->add_flag("--overwrite", run.overwrite, "Replace a finished run of another input in the output directory");
+    run_app->add_flag("--quiet", run.quiet, "No progress bar, no remarks and no pictures (`turgor plot DIR` draws them later)");
+    run_app->add_option("--threads", run.threads, "Threads (default: all cores)")->check(CLI::Range(1u, 1024u));
+    run_app->add_option("--ranks", run.ranks, "MPI ranks (default: 1, without MPI)")->check(CLI::Range(1u, 1024u));
+  }
 
+  void add_parameters()
+  {
+    parameters_app = app.add_subcommand("parameters", "A commented input file of a scene's entries with defaults, and what its runs leave");
+    auto *const scenario_option = parameters_app->add_option("SCENARIO", scenario, "Name of the scene; 'study' for the entries of a study");
+    parameters_app->add_flag("--outputs", all_outputs, "What runs of all scenes leave: doc/outputs.md")->excludes(scenario_option);
+  }
 
-  StudyOptions study;
-  CLI::App *study_app = app.add_subcommand("study", "Run many variants of any scene: results over swept entries, error against run time");
-  study_app->footer("`turgor parameters study` prints all entries of a study file; inputs/studies holds ready-made ones; doc/studies.md explains them.");
-  study_app->add_option("FILE", study.file, "Study file (.prm)")->required();
-  study_app->add_option("-o,--output", study.directory, "Directory of tables, pictures and, in its cache/, the runs (default runs/<name of the file>, runs in runs/cache)");
-  study_app->add_flag("--list", study.list_only, "Only print the runs and what is cached");
-  study_app->add_flag("--fresh", study.fresh, "Compute every run again");
-  study_app->add_option("--jobs", study.jobs, "Runs beside each other (default 1; run times are the most honest alone)")->check(CLI::Range(1u, 1024u));
-  study_app->add_option("--only", study.only, "Only the run with this label; may be repeated")->allow_extra_args(false);
+  void add_check()
+  {
+    check_app = app.add_subcommand("check", "Parse and check an input file without running it");
+    add_input(check_app);
+    check_app->add_flag("--identity", run.identity, "Print the run's identity: its entries, the files they name, this program");
+  }
 
-  ValidateOptions validate;
-  CLI::App *validate_app = app.add_subcommand("validate", "Run the validation scenes; exit code 1 when a row misses its target");
-  validate_app->add_option("NAME", validate.names, "Names of inputs/validation/NAME.json (default: all)");
-  validate_app->add_option("-o,--output", validate.directory, "Directory of the table and, in its cache/, the runs (default runs/validation, runs in runs/cache)");
-  validate_app->add_flag("--update-doc", validate.update_doc, "Also rewrite doc/validation.md and doc/results/validation.csv of the source");
-  validate_app->add_option("--root", validate.root, "Directory that holds inputs/validation and doc (default: this program's source)");
-  validate_app->add_flag("--list", validate.list_only, "Only print the runs and what is cached");
-  validate_app->add_flag("--fresh", validate.fresh, "Compute every run again");
+  void add_study()
+  {
+    study_app = app.add_subcommand("study", "Run many variants of any scene: results over swept entries, error against run time");
+    study_app->footer("`turgor parameters study` prints all entries of a study file; inputs/studies holds ready-made ones; doc/studies.md explains them.");
+    study_app->add_option("FILE", study.file, "Study file (.prm)")->required();
+    study_app->add_option("-o,--output", study.directory, "Directory of tables, pictures and, in its cache/, the runs (default runs/<name of the file>, runs in runs/cache)");
+    study_app->add_flag("--list", study.list_only, "Only print the runs and what is cached");
+    study_app->add_flag("--fresh", study.fresh, "Compute every run again");
+    study_app->add_option("--jobs", study.jobs, "Runs beside each other (default 1; run times are the most honest alone)")->check(CLI::Range(1u, 1024u));
+    study_app->add_option("--only", study.only, "Only the run with this label; may be repeated")->allow_extra_args(false);
+  }
 
-  std::string plot_directory, plot_data;
-  CLI::App *plot_app = app.add_subcommand("plot", "Pictures of a run, beside its results");
-  plot_app->add_option("DIR", plot_directory, "Output directory of a run")->required();
-  plot_app->add_option("--data", plot_data, "CSV of your own measurements: columns named as in the run's tables, in any unit of the quantity ('time [h],radius [um]'), are drawn as points");
-  app.add_subcommand("test", "Build and run all tests (by the launcher ./turgor)");
+  void add_validate()
+  {
+    validate_app = app.add_subcommand("validate", "Run the validation scenes; exit code 1 when a row misses its target");
+    validate_app->add_option("NAME", validate.names, "Names of inputs/validation/NAME.json (default: all)");
+    validate_app->add_option("-o,--output", validate.directory, "Directory of the table and, in its cache/, the runs (default runs/validation, runs in runs/cache)");
+    validate_app->add_flag("--update-doc", validate.update_doc, "Also rewrite doc/validation.md and doc/results/validation.csv of the source");
+    validate_app->add_option("--root", validate.root, "Directory that holds inputs/validation and doc (default: this program's source)");
+    validate_app->add_flag("--list", validate.list_only, "Only print the runs and what is cached");
+    validate_app->add_flag("--fresh", validate.fresh, "Compute every run again");
+  }
 
+  void add_plot()
+  {
+    plot_app = app.add_subcommand("plot", "Pictures of a run, beside its results");
+    plot_app->add_option("DIR", plot_directory, "Output directory of a run")->required();
+    plot_app->add_option("--data", plot_data, "CSV of your own measurements: columns named as in the run's tables, in any unit of the quantity ('time [h],radius [um]'), are drawn as points");
+  }
+};
+
+int print_parameters(const CommandLine &line, const ScenarioRegistry &registry)
+{
+  if (line.all_outputs)
+    std::cout << outputs_document(registry);
+  else if (line.scenario.empty())
+    throw InputError("Which scene? `turgor parameters SCENARIO` with one of `turgor list`, or `turgor parameters --outputs`.");
+  else
+    std::cout << (line.scenario == "study" ? study_parameters_text() : parameters_text(line.scenario, registry));
+  return 0;
+}
+
+int dispatch(int argc, char **argv)
+{
+  CommandLine line;
   if (argc > 1 && argv[1][0] != '-')
-    {
-      std::vector<std::string> commands;
-      for (const CLI::App *command : app.get_subcommands([](const CLI::App *) { return true; }))
-        commands.push_back(command->get_name());
-      if (std::find(commands.begin(), commands.end(), argv[1]) == commands.end())
-        throw InputError("There is no command '" + std::string(argv[1]) + "'." + suggestion(argv[1], commands));
-    }
+    line.require_known(argv[1]);
   try
     {
-      app.parse(argc, argv);
+      line.app.parse(argc, argv);
     }
   catch (const CLI::ParseError &problem)
     {
-      return app.exit(problem) == 0 ? 0 : 2;
+      return line.app.exit(problem) == 0 ? 0 : 2;
     }
 
   const ScenarioRegistry registry = product_registry();
-  if (run_app->parsed())
-    return run_serial_or_on_ranks(run, run_app->count("--ranks") > 0, under_mpi, registry, argc, argv);
-  if (list_app->parsed())
+  if (line.run_app->parsed())
+    return run_serial_or_on_ranks(line.run, line.run_app->count("--ranks") > 0, line.under_mpi, registry, argc, argv);
+  if (line.list_app->parsed())
     return list_command(registry);
-  if (parameters_app->parsed())
-    {
-      if (all_outputs)
-        std::cout << outputs_document(registry);
-      else if (scenario.empty())
-        throw InputError("Which scene? `turgor parameters SCENARIO` with one of `turgor list`, or `turgor parameters --outputs`.");
-      else
-      std::cout << (scenario == "study" ? study_parameters_text() : parameters_text(scenario, registry));
-      return 0;
-    }
-  if (check_app->parsed())
-    return check_command(run, registry);
-  if (study_app->parsed() || validate_app->parsed())
+  if (line.parameters_app->parsed())
+    return print_parameters(line, registry);
+  if (line.check_app->parsed())
+    return check_command(line.run, registry);
+  if (line.study_app->parsed() || line.validate_app->parsed())
     require_alone(surrounding_job(), "It runs many runs one after the other: start it once, without that launcher.");
-  if (study_app->parsed())
-    return study_command(study, registry);
-  if (validate_app->parsed())
-    return validate_command(validate, registry);
-  if (plot_app->parsed())
-    return plot_command(plot_directory, plot_data);
+  if (line.study_app->parsed())
+    return study_command(line.study, registry);
+  if (line.validate_app->parsed())
+    return validate_command(line.validate, registry);
+  if (line.plot_app->parsed())
+    return plot_command(line.plot_directory, line.plot_data);
   throw InputError("The tests are built and run by the launcher: ./turgor test");
 }
 } // namespace

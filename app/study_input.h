@@ -1,14 +1,14 @@
 // The input of a study: which runs, what is measured in them and against what. `turgor parameters study` prints all entries.
 //
-//   set Input     = ../tissue_impact.prm      # of every run that names no other; paths are relative to the study file
+//   set Input     = ../tissue_impact.prm      # of every run that names no other, relative to the study file
 //   set Reference = finest                    # of every measure that names no other
 //   subsection Run finest
 //     set Overrides = SPH/Particles per side=24; Step fraction=0.4
 //   end
-//   subsection Run coarser                    # six runs: every value of the first with every value of the second
-//     set Grid = SPH/Particles per side & Cell/Nodes per side = 6 & 8 | 10 & 14 | 16 & 20; Step fraction = 0.8 | 0.4
+//   subsection Run coarser                    # four runs: every one of the first with every one of the second
+//     set Grid = SPH/Particles per side & Cell/Nodes per side = 6 & 8 | 10 & 14; Step fraction = 0.8 | 0.4
 //   end
-//   subsection Measure force                  # columns "force_rms [Pa]" and "error_force" of error_vs_time.csv
+//   subsection Measure force                  # "force_rms [Pa]" and "error_force" of error_vs_time.csv
 //     set Table   = loading
 //     set Columns = stress_lower
 //   end

@@ -11,7 +11,7 @@
 
 namespace turgor
 {
-/// Loads the module at the first call. Throws std::runtime_error with the loader's words when it is missing, does not fit or has no
-/// such scene.
+/// Loads the module, app/turgor_tissue.so beside the program's own folder, at the first call. Throws std::runtime_error, and says what
+/// to do, when it is missing, from another build, cannot be loaded or has no such scene.
 std::unique_ptr<Scenario> make_tissue_scenario(const std::string &name);
 } // namespace turgor

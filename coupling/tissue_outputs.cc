@@ -36,44 +36,53 @@ Outputs energy_table()
   return all;
 }
 
+std::vector<OutputDefinition> call_results()
+{
+  return {{"steps", "", "Number of accepted steps of the tissue."},
+          {"steps_rejected", "", "Number of steps that were taken back and repeated with a shorter length."},
+          {"rve_points", "", "Number of quadrature points, each with an RVE of its own."},
+          {"rve_calls", "", "Number of evaluations of an RVE."},
+          {"rve_calls_failed", "", "Number of evaluations of an RVE that gave no stress; their steps were repeated."},
+          {"rve_iterations_mean", "1", "Mean number of Newton iterations (bursts: micro steps) of an evaluation."},
+          {"rve_iterations_max", "", "Largest number of Newton iterations (bursts: micro steps) of an evaluation."},
+          {"rve_residual_max", "1", "Largest force left unbalanced on a node of an RVE, over turgor times node spacing times depth."},
+          {"rve_calls_dragged", "", "Number of evaluations whose torn walls found no equilibrium near by and were held by drag.", torn},
+          {"rve_residual_max_dragged", "1", "Largest unbalanced force, drag included, of those evaluations, over turgor times node spacing times depth.", torn},
+          {"burst_over_macro_step", "1", "Time the cells live in an evaluation over the mean step of the tissue; below 1 their dynamics is slowed by that factor.",
+           "with RVE/Burst length > 0"},
+          {"micro_steps_over_full_run", "1", "Particle steps of all RVEs over those of a full particle run of this piece with the same micro step.", "with RVEs of particles"},
+          {"rve_stress_spread_max", "Pa", "Largest root mean square of an RVE's stress about its mean over the window of averaging.", "with RVEs of particles"},
+          {"rve_cpu_time", "s", "CPU time inside RVEs, all threads and ranks together."},
+          {"rve_cpu_time_per_call", "s", "CPU time inside RVEs over the number of evaluations."},
+          {"rve_calls_per_wall_second", "1/s", "Number of evaluations over the wall time of the run."},
+          {"macro_cpu_time", "s", "CPU time outside RVEs: finite elements, output, waiting threads."},
+          {"rve_share_of_cpu_time", "1", "CPU time inside RVEs over that of the whole run."}};
+}
+
+std::vector<OutputDefinition> skipping_results()
+{
+  return {{"rve_asks", "", "Number of stresses that steps have asked for, of all quadrature points; those asked again of a committed time do not count.", skipped},
+          {"rve_asks_per_call", "1", "These asks over the number of evaluations of an RVE, all of those included.", skipped},
+          {"skipped_share", "1", "Share of the asks that were answered from the table of earlier answers.", skipped},
+          {"history_share_of_asks", "1", "Share of the asks from points whose walls had yielded or broken: called in full.", skipped},
+          {"skipping_records", "", "Number of answers in the table.", skipped},
+          {"skipping_tolerance", "Pa", "Error of a stress (norm of P) that the table aims at.", skipped},
+          {"skipping_audits", "", "Number of answers from the table that were drawn and computed after all.", skipped},
+          {"skipping_audits_refuted", "", "Number of these that were off by more than the tolerance.", skipped},
+          {"look_up_time_per_ask", "s", "Wall time of looking up, answering from and keeping the table, over the number of asks.", skipped},
+          {"skipping_error_rms", "Pa", "Root mean square of the stress error (norm of P) of the answers from the table, by the audits.", audited},
+          {"skipping_error_p99", "Pa", "99th percentile of that error, by the audits.", audited},
+          {"skipping_error_worst", "Pa", "Largest error that an audit found.", audited},
+          {"skipping_error_rms_bound", "Pa", "Upper bound of the root mean square over all answers from the table, which holds with 95 %.", bounded},
+          {"skipping_error_p99_bound", "Pa", "Upper bound of the 99th percentile over all answers from the table, which holds with 95 %.", bounded}};
+}
+
 Outputs cost_outputs()
 {
   Outputs all;
-  all
-    .results({{"steps", "", "Number of accepted steps of the tissue."},
-              {"steps_rejected", "", "Number of steps that were taken back and repeated with a shorter length."},
-              {"rve_points", "", "Number of quadrature points, each with an RVE of its own."},
-              {"rve_calls", "", "Number of evaluations of an RVE."},
-              {"rve_calls_failed", "", "Number of evaluations of an RVE that gave no stress; their steps were repeated."},
-              {"rve_iterations_mean", "1", "Mean number of Newton iterations (bursts: micro steps) of an evaluation."},
-              {"rve_iterations_max", "", "Largest number of Newton iterations (bursts: micro steps) of an evaluation."},
-              {"rve_residual_max", "1", "Largest force left unbalanced on a node of an RVE, over turgor times node spacing times depth."},
-              {"rve_calls_dragged", "", "Number of evaluations whose torn walls found no equilibrium near by and were held by drag.", torn},
-              {"rve_residual_max_dragged", "1", "Largest unbalanced force, drag included, of those evaluations, over turgor times node spacing times depth.", torn},
-              {"burst_over_macro_step", "1", "Time the cells live in an evaluation over the mean step of the tissue; below 1 their dynamics is slowed by that factor.",
-               "with RVE/Burst length > 0"},
-              {"micro_steps_over_full_run", "1", "Particle steps of all RVEs over those of a full particle run of this piece with the same micro step.", "with RVEs of particles"},
-              {"rve_stress_spread_max", "Pa", "Largest root mean square of an RVE's stress about its mean over the window of averaging.", "with RVEs of particles"},
-              {"rve_cpu_time", "s", "CPU time inside RVEs, all threads and ranks together."},
-              {"rve_cpu_time_per_call", "s", "CPU time inside RVEs over the number of evaluations."},
-              {"rve_calls_per_wall_second", "1/s", "Number of evaluations over the wall time of the run."},
-              {"macro_cpu_time", "s", "CPU time outside RVEs: finite elements, output, waiting threads."},
-              {"rve_share_of_cpu_time", "1", "CPU time inside RVEs over that of the whole run."},
-              {"rve_asks", "", "Number of stresses that steps have asked for, of all quadrature points; those asked again of a committed time do not count.", skipped},
-              {"rve_asks_per_call", "1", "These asks over the number of evaluations of an RVE, all of those included.", skipped},
-              {"skipped_share", "1", "Share of the asks that were answered from the table of earlier answers.", skipped},
-              {"history_share_of_asks", "1", "Share of the asks from points whose walls had yielded or broken: called in full.", skipped},
-              {"skipping_records", "", "Number of answers in the table.", skipped},
-              {"skipping_tolerance", "Pa", "Error of a stress (norm of P) that the table aims at.", skipped},
-              {"skipping_audits", "", "Number of answers from the table that were drawn and computed after all.", skipped},
-              {"skipping_audits_refuted", "", "Number of these that were off by more than the tolerance.", skipped},
-              {"look_up_time_per_ask", "s", "Wall time of looking up, answering from and keeping the table, over the number of asks.", skipped},
-              {"skipping_error_rms", "Pa", "Root mean square of the stress error (norm of P) of the answers from the table, by the audits.", audited},
-              {"skipping_error_p99", "Pa", "99th percentile of that error, by the audits.", audited},
-              {"skipping_error_worst", "Pa", "Largest error that an audit found.", audited},
-              {"skipping_error_rms_bound", "Pa", "Upper bound of the root mean square over all answers from the table, which holds with 95 %.", bounded},
-              {"skipping_error_p99_bound", "Pa", "Upper bound of the 99th percentile over all answers from the table, which holds with 95 %.", bounded},
-              {"rank_imbalance", "1", "Cost of the RVEs of the busiest rank over the mean of the ranks, smoothed.", ranks},
+  all.results(call_results())
+    .results(skipping_results())
+    .results({{"rank_imbalance", "1", "Cost of the RVEs of the busiest rank over the mean of the ranks, smoothed.", ranks},
               {"rank_rebalances", "", "How often RVEs were shared anew among the ranks.", ranks}})
     .table("cost", "One row for each step of the tissue.",
            {{"time", "s", "Time since the start of the run, at the end of the step."},
@@ -104,32 +113,6 @@ Outputs outline_table()
              {"y", "m", "Place of the wall's corner inside the RVE along y."}});
   return all;
 }
-
-std::vector<OutputDefinition> bruise_results()
-{
-  const char *failed = "where a cell failed";
-  return {{"bruised_share", "1", "Share of the block's area whose cells have failed at the end; a point counts with its share of failed cells."},
-          {"bruised_area", "m^2", "Bruised share times the undeformed area of the block."},
-          {"bruise_depth", "m", "Distance in the undeformed block from the side that is hit to the deepest quadrature point with a failed cell; 0: none."},
-          {"bruise_at_support", "", "Whether a cell has failed in the elements at the support, so that the block's size decides: 1 yes, 0 no."},
-          {"tool_penetration_max", "m", "Largest depth of a point of the surface, at a node or between two, inside the tool."},
-          {"support_penetration_max", "m", "Largest depth of a point of the surface, at a node or between two, inside the support's plate."},
-          {"penetration_share_max", "1", "The larger of the two over the smaller of an element's thickness and the tool's radius."},
-          {"peak_force", "N/m", "Largest force of the tissue on the tool, per metre of depth."},
-          {"time_of_peak_force", "s", "Time since the start of the run of that largest force."},
-          {"peak_transmitted_force", "N/m", "Largest force on the support, per metre of depth."},
-          {"impulse", "N s/m", "Integral of the force on the tool over the run, per metre of depth."},
-          {"time_of_first_failure", "s", "Time at which the first cell failed.", failed},
-          {"strain_at_first_failure", "1", "Way of the tool until the first cell failed, over the width of the block.", failed},
-          {"largest_permanent_stretch", "1", "Largest mean permanent stretch by yielding of the walls of an RVE, in any step."},
-          {"mean_permanent_stretch", "1", "Permanent stretch by yielding of the walls at the end, mean over the block's area."},
-          {"final_mean_F_xx", "1", "Stretch of the block along the blow at the end: F_xx, mean over its area."},
-          {"final_mean_F_yy", "1", "Stretch of the block across the blow at the end: F_yy, mean over its area."},
-          {"final_plates_stress_xx", "Pa", "Mean Cauchy stress between tool and support at the end as in an even block, P_xx/F_yy, negative in compression."},
-          {"tool_work", "J/m", "Work of the tool on the tissue, per metre of depth."},
-          {"dissipated_by_flow", "J/m", "Energy that yielding walls have dissipated, per metre of depth."},
-          {"dissipated_by_failure", "J/m", "Energy that breaking walls have set free, per metre of depth."}};
-}
 } // namespace
 
 Outputs tissue_run_outputs()
@@ -149,32 +132,6 @@ Outputs tip_swing_outputs()
                {"period_from_return", "s", "Period of the swing as the time at which the tip is back at its least deflection.", back},
                {"tip_deflection_at_return", "m", "Deflection of the tip downwards at that return.", back}});
   return all.join(cell_displacement_outputs());
-}
-
-Outputs bruise_outputs()
-{
-  Outputs all;
-  all.results(bruise_results())
-    .table("impact", "One row for each step of the tissue, forces and energies per metre of depth.",
-           {{"time", "s", "Time since the start of the run."},
-            {"travel", "m", "Way that the tool has gone since the start."},
-            {"force", "N/m", "Force of the tissue on the tool, positive against its motion."},
-            {"transmitted_force", "N/m", "Force of the tissue on the support, positive away from the tool."},
-            {"tool_work", "J/m", "Work of the tool on the tissue since the start."},
-            {"bruised_share", "1", "Share of the block's area whose cells have failed."},
-            {"mean_permanent_stretch", "1", "Permanent stretch by yielding of the walls, mean over the block's area."},
-            {"dissipated_by_flow", "J/m", "Energy that yielding walls have dissipated since the start."},
-            {"dissipated_by_failure", "J/m", "Energy that breaking walls have set free since the start."}})
-    .table("rve_points", "One row for each quadrature point and frame.",
-           {{"time", "s", "Time of the frame since the start of the run."},
-            {"x", "m", "Present place of the quadrature point along x."},
-            {"y", "m", "Present place of the quadrature point along y."},
-            {"failed", "1", "Share of the cells of the point's RVE that have failed."},
-            {"permanent_stretch", "1", "Mean permanent stretch of the walls of the point's RVE by yielding, over that of the undeformed state, minus one."},
-            {"pressure", "Pa", "Mean pressure of the fluid in the point's RVE."},
-            {"F_xx", "1", "Stretch component F_xx of the deformation gradient at the point."},
-            {"F_yy", "1", "Stretch component F_yy of the deformation gradient at the point."}});
-  return all;
 }
 
 Outputs tissue_field_outputs()

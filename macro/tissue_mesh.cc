@@ -80,6 +80,12 @@ std::vector<std::vector<unsigned int>> sub_cells(unsigned int degree)
         }
   return result;
 }
+
+template <int dim>
+bool on_side(const dealii::Point<dim> &p, const dealii::Point<dim> &corner, const unsigned int d, const bool upper)
+{
+  return std::abs(p[d] - (upper ? corner[d] : 0.)) < 1e-9 * corner[d];
+}
 } // namespace
 
 template <int dim>
@@ -98,14 +104,23 @@ TissueMesh<dim>::TissueMesh(const TissueParameters<dim> &parameters)
     impl->triangulation, std::vector<unsigned int>(parameters.elements.begin(), parameters.elements.end()),
     dealii::Point<dim>(), corner, true);
   impl->dofs.distribute_dofs(impl->fe);
+  picture_position.resize(impl->dofs.n_dofs());
+  dealii::DoFTools::map_dofs_to_support_points(impl->mapping, impl->dofs, picture_position);
 
-  std::vector<dealii::Point<dim>> position(impl->dofs.n_dofs());
-  dealii::DoFTools::map_dofs_to_support_points(impl->mapping, impl->dofs, position);
-  const auto on_side = [&](const dealii::Point<dim> &p, unsigned int d, bool upper) {
-    return std::abs(p[d] - (upper ? corner[d] : 0.)) < 1e-9 * corner[d];
-  };
+  number_nodes(parameters, corner);
+  picture_node = impl->node_of_dof;
+  hold_sides(parameters, corner);
+  nodes_per_cell = impl->fe.n_dofs_per_cell();
+  cells = impl->triangulation.n_active_cells();
+  integrate(parameters);
+  lump(parameters.degree);
+  cut_for_pictures(parameters.degree);
+}
 
-  // nodes: dofs, with the upper periodic side laid upon the lower one
+template <int dim>
+void TissueMesh<dim>::number_nodes(const TissueParameters<dim> &parameters, const dealii::Point<dim> &corner)
+{
+  const std::vector<dealii::Point<dim>> &position = picture_position;
   impl->node_of_dof.assign(position.size(), dealii::numbers::invalid_unsigned_int);
   for (int pass = 0; pass < 2; ++pass)
     for (unsigned int i = 0; i < position.size(); ++i)
@@ -114,7 +129,7 @@ TissueMesh<dim>::TissueMesh(const TissueParameters<dim> &parameters)
         bool moved = false;
         if (parameters.lateral == "periodic")
           for (unsigned int d = 1; d < dim; ++d)
-            if (on_side(position[i], d, true))
+            if (on_side(position[i], corner, d, true))
               {
                 image[d] = 0.;
                 moved = true;
@@ -129,16 +144,24 @@ TissueMesh<dim>::TissueMesh(const TissueParameters<dim> &parameters)
             if (node_position[n].distance(image) < 1e-9 * corner.norm())
               impl->node_of_dof[i] = n;
       }
+}
 
+template <int dim>
+void TissueMesh<dim>::hold_sides(const TissueParameters<dim> &parameters, const dealii::Point<dim> &corner)
+{
   clamped.assign(nodes, 0);
   for (unsigned int n = 0; n < nodes; ++n)
     {
-      bool held = (parameters.left == "clamped" && on_side(node_position[n], 0, false)) || (parameters.right == "clamped" && on_side(node_position[n], 0, true));
+      bool held = (parameters.left == "clamped" && on_side(node_position[n], corner, 0, false)) || (parameters.right == "clamped" && on_side(node_position[n], corner, 0, true));
       for (unsigned int d = 1; d < dim && parameters.lateral == "clamped"; ++d)
-        held = held || on_side(node_position[n], d, false) || on_side(node_position[n], d, true);
+        held = held || on_side(node_position[n], corner, d, false) || on_side(node_position[n], corner, d, true);
       clamped[n] = held;
     }
+}
 
+template <int dim>
+void TissueMesh<dim>::integrate(const TissueParameters<dim> &parameters)
+{
   const dealii::QGauss<dim> gauss(parameters.degree + 1);
   std::vector<dealii::Point<dim>> unit_points = gauss.get_points();
   std::vector<double> unit_weights = gauss.get_weights();
@@ -154,33 +177,13 @@ TissueMesh<dim>::TissueMesh(const TissueParameters<dim> &parameters)
     projection = volume_projection(gauss, parameters.degree);
   gauss_points = gauss.size();
   points = unit_points.size();
-  nodes_per_cell = impl->fe.n_dofs_per_cell();
-  cells = impl->triangulation.n_active_cells();
 
   dealii::FEValues<dim> values(impl->mapping, impl->fe, dealii::Quadrature<dim>(unit_points, unit_weights),
                                dealii::update_gradients | dealii::update_JxW_values | dealii::update_quadrature_points);
-  // Gauss-Lobatto points are the nodes: the mass is diagonal; for degree 1 it is the row sum
-  dealii::FEValues<dim> lumped(impl->mapping, impl->fe, dealii::QGaussLobatto<dim>(parameters.degree + 1),
-                               dealii::update_values | dealii::update_JxW_values);
-  dealii::FEFaceValues<dim> face(impl->mapping, impl->fe, dealii::QGauss<dim - 1>(parameters.degree + 1),
-                                 dealii::update_values | dealii::update_JxW_values);
-  nodal_volume.assign(nodes, 0.);
-  nodal_area.assign(nodes, 0.);
-  nodal_area_below.assign(nodes, 0.);
-  for (unsigned int i = 0; i < position.size(); ++i)
-    {
-      picture_node.push_back(impl->node_of_dof[i]);
-      picture_position.push_back(position[i]);
-    }
-  const std::vector<std::vector<unsigned int>> pictured = sub_cells<dim>(parameters.degree);
-  const std::vector<unsigned int> lexicographic = impl->fe.get_poly_space_numbering_inverse();
-
   std::vector<dealii::types::global_dof_index> dof(nodes_per_cell);
-  unsigned int index = 0;
   for (const auto &cell : impl->dofs.active_cell_iterators())
     {
       values.reinit(cell);
-      lumped.reinit(cell);
       cell->get_dof_indices(dof);
       for (const unsigned int i : dof)
         cell_node.push_back(impl->node_of_dof[i]);
@@ -194,6 +197,25 @@ TissueMesh<dim>::TissueMesh(const TissueParameters<dim> &parameters)
               gauss_position.push_back(values.quadrature_point(q));
             }
         }
+    }
+}
+
+template <int dim>
+void TissueMesh<dim>::lump(const unsigned int degree)
+{
+  // Gauss-Lobatto points are the nodes: the mass is diagonal; for degree 1 it is the row sum
+  dealii::FEValues<dim> lumped(impl->mapping, impl->fe, dealii::QGaussLobatto<dim>(degree + 1),
+                               dealii::update_values | dealii::update_JxW_values);
+  dealii::FEFaceValues<dim> face(impl->mapping, impl->fe, dealii::QGauss<dim - 1>(degree + 1),
+                                 dealii::update_values | dealii::update_JxW_values);
+  nodal_volume.assign(nodes, 0.);
+  nodal_area.assign(nodes, 0.);
+  nodal_area_below.assign(nodes, 0.);
+  std::vector<dealii::types::global_dof_index> dof(nodes_per_cell);
+  for (const auto &cell : impl->dofs.active_cell_iterators())
+    {
+      lumped.reinit(cell);
+      cell->get_dof_indices(dof);
       for (unsigned int q = 0; q < lumped.n_quadrature_points; ++q)
         for (unsigned int a = 0; a < nodes_per_cell; ++a)
           nodal_volume[impl->node_of_dof[dof[a]]] += lumped.shape_value(a, q) * lumped.JxW(q);
@@ -206,6 +228,19 @@ TissueMesh<dim>::TissueMesh(const TissueParameters<dim> &parameters)
               for (unsigned int a = 0; a < nodes_per_cell; ++a)
                 area[impl->node_of_dof[dof[a]]] += face.shape_value(a, q) * face.JxW(q);
           }
+    }
+}
+
+template <int dim>
+void TissueMesh<dim>::cut_for_pictures(const unsigned int degree)
+{
+  const std::vector<std::vector<unsigned int>> pictured = sub_cells<dim>(degree);
+  const std::vector<unsigned int> lexicographic = impl->fe.get_poly_space_numbering_inverse();
+  std::vector<dealii::types::global_dof_index> dof(nodes_per_cell);
+  unsigned int index = 0;
+  for (const auto &cell : impl->dofs.active_cell_iterators())
+    {
+      cell->get_dof_indices(dof);
       for (const auto &corners : pictured)
         {
           for (const unsigned int c : corners)

@@ -59,6 +59,13 @@ public:
 
 private:
   struct Impl;
+  /// Degrees of freedom, with the upper periodic side laid upon the lower one. corner: m, the one opposite to the origin.
+  void number_nodes(const TissueParameters<dim> &parameters, const dealii::Point<dim> &corner);
+  void hold_sides(const TissueParameters<dim> &parameters, const dealii::Point<dim> &corner);
+  void integrate(const TissueParameters<dim> &parameters); ///< what the points of all elements have
+  void lump(unsigned int degree);                          ///< volume and area of the nodes
+  void cut_for_pictures(unsigned int degree);
+
   std::unique_ptr<Impl> impl;
 };
 } // namespace turgor

@@ -72,6 +72,12 @@ public:
 
 private:
   struct Scratch;
+  /// The history of the call, as of the committed state. Throws std::invalid_argument for a state of another RVE.
+  void begin(const RveState<2> &committed, const RveRequest &request, Scratch &scratch) const;
+  /// The rule elastic_equilibrium: positions of the trial state and diagnostics.
+  void settle(const RveState<2> &committed, const Tensor2<2> &F, RveAnswer<2> &answer, Scratch &scratch) const;
+  /// Energy, and what has become of the walls at the positions of the trial state.
+  void take_energy(const Tensor2<2> &F, const NetworkEvaluation &e, RveAnswer<2> &answer, Scratch &scratch) const;
   EquilibriumReport find_equilibrium(const RveState<2> &committed, const Tensor2<2> &F, std::vector<double> &x,
                                      Scratch &scratch) const;
   EquilibriumReport break_bonds(const Tensor2<2> &F, std::vector<double> &x, Scratch &scratch, const EquilibriumSettings &search) const;

@@ -3,7 +3,10 @@
 #pragma once
 
 #include "run/scenario.h"
+#include "rve/rve.h"
 #include "rve/rve_parameters.h"
+
+#include <vector>
 
 namespace turgor
 {
@@ -16,6 +19,15 @@ public:
   void run(RunContext &context) override;
 
 private:
+  struct Asked
+  {
+    double time; ///< s
+    Tensor2<2> F, F_dot;
+  };
+  std::vector<Asked> all_asked() const;
+  /// With the free component of F found and put into `asked`. Throws RunFailed where there is no stress.
+  RveAnswer<2> answer(const Rve<2> &cells, const RveState<2> &state, Asked &asked, double since, Rve<2>::Workspace &workspace) const;
+
   RveParameters rve;
   std::string path = "0 : 1, 0; 0, 1 | 1e-3 : 1, 0.3; 0, 1";
   std::string F_by_hand, F_dot_by_hand;

@@ -7,6 +7,7 @@
 #include "run/stop_flag.h"
 #include "rve/acoustic_bound.h"
 #include "rve/sph_motion.h"
+#include "rve/withdrawn_answer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -192,8 +193,7 @@ RveAnswer<2> SphRve::evaluate(const RveState<2> &committed, const Tensor2<2> &F,
                               const RveRequest &request, Workspace &workspace) const
 {
   const double began = thread_cpu_seconds();
-  if (!F.allFinite() || !F_dot.allFinite() || !(F.determinant() > 0.))
-    throw std::invalid_argument("An RVE needs a finite F with positive determinant and a finite F_dot.");
+  check_motion<2>(F, F_dot);
   Scratch &scratch = dynamic_cast<Scratch &>(workspace);
   const bool affine = settings.rule == SphRule::cauchy_born;
   if (!affine && (committed.unknowns.size() != start.unknowns.size() || !(committed.F.determinant() > 0.)))
@@ -210,13 +210,7 @@ RveAnswer<2> SphRve::evaluate(const RveState<2> &committed, const Tensor2<2> &F,
     }
   answer.diagnostics.converged = answer.diagnostics.message.empty();
   if (!answer.diagnostics.converged)
-    {
-      answer.sigma.setZero();
-      answer.P.setZero();
-      answer.viscous.setZero();
-      answer.energy = answer.heating = answer.pressure = 0.;
-      answer.trial = committed;
-    }
+    withdraw(answer, committed);
   else
     {
       if (!affine)

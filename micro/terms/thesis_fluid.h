@@ -20,10 +20,11 @@
 
 #include "micro/terms/cell_fluid.h"
 #include "micro/laws/lennard_jones_wall.h"
-#include "micro/terms/list_origin.h"
+#include "micro/terms/thesis_pairs.h"
 #include "micro/laws/sph_kernel.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 namespace turgor
@@ -80,27 +81,19 @@ public:
 private:
   static constexpr double half_chi = 2. * (dim + 2); ///< of Eq. 2.25
 
-  /// Each pair once: fluid with fluid (j > i), and fluid with wall nodes. Indices within the group.
-  struct Cell
-  {
-    std::vector<std::uint32_t> fluid, wall, first_fluid, first_wall;
-    ListOrigin<dim> built_at;
-    std::size_t crossed = 0, builds = 0;
-  };
-
   void update_lists(const Particles<dim> &particles, std::size_t group);
-  void build(const Group &group, Cell &cell) const; ///< from built_at
-  template <class Visit>
-  void for_fluid_pairs(const Group &group, const Cell &cell, const std::array<const double *, dim> &x, Visit &&visit) const;
-  std::size_t count_outside(const Group &group, const Cell &cell) const;
+  void build(const Group &group, ThesisPairs<dim> &pairs) const; ///< from where they are to be built at
+  double slope_over_r(double r2) const { return kernel.slope_over_r(std::sqrt(r2)) * inverse_depth; } ///< W'/r / z_0
+  void push_from_wall(Particles<dim> &particles, std::size_t group) const;
 
   ThesisFluidParameters parameters;
   EquationOfState eos;
   LennardJonesWall wall_law;
   WendlandC2<dim> kernel;
+  double inverse_depth;
   std::vector<double> mass;
-  std::vector<Cell> cells;
-  std::vector<std::array<std::uint16_t, 3>> faces;
+  std::vector<ThesisPairs<dim>> cells;
+  typename ThesisPairs<dim>::Faces faces;
 };
 
 extern template class ThesisFluid<2>;

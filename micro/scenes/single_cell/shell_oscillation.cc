@@ -5,7 +5,6 @@
 #include "run/input_entries.h"
 #include "run/number_text.h"
 #include "run/run_failed_by.h"
-#include "micro/scenes/reference/harmonics.h"
 #include "run/judged.h"
 #include "micro/scenes/shared_entries.h"
 
@@ -34,6 +33,39 @@ double amplitude(const std::vector<double> &time, const std::vector<double> &sig
       sum += window * (signal[k] - mean) * std::polar(1., -omega * time[k]);
     }
   return 4. * std::abs(sum) / double(signal.size());
+}
+/// Radial velocity inwards, of the wall's nodes or of all in proportion to the radius R (m).
+void strike(ParticleSystem<3> &system, const std::uint32_t nodes, const double R, const double speed, const bool all)
+{
+  Particles<3> &particles = system.particles;
+  for (std::uint32_t i = 0; i < (all ? particles.size() : nodes); ++i)
+    {
+      const Vector<3> x = particles.position(i), out = i < nodes ? Vector<3>(x.normalized()) : Vector<3>(x / R);
+      for (int d = 0; d < 3; ++d)
+        particles.v[d][i] = -speed * out[d];
+    }
+}
+
+/// R sum m v.x/sum m x.x: the wall's radial speed where all moves in proportion to the radius.
+double radial_speed(const Particles<3> &particles, const double R)
+{
+  double along = 0., squares = 0.;
+  for (std::uint32_t i = 0; i < particles.size(); ++i)
+    for (int d = 0; d < 3; ++d)
+      {
+        along += particles.v[d][i] * particles.x[d][i] / particles.inverse_mass[i];
+        squares += particles.x[d][i] * particles.x[d][i] / particles.inverse_mass[i];
+      }
+  return R * along / squares;
+}
+
+/// Spectrum on a grid four times as fine as the window's resolution, for the picture. last_mode: rad/s.
+void write_spectrum(RunContext &context, const std::vector<double> &time, const std::vector<double> &moving, const double last_mode)
+{
+  const double fine = 2. * pi / time.back() / 4., highest = 1.2 * last_mode + 40. * fine;
+  const auto spectrum = context.series("spectrum", {{"frequency", "Hz"}, {"amplitude", "m/s"}});
+  for (std::size_t k = 0; k * fine < highest; ++k)
+    spectrum->add_row({k * fine / (2. * pi), amplitude(time, moving, k * fine)});
 }
 } // namespace
 
@@ -108,44 +140,10 @@ std::vector<double> ShellOscillation::closed_form(const RoundCellParameters &p, 
   return roots;
 }
 
-void ShellOscillation::run(RunContext &context)
+ShellOscillation::Motion ShellOscillation::oscillate(RunContext &context, RoundCell<3> &round, const double R, const double lowest) const
 {
-  const RoundCellParameters p = shell();
-  const auto made = make_round_cell<3>(p, false);
-  RoundCell<3> &round = *made;
   ParticleSystem<3> &system = round.system;
-  context.active(system.term_names(), system.particles.field_names());
-  run_failed_by([&] {
-    return bring_to_turgor<3>(round, [&](const unsigned int step, const unsigned int steps, double) {
-      if (step % 64 == 0)
-        context.progress(0.3 * step / steps, "the liquid comes to rest");
-      if (context.stop_requested())
-        throw RunStopped("stopped before the shell was struck");
-    });
-  });
-  const double R = round.mean_radius();
-  const std::vector<double> theory = closed_form(p, R, sound_speed, modes);
-  Particles<3> &particles = system.particles;
-  const std::uint32_t n = round.group().wall_count();
-  for (std::uint32_t i = 0; i < (struck == "wall" ? n : particles.size()); ++i)
-    {
-      const Vector<3> x = particles.position(i), out = i < n ? Vector<3>(x.normalized()) : Vector<3>(x / R);
-      for (int d = 0; d < 3; ++d)
-        particles.v[d][i] = -speed * out[d];
-    }
-  // R sum m v.x/sum m x.x: the wall's radial speed where all moves in proportion to the radius
-  const auto radial_speed = [&]() {
-    double along = 0., squares = 0.;
-    for (std::uint32_t i = 0; i < particles.size(); ++i)
-      for (int d = 0; d < 3; ++d)
-        {
-          along += particles.v[d][i] * particles.x[d][i] / particles.inverse_mass[i];
-          squares += particles.x[d][i] * particles.x[d][i] / particles.inverse_mass[i];
-        }
-    return R * along / squares;
-  };
-
-  const double period = 2. * pi / theory.front(), sampling = period / samples_per_period;
+  const double period = 2. * pi / lowest, sampling = period / samples_per_period;
   const double limit = step_fraction * system.stable_time_step();
   const unsigned int per_sample = unsigned(std::ceil(sampling / limit));
   const double dt = sampling / per_sample;
@@ -157,9 +155,11 @@ void ShellOscillation::run(RunContext &context)
                                              {"energy", "J"}});
   KickDriftKick<3> integrator(system);
   system.compute_forces();
-  std::vector<double> time, radius, moving;
+  Motion motion;
+  motion.sampling = sampling;
+  std::vector<double> &time = motion.time, radius;
   const double energy_start = system.potential_energy() + system.kinetic_energy();
-  double energy = energy_start, crossed = 0.;
+  double energy = energy_start;
   for (std::size_t k = 0; k <= count; ++k)
     {
       if (k > 0)
@@ -167,34 +167,26 @@ void ShellOscillation::run(RunContext &context)
           integrator.step(dt);
       time.push_back(double(k) * sampling);
       radius.push_back(round.mean_radius() - R);
-      moving.push_back(radial_speed());
+      motion.speed.push_back(radial_speed(system.particles, R));
       energy = system.potential_energy() + system.kinetic_energy();
       if (!std::isfinite(radius.back()) || std::abs(radius.back()) > 0.5 * R)
         throw RunFailed("the shell diverged before t = " + number_text(1e6 * time.back())
                         + " us: use a smaller Step fraction or Inward speed.");
-      table->add_row({time.back(), radius.back(), moving.back(), round.pressure(), energy});
+      table->add_row({time.back(), radius.back(), motion.speed.back(), round.pressure(), energy});
       if (round.fluid)
-        crossed = std::max(crossed, double(round.fluid->crossed()));
+        motion.crossed = std::max(motion.crossed, double(round.fluid->crossed()));
       context.progress(0.3 + 0.7 * double(k) / double(count), "oscillations");
       if (context.stop_requested())
         throw RunStopped("stopped in the middle of the oscillation");
     }
+  motion.energy_drift = energy / energy_start - 1.;
+  return motion;
+}
 
-  // Spectrum on a grid four times as fine as the window's resolution, for the picture
-  const double fine = 2. * pi / time.back() / 4., highest = 1.2 * theory.back() + 40. * fine;
-  const auto spectrum = context.series("spectrum", {{"frequency", "Hz"}, {"amplitude", "m/s"}});
-  for (std::size_t k = 0; k * fine < highest; ++k)
-    spectrum->add_row({k * fine / (2. * pi), amplitude(time, moving, k * fine)});
-
-  const std::vector<Harmonic> parts = harmonics(moving, sampling, fitted);
-  const auto found = context.series("harmonics", {{"frequency", "Hz"}, {"decay", "1/s"}, {"amplitude", "m/s"}});
-  for (const Harmonic &part : parts)
-    found->add_row({part.omega / (2. * pi), part.decay, part.amplitude});
+void ShellOscillation::compare(RunContext &context, const std::vector<Harmonic> &parts, const std::vector<double> &theory, const double R) const
+{
   const auto lines = context.series("modes", {{"closed_form", "Hz"}, {"found", "Hz"}, {"deviation", "%"}});
-  context.result("radius", R, "m");
-  context.result("energy_drift", energy / energy_start - 1., "1");
-  if (round.fluid)
-    context.result("most_crossed", crossed, "");
+  const RoundCellParameters p = shell();
   // The roots beyond the last one that is asked for, and the middle between two of them: what lies nearer to a root belongs to it.
   std::vector<double> next = theory;
   next.push_back(p.fluid == "none" ? 2. * theory.back() : closed_form(p, R, sound_speed, modes + 1).back());
@@ -213,7 +205,38 @@ void ShellOscillation::run(RunContext &context)
       context.result(name + "_amplitude", part.amplitude, "m/s");
       context.result(name + "_decay", 2. * pi * part.decay / part.omega, "1/period");
     }
-  judge_outside(context, crossed, round.group().fluid_count(), "more Cell/Fluid particles or a smaller Inward speed makes them fewer");
+}
+
+void ShellOscillation::run(RunContext &context)
+{
+  const RoundCellParameters p = shell();
+  const auto made = make_round_cell<3>(p, false);
+  RoundCell<3> &round = *made;
+  ParticleSystem<3> &system = round.system;
+  context.active(system.term_names(), system.particles.field_names());
+  run_failed_by([&] {
+    return bring_to_turgor<3>(round, [&](const unsigned int step, const unsigned int steps, double) {
+      if (step % 64 == 0)
+        context.progress(0.3 * step / steps, "the liquid comes to rest");
+      if (context.stop_requested())
+        throw RunStopped("stopped before the shell was struck");
+    });
+  });
+  const double R = round.mean_radius();
+  const std::vector<double> theory = closed_form(p, R, sound_speed, modes);
+  strike(system, round.group().wall_count(), R, speed, struck == "whole");
+  const Motion motion = oscillate(context, round, R, theory.front());
+  write_spectrum(context, motion.time, motion.speed, theory.back());
+  const std::vector<Harmonic> parts = harmonics(motion.speed, motion.sampling, fitted);
+  const auto found = context.series("harmonics", {{"frequency", "Hz"}, {"decay", "1/s"}, {"amplitude", "m/s"}});
+  for (const Harmonic &part : parts)
+    found->add_row({part.omega / (2. * pi), part.decay, part.amplitude});
+  context.result("radius", R, "m");
+  context.result("energy_drift", motion.energy_drift, "1");
+  if (round.fluid)
+    context.result("most_crossed", motion.crossed, "");
+  compare(context, parts, theory, R);
+  judge_outside(context, motion.crossed, round.group().fluid_count(), "more Cell/Fluid particles or a smaller Inward speed makes them fewer");
 }
 
 std::unique_ptr<Scenario> make_shell_oscillation() { return std::make_unique<ShellOscillation>(); }
