@@ -80,6 +80,7 @@ void CellPopulation::archive(Archive &a)
   a(particles.fields);
   if (particles.fields.size() != size())
     throw ArchiveError("The checkpoint holds fields of " + number_text(particles.fields.size()) + " cells beside " + number_text(size()) + " cells.");
+  archive_terms(a);
 }
 
 double sphere_volume(const double radius) { return 4. / 3. * std::numbers::pi * radius * radius * radius; }

@@ -9,7 +9,7 @@
 //     state           what the cell does (CellState)
 //
 // Cells are divided, removed and sorted by one operation, gather (rearrangement.h), which reaches the terms too. The same places
-// go to Overdamped and the surroundings, so that all history follows its cell.
+// go to Overdamped, so that all history follows its cell.
 #pragma once
 
 #include "micro/engine/particle_system.h"
@@ -62,8 +62,8 @@ struct CellPopulation : ParticleSystem<3>
   /// Names of what its particles and cells carry beside place, id and state.
   std::vector<std::string> field_names() const;
 
+  /// Cells, and what the terms keep. Fields have to be declared before. Throws std::runtime_error for a checkpoint with other fields.
   void archive(Archive &a);
-  /// Fields have to be declared before. Throws std::runtime_error for a checkpoint with other fields.
 
 private:
   void set_groups(); ///< one of each cell

@@ -95,6 +95,16 @@ void DextranPressure::add_forces(Particles<3> &particles, const Box<3> &, const 
       particles.f[d][cells[k]] += F_0 * forces[k][d];
 }
 
+double DextranPressure::active_work(const Particles<3> &particles, const Box<3> &, const std::size_t group, const double h) const
+{
+  const Group &g = particles.groups[group];
+  double total = 0.;
+  for (std::size_t k = std::size_t(std::lower_bound(cells.begin(), cells.end(), g.begin) - cells.begin()); k < cells.size() && cells[k] < g.end; ++k)
+    for (int d = 0; d < 3; ++d)
+      total += h * F_0 * forces[k][d] * particles.v[d][cells[k]];
+  return total;
+}
+
 void DextranPressure::gather(const Rearrangement &)
 {
   cells.clear(); // found again by the next update

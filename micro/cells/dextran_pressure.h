@@ -45,6 +45,7 @@ public:
   void prepare(const Particles<3> &particles, const Box<3> &box, unsigned int threads, bool trial) override;
   void add_forces(Particles<3> &particles, const Box<3> &box, std::size_t group) override;
   double energy(const Particles<3> &, const Box<3> &, std::size_t) const override { return 0.; }
+  double active_work(const Particles<3> &particles, const Box<3> &box, std::size_t group, double h) const override;
   void gather(const Rearrangement &places) override;
   void archive(Archive &a, Particles<3> &particles) override;
 

@@ -1,10 +1,12 @@
-// What is around a population of cells and acts on it: terms (bodies that cells press against, the pressure of a dextran solution), and what
-// processes ask of it.
+// What is around a population of cells and acts on it: terms of the population's system like all others (bodies that cells press against, the
+// pressure of a dextran solution), and what processes ask of them.
 //
 //   Surroundings around;
 //   around.walls = &around.add(std::make_unique<Obstacles<3>>("capsule", SphereOnSurface{material}, std::make_unique<ElasticCapsule>(capsule)));
+//   around.join(cells);
 #pragma once
 
+#include "micro/engine/particle_system.h"
 #include "micro/terms/obstacles.h"
 
 #include <functional>
@@ -16,8 +18,7 @@ namespace turgor
 {
 struct Surroundings
 {
-  std::vector<std::unique_ptr<Term<3>>> terms; ///< in the order in which they act
-  Obstacles<3> *walls = nullptr;               ///< among them, if there are any
+  Obstacles<3> *walls = nullptr; ///< among the terms, if there are any
 
   /// At time t (s): the cells have grown and divided, the steps of an interval are about to begin (who is at the edge, what force holds the
   /// pressure).
@@ -39,16 +40,12 @@ struct Surroundings
     return reference;
   }
 
-  /// f += forces (N) of all of them at the present positions.
-  void add_forces(Particles<3> &particles) const
+  /// The terms become those of a system, in the order in which they were added; references to them stay good.
+  void join(ParticleSystem<3> &system)
   {
-    const Box<3> open;
-    for (const auto &term : terms)
-      {
-        term->prepare(particles, open, 1, false);
-        for (std::size_t group = 0; group < particles.groups.size(); ++group)
-          term->add_forces(particles, open, group);
-      }
+    for (auto &term : terms)
+      system.add(std::move(term));
+    terms.clear();
   }
 
   /// m, of a place below the surface of the nearest wall that lets through what cells live on.
@@ -59,5 +56,8 @@ struct Surroundings
   {
     return walls ? walls->energy_of(x, radius, reference, modulus) : 0.;
   }
+
+private:
+  std::vector<std::unique_ptr<Term<3>>> terms; ///< until a system has them
 };
 } // namespace turgor

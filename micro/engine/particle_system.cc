@@ -235,6 +235,20 @@ std::vector<std::string> ParticleSystem<dim>::term_names() const
 }
 
 template <int dim>
+void ParticleSystem<dim>::add_virials(std::vector<Tensor2<dim>> &virial) const
+{
+  for (const auto &term : terms)
+    term->add_virials(particles, virial);
+}
+
+template <int dim>
+void ParticleSystem<dim>::archive_terms(Archive &a)
+{
+  for (const auto &term : terms)
+    term->archive(a, particles);
+}
+
+template <int dim>
 void ParticleSystem<dim>::archive(Archive &a)
 {
   a.section("particles");
@@ -243,8 +257,7 @@ void ParticleSystem<dim>::archive(Archive &a)
   a.fixed(particles.inverse_mass);
   a(box.H, box.H_dot);
   const std::vector<double> inverse_mass = particles.inverse_mass;
-  for (const auto &term : terms)
-    term->archive(a, particles);
+  archive_terms(a);
   particles.inverse_mass = inverse_mass; // a term's masses must not free a clamped particle
 }
 

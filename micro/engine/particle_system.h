@@ -88,8 +88,14 @@ public:
 
   std::vector<std::string> term_names() const;
 
+  /// virial += what the terms say of single particles (Term::add_virials), N m.
+  void add_virials(std::vector<Tensor2<dim>> &virial) const;
+
   /// Positions, velocities, forces, masses, box and the terms' history; sizes must fit.
   void archive(Archive &a);
+
+protected:
+  void archive_terms(Archive &a); ///< their history alone
 
 private:
   std::vector<std::unique_ptr<Term<dim>>> terms;

@@ -20,12 +20,10 @@ SystemMotion<dim>::SystemMotion(ParticleSystem<dim> &system_, const SolveParamet
 {}
 
 template <int dim>
-void SystemMotion<dim>::forces(Particles<dim> &particles, const bool trial)
+void SystemMotion<dim>::forces(Particles<dim> &, const bool trial)
 {
   friction_collected = false;
   system.compute_forces(trial);
-  if (outer)
-    outer(particles);
 }
 
 template <int dim>
@@ -33,8 +31,6 @@ void SystemMotion<dim>::velocities(Particles<dim> &particles, const double h)
 {
   matrix.clear(medium);
   system.collect(matrix, h);
-  if (outer_collect)
-    outer_collect(matrix, particles, h);
   if (correct_clusters)
     matrix.template correct_clusters<dim>(particles.x);
   matrix.template solve<dim>(particles.f, particles.v, system.threads);
@@ -59,8 +55,6 @@ MotionMatrix::Power SystemMotion<dim>::friction_power(const Particles<dim> &part
     {
       friction.clear(medium);
       system.collect(friction, 0.);
-      if (outer_collect)
-        outer_collect(friction, particles, 0.);
       friction_collected = true;
     }
   return friction.template power<dim>(particles.v, system.threads);
@@ -81,17 +75,6 @@ double SystemMotion<dim>::work_of_bodies(Particles<dim> &particles, const double
       const MotionMatrix::Power by_friction = friction_power(particles);
       total += h * (by_friction.given + matrix.template power<dim>(particles.v, system.threads).pushed - by_friction.pushed);
     }
-  if (!outer)
-    return total;
-  auto from_outside = particles.f;
-  for (auto &f : from_outside)
-    std::fill(f.begin(), f.end(), 0.);
-  std::swap(particles.f, from_outside);
-  outer(particles);
-  std::swap(particles.f, from_outside);
-  for (int d = 0; d < dim; ++d)
-    for (std::size_t i = 0; i < particles.size(); ++i)
-      total += h * from_outside[d][i] * particles.v[d][i];
   return total;
 }
 

@@ -23,8 +23,6 @@ public:
   SystemMotion(ParticleSystem<dim> &system, const SolveParameters &solve);
 
   std::vector<double> medium; ///< N s/m, of each particle
-  std::function<void(Particles<dim> &)> outer; ///< adds forces from outside (N) to particles.f
-  std::function<void(MotionMatrix &, const Particles<dim> &, double h)> outer_collect; ///< Term::collect of what gives them
   /// particles.f = the random forces (N) of step number `step` of length h (s).
   std::function<void(Particles<dim> &, double h, std::uint64_t step)> random;
   bool correct_clusters = false; ///< clusters' net force and torque exactly (motion_matrix.h), where the medium is much weaker than the links

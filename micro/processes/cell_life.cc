@@ -51,13 +51,10 @@ double CellLife::volume(const CellPopulation &cells, const std::size_t i) const
   return compressed_volume(cells.particles.field("reference_volume")[i], cells.particles.cells.column("strain")[i]);
 }
 
-const std::vector<double> &CellLife::measure_pressures(const CellPopulation &cells, const SphereContacts &contacts,
-                                                       const Surroundings &surroundings,
-                                                       const unsigned int threads)
+const std::vector<double> &CellLife::measure_pressures(const CellPopulation &cells, const SphereContacts &contacts, const unsigned int threads)
 {
   cell_virials(cells.particles, contacts, threads, virial);
-  for (const auto &term : surroundings.terms)
-    term->add_virials(cells.particles, virial);
+  cells.add_virials(virial);
   const std::vector<double> &V_ref = cells.particles.field("reference_volume"), &eps = cells.particles.cells.column("strain");
   pressure.resize(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
@@ -89,7 +86,7 @@ void CellLife::advance(CellPopulation &cells, const SphereContacts &contacts,
                        const unsigned int threads,
                        const std::function<void(const Rearrangement &)> &gather_others)
 {
-  measure_pressures(cells, contacts, surroundings, threads);
+  measure_pressures(cells, contacts, threads);
   Particles<3> &p = cells.particles;
   std::vector<double> &V_ref = p.field("reference_volume"), &R = p.field("radius"), &eps = p.cells.column("strain"),
                       &phase = p.cells.column("phase"), &T = p.cells.column("cycle_time"), &K = p.cells.column("bulk_modulus");

@@ -57,9 +57,7 @@ public:
                const std::function<void(const Rearrangement &)> &gather_others);
 
   /// Pa, of each cell, from contacts at the present positions.
-  const std::vector<double> &measure_pressures(const CellPopulation &cells, const SphereContacts &contacts,
-                                               const Surroundings &surroundings,
-                                               unsigned int threads);
+  const std::vector<double> &measure_pressures(const CellPopulation &cells, const SphereContacts &contacts, unsigned int threads);
 
   void set_rim_thickness(const double thickness) { parameters.death.rim_thickness = thickness; } ///< m
 

@@ -74,13 +74,14 @@ inline void advance_polarity(Table &cells, const std::vector<std::uint64_t> &id,
     }
 }
 
-/// f += F_0 P of the cells that live: crawls(i).
+/// f += F_0 P of those of the cells [begin, end) that live: crawls(i).
 template <class Crawls>
-void add_migration_forces(Particles<3> &particles, const MigrationParameters &parameters, const Crawls &crawls)
+void add_migration_forces(Particles<3> &particles, const MigrationParameters &parameters, const std::size_t begin, const std::size_t end,
+                          const Crawls &crawls)
 {
   const Table &cells = particles.cells;
   const std::vector<double> *P[3] = {&cells.column("polarity_x"), &cells.column("polarity_y"), &cells.column("polarity_z")};
-  for (std::size_t i = 0; i < particles.size(); ++i)
+  for (std::size_t i = begin; i < end; ++i)
     for (int d = 0; d < 3 && crawls(i); ++d)
       particles.f[d][i] += parameters.force * (*P[d])[i];
 }

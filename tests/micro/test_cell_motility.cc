@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(persistent_walk_and_its_weak_order)
       for (int k = 0; k < steps; ++k)
         {
           w.clear();
-          add_migration_forces(w.particles, parameters, [](std::size_t) { return true; });
+          add_migration_forces(w.particles, parameters, 0, w.particles.size(), [](std::size_t) { return true; });
           for (std::size_t d = 0; d < 3; ++d)
             for (std::size_t i = 0; i < w.id.size(); ++i)
               w.particles.x[d][i] += t / steps * w.particles.f[d][i] / w.gamma[i];

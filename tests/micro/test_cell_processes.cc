@@ -204,8 +204,7 @@ BOOST_AUTO_TEST_CASE(death_does_not_soften_the_contact)
     }
   const LocalStiffness law = LocalStiffness::repaired_C9();
   SphereContacts contacts(HertzContact(), 1e-6, law), soft(HertzContact(), 1e-6);
-  Surroundings around;
-  Press &press = around.add(std::make_unique<Press>(life, cells));
+  Press &press = cells.add(std::make_unique<Press>(life, cells));
   const auto force = [&](SphereContacts &c) {
     for (auto &f : cells.particles.f)
       std::fill(f.begin(), f.end(), 0.);
@@ -215,8 +214,8 @@ BOOST_AUTO_TEST_CASE(death_does_not_soften_the_contact)
   const double before = force(contacts), p = 5e3 * std::expm1(eps);
   BOOST_TEST(before / force(soft) == law(d).factor, digits(1e-12));
   // p, less what the pair presses itself
-  press.p = p - life.measure_pressures(cells, contacts, {}, 1)[0];
-  const auto pass = [&](const double dt) { life.advance(cells, contacts, around, dt, 1, [](const auto &) {}); };
+  press.p = p - life.measure_pressures(cells, contacts, 1)[0];
+  const auto pass = [&](const double dt) { life.advance(cells, contacts, {}, dt, 1, [](const auto &) {}); };
   pass(60.);
   BOOST_CHECK(!cells.state().alive(0) && !cells.state().alive(1));
   BOOST_TEST(force(contacts) == before, digits(1e-9));
@@ -430,13 +429,12 @@ BOOST_AUTO_TEST_CASE(a_compressed_cell_follows_its_closed_form)
     life.declare(cells.particles);
     life.add(cells, Vector<3>::Zero(), 0.);
     SphereContacts contacts(HertzContact(), 1e-6);
-    Surroundings around;
-    Press &press = around.add(std::make_unique<Press>(life, cells));
+    Press &press = cells.add(std::make_unique<Press>(life, cells));
     for (int k = 0; k < n; ++k)
       {
         press.p = ramp ? most * k / n : most;
         contacts.add_forces(cells.particles, 1);
-        life.advance(cells, contacts, around, end / n, 1, [](const auto &) {});
+        life.advance(cells, contacts, {}, end / n, 1, [](const auto &) {});
       }
     BOOST_TEST(cells.particles.field("radius")[0]
                  == parameters.birth_radius * std::exp(-cells.particles.cells.column("strain")[0] / 3.),

@@ -8,6 +8,7 @@
 #include "micro/engine/system_motion.h"
 #include "micro/geometry/plane.h"
 #include "micro/terms/elastic_capsule.h"
+#include "micro/terms/external_force.h"
 #include "micro/terms/obstacles.h"
 #include "micro/terms/sphere_contacts.h"
 #include "run/archive.h"
@@ -444,15 +445,11 @@ BOOST_AUTO_TEST_CASE(a_step_behind_a_wall_is_taken_back)
 {
   CellPopulation one;
   one.add(Vector<3>(0., 0., 10.), 4., 3.);
-  Walls wall("wall", SphereOnSurface{}, std::make_unique<Plane<3>>(Vector<3>(0., 0., 0.), Vector<3>(0., 0., 1.)));
-  wall.declare(one.particles);
   one.add(std::make_unique<SphereContacts>(HertzContact(), 1.));
+  one.add(std::make_unique<DeadForce<3>>(std::vector<DeadForce<3>::Entry>{{0, Vector<3>(0., 0., -8.)}}));
+  one.add(std::make_unique<Walls>("wall", SphereOnSurface{}, std::make_unique<Plane<3>>(Vector<3>(0., 0., 0.), Vector<3>(0., 0., 1.))));
   SystemMotion<3> motion(one, {});
   motion.medium = {1.};
-  motion.outer = [&](Particles<3> &particles) {
-    particles.f[2][0] -= 8.;
-    add_forces(wall, particles);
-  };
   Overdamped<3> stepper({.method = OverdampedMethod::heun, .tolerance = 0.02, .first_step = 4.}, motion, 1);
   for (double t = 0.; t < 50.;)
     t += stepper.step(one.particles, 50. - t);

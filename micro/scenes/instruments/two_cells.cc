@@ -1,6 +1,7 @@
 #include "micro/scenes/instruments/two_cells.h"
 
 #include "micro/solve/bisection.h"
+#include "micro/terms/external_force.h"
 #include "run/input_entries.h"
 #include "run/number_text.h"
 #include "run/run_failed_by.h"
@@ -64,10 +65,7 @@ bool TwoCells::holds(const double force) const
   contacts.friction = {.normal = friction, .tangential = friction};
   SystemMotion<3> motion(system, {.tolerance = 1e-12});
   motion.medium.assign(2, gamma);
-  motion.outer = [&](Particles<3> &q) {
-    q.f[0][0] -= force;
-    q.f[0][1] += force;
-  };
+  system.add(std::make_unique<DeadForce<3>>(std::vector<DeadForce<3>::Entry>{{0, Vector<3>(-force, 0., 0.)}, {1, Vector<3>(force, 0., 0.)}}));
   Overdamped<3> stepper({.method = OverdampedMethod::heun, .tolerance = 1e-5, .first_step = 1e-3, .least_step = 1e-15}, motion, 1);
   // It holds once the net force apart is a hundredth of the accuracy asked for, or turns: between there and the start it was nothing.
   // It is free where there is no contact any more. The net force itself: beside the friction between

@@ -39,17 +39,9 @@ CellCulture::CellCulture(const CultureParameters &parameters_, Surroundings surr
   cells.threads = threads_;
   contacts.friction = parameters.friction;
   life.declare(cells.particles);
-  for (const auto &term : surroundings.terms)
-    term->declare(cells.particles);
-  motion.outer = [this](Particles<3> &particles) {
-    surroundings.add_forces(particles);
-    if (migrates())
-      add_migration_forces(particles, parameters.migration, [state = cells.state()](const std::size_t i) { return state.alive(i); });
-  };
-  motion.outer_collect = [this](MotionMatrix &matrix, const Particles<3> &particles, const double step) {
-    if (surroundings.walls)
-      surroundings.walls->collect(matrix, particles, step);
-  };
+  surroundings.join(cells);
+  if (migrates())
+    cells.add(std::make_unique<CellMigration>(parameters.migration));
   if (parameters.motility > 0.)
     motion.random = [this](Particles<3> &particles, const double step, const std::uint64_t number) {
       std::vector<double> gamma = motion.medium;
@@ -57,8 +49,6 @@ CellCulture::CellCulture(const CultureParameters &parameters_, Surroundings surr
         surroundings.walls->add_friction(particles, gamma);
       set_motility_forces(particles, cells.id(), gamma, parameters.motility, step, parameters.life.variability.seed, number, directions());
     };
-  if (migrates())
-    declare_polarity(cells.particles.cells);
 }
 
 std::vector<std::string> CellCulture::term_names() const
@@ -70,23 +60,16 @@ std::vector<std::string> CellCulture::term_names() const
     names.push_back("local_stiffness");
   if (parameters.motility > 0.)
     names.push_back("motility");
-  if (migrates())
-    names.push_back("migration");
-  for (const auto &term : surroundings.terms)
-    names.push_back(term->name());
+  for (const std::string &name : cells.term_names())
+    if (name != names.front())
+      names.push_back(name);
   return names;
-}
-
-void CellCulture::contact_forces()
-{
-  cells.compute_forces();
-  surroundings.add_forces(cells.particles);
 }
 
 const std::vector<double> &CellCulture::pressures()
 {
-  contact_forces();
-  return life.measure_pressures(cells, contacts, surroundings, cells.threads);
+  cells.compute_forces();
+  return life.measure_pressures(cells, contacts, cells.threads);
 }
 
 void CellCulture::set_friction()
@@ -98,13 +81,6 @@ void CellCulture::set_friction()
     gamma[i] = 4. * std::numbers::pi * R[i] * R[i] * parameters.medium_friction;
 }
 
-void CellCulture::gather_others(const Rearrangement &places)
-{
-  stepper.gather(places);
-  for (const auto &term : surroundings.terms)
-    term->gather(places);
-}
-
 void CellCulture::sort()
 {
   if (10 * cells.size() < 11 * sorted_size)
@@ -112,15 +88,15 @@ void CellCulture::sort()
   sorted_size = cells.size();
   const Rearrangement places = space_order(cells.particles, 2. * parameters.life.birth_radius);
   cells.gather(places);
-  gather_others(places);
+  stepper.gather(places);
 }
 
 void CellCulture::begin_interval()
 {
   sort();
-  contact_forces();
+  cells.compute_forces();
   life.advance(cells, contacts, surroundings, until - t, cells.threads,
-               [this](const Rearrangement &places) { gather_others(places); });
+               [this](const Rearrangement &places) { stepper.gather(places); });
   surroundings.update(cells.particles, t);
   set_friction();
   const std::uint64_t seed = parameters.life.variability.seed;
@@ -141,8 +117,7 @@ bool CellCulture::advance(const double end, const std::function<bool()> &stop)
       const double dt = stepper.step(cells.particles, std::min(until - t, longest));
       if (migrates())
         advance_polarity(cells.particles.cells, cells.id(), parameters.migration, dt, parameters.life.variability.seed, steps, directions());
-      for (const auto &term : surroundings.terms)
-        term->advance(cells.particles, dt);
+      cells.advance(dt);
       t = until - t > dt ? t + dt : until;
       ++steps;
       if (stop && t < until && stop())
@@ -155,12 +130,6 @@ void CellCulture::archive(Archive &a)
 {
   a.section("culture");
   a(t, until, motion.medium, steps, sorted_size, life.divisions, life.deaths, life.removed, life.grown, life.drained, cells);
-  contacts.archive(a, cells.particles);
   a(stepper);
-  for (const auto &term : surroundings.terms)
-    {
-      a.section(term->name());
-      term->archive(a, cells.particles);
-    }
 }
 } // namespace turgor

@@ -15,7 +15,7 @@
 
 #include "micro/engine/overdamped.h"
 #include "micro/processes/cell_life.h"
-#include "micro/processes/cell_motility.h"
+#include "micro/processes/cell_migration.h"
 #include "micro/engine/system_motion.h"
 #include "micro/terms/sphere_contacts.h"
 
@@ -77,12 +77,10 @@ public:
   void archive(Archive &a);
 
 private:
-  void contact_forces(); ///< contacts at the present positions
   void begin_interval();
   void set_friction();
   /// Cells near in space near in memory; now and then, as the population grows.
   void sort();
-  void gather_others(const Rearrangement &places);
   bool migrates() const { return parameters.migration.force > 0.; }
   int directions() const { return parameters.in_plane ? 2 : 3; }
 
