@@ -66,16 +66,22 @@ DoubleRow LinkMatrix::rows_of(const std::size_t g, const Sum &all, std::vector<E
   DoubleRow total{};
   if (with_lines && work.size() < width * (first[g + 1] - first[g] + 1))
     work.resize(2 * width * (first[g + 1] - first[g] + 1));
+  const std::size_t bodies = std::min(width, all.medium.size() - g * width);
+  const auto row_of = [&](const std::size_t lane) {
+    const std::size_t i = g * width + std::min(lane, bodies - 1);
+    return LinkRow<with_lines>(ExactRow(all.forces, all.medium, all.v, i), all.medium[i], links.data() + first[g], work.data(), lane);
+  };
+  LinkRow<with_lines> rows[width] = {row_of(0), row_of(1), row_of(2), row_of(3), row_of(4), row_of(5), row_of(6), row_of(7)};
+  for (const LinkSource *source : all.sources)
+    source->add(g * width, bodies, rows);
   for (std::size_t lane = 0; lane < width; ++lane)
     {
       const std::size_t i = g * width + lane;
       own[g][lane] = 0.f;
       isotropic[lane] = 1.;
-      if (i >= all.medium.size()) // nobody: no residual
+      if (lane >= bodies) // nobody: no residual
         continue;
-      LinkRow<with_lines> row(ExactRow(all.forces, all.medium, all.v, i), all.medium[i], links.data() + first[g], work.data(), lane);
-      for (const LinkSource *source : all.sources)
-        source->add(i, row);
+      const LinkRow<with_lines> &row = rows[lane];
       count[lane] = std::uint32_t(row.end() - links.data()) - first[g];
       most = std::max(most, count[lane]);
       own[g][lane] = float(all.medium[i]);

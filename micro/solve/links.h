@@ -174,30 +174,34 @@ public:
   /// count[i - begin] += how many links body i has at most, for [begin, end).
   virtual void room(std::size_t begin, std::size_t end, std::uint32_t *count) const = 0;
 
-  virtual void add(std::size_t i, ExactRow &row) const = 0;
-  virtual void add(std::size_t i, LinkRow<true> &row) const = 0;
-  virtual void add(std::size_t i, LinkRow<false> &row) const = 0;
-  virtual void add(std::size_t i, LinkedBodies &row) const = 0;
-  virtual void add(std::size_t i, PowerRow &row) const = 0;
+  /// rows: of the bodies [i, i + count), so that a body's links are not worth a call of their own.
+  virtual void add(std::size_t i, std::size_t count, ExactRow *rows) const = 0;
+  virtual void add(std::size_t i, std::size_t count, LinkRow<true> *rows) const = 0;
+  virtual void add(std::size_t i, std::size_t count, LinkRow<false> *rows) const = 0;
+  virtual void add(std::size_t i, std::size_t count, LinkedBodies *rows) const = 0;
+  virtual void add(std::size_t i, std::size_t count, PowerRow *rows) const = 0;
 };
 
 template <class List>
 class ListedLinks : public LinkSource
 {
 public:
-  void add(const std::size_t i, ExactRow &row) const override { all_of(i, row); }
-  void add(const std::size_t i, LinkRow<true> &row) const override { all_of(i, row); }
-  void add(const std::size_t i, LinkRow<false> &row) const override { all_of(i, row); }
-  void add(const std::size_t i, LinkedBodies &row) const override { all_of(i, row); }
-  void add(const std::size_t i, PowerRow &row) const override { all_of(i, row); }
+  void add(const std::size_t i, const std::size_t count, ExactRow *rows) const override { all_of(i, count, rows); }
+  void add(const std::size_t i, const std::size_t count, LinkRow<true> *rows) const override { all_of(i, count, rows); }
+  void add(const std::size_t i, const std::size_t count, LinkRow<false> *rows) const override { all_of(i, count, rows); }
+  void add(const std::size_t i, const std::size_t count, LinkedBodies *rows) const override { all_of(i, count, rows); }
+  void add(const std::size_t i, const std::size_t count, PowerRow *rows) const override { all_of(i, count, rows); }
 
 private:
   template <class Row>
-  void all_of(const std::size_t i, Row &row) const
+  void all_of(const std::size_t i, const std::size_t count, Row *rows) const
   {
-    Row own(row);
-    static_cast<const List &>(*this).links_of(i, own);
-    row.take(own);
+    for (std::size_t k = 0; k < count; ++k)
+      {
+        Row own(rows[k]);
+        static_cast<const List &>(*this).links_of(i + k, own);
+        rows[k].take(own);
+      }
   }
 };
 

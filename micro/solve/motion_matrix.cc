@@ -91,7 +91,7 @@ void MotionMatrix::correct_clusters(const std::array<std::vector<double>, dim> &
           for (std::uint32_t i = 0; i < medium.size(); ++i)
             {
               linked.others.clear();
-              source->add(i, linked);
+              source->add(i, 1, &linked);
               for (const std::uint32_t j : linked.others)
                 join(i, j);
             }
@@ -156,7 +156,7 @@ double MotionMatrix::residual_of(const Forces &forces, const std::vector<BodyVec
       {
         ExactRow row(left, medium, velocity, i);
         for (const LinkSource *source : sources)
-          source->add(i, row);
+          source->add(i, 1, &row);
         const DoubleRow one = row.result();
         store(i, one);
         total += one * one;

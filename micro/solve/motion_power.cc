@@ -21,7 +21,7 @@ MotionMatrix::Power MotionMatrix::power(const std::array<std::vector<double>, di
       {
         PowerRow row(v, i, n);
         for (const LinkSource *source : sources)
-          source->add(i, row);
+          source->add(i, 1, &row);
         total += medium[i] * sum(v[i].v * v[i].v) + row.result();
       }
     return total;
