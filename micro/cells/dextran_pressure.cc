@@ -87,10 +87,10 @@ void DextranPressure::press(const Particles<3> &particles)
 
 void DextranPressure::prepare(const Particles<3> &particles, const Box<3> &, unsigned int, bool) { unit_forces(particles); }
 
-void DextranPressure::add_forces(Particles<3> &particles, const Box<3> &, const std::size_t group)
+void DextranPressure::add_forces_of(Particles<3> &particles, const Box<3> &, const std::size_t begin, const std::size_t end)
 {
-  const Group &g = particles.groups[group];
-  for (std::size_t k = std::size_t(std::lower_bound(cells.begin(), cells.end(), g.begin) - cells.begin()); k < cells.size() && cells[k] < g.end; ++k)
+  const std::uint32_t first = particles.groups[begin].begin, last = particles.groups[end - 1].end;
+  for (std::size_t k = std::size_t(std::lower_bound(cells.begin(), cells.end(), first) - cells.begin()); k < cells.size() && cells[k] < last; ++k)
     for (int d = 0; d < 3; ++d)
       particles.f[d][cells[k]] += F_0 * forces[k][d];
 }

@@ -43,7 +43,8 @@ public:
   void update(const Particles<3> &particles, double t);
   void advance(const Particles<3> &particles, double dt) override;
   void prepare(const Particles<3> &particles, const Box<3> &box, unsigned int threads, bool trial) override;
-  void add_forces(Particles<3> &particles, const Box<3> &box, std::size_t group) override;
+  void add_forces(Particles<3> &particles, const Box<3> &box, std::size_t group) override { add_forces_of(particles, box, group, group + 1); }
+  void add_forces_of(Particles<3> &particles, const Box<3> &box, std::size_t begin, std::size_t end) override;
   double energy(const Particles<3> &, const Box<3> &, std::size_t) const override { return 0.; }
   double active_work(const Particles<3> &particles, const Box<3> &box, std::size_t group, double h) const override;
   void gather(const Rearrangement &places) override;

@@ -3,11 +3,12 @@
 //
 //   Surroundings around;
 //   around.walls = &around.add(std::make_unique<Obstacles<3>>("capsule", SphereOnSurface{material}, std::make_unique<ElasticCapsule>(capsule)));
-//   around.join(cells);
+//   around.join(cells, contacts);
 #pragma once
 
 #include "micro/engine/particle_system.h"
 #include "micro/terms/obstacles.h"
+#include "micro/terms/sphere_contacts.h"
 
 #include <functional>
 #include <memory>
@@ -40,12 +41,15 @@ struct Surroundings
     return reference;
   }
 
-  /// The terms become those of a system, in the order in which they were added; references to them stay good.
-  void join(ParticleSystem<3> &system)
+  /// The terms become those of a system, in the order in which they were added, its walls entries of the cells' list of contacts. References
+  /// to them stay good.
+  void join(ParticleSystem<3> &system, const SphereContacts &contacts)
   {
     for (auto &term : terms)
       system.add(std::move(term));
     terms.clear();
+    if (walls)
+      walls->listed_in(contacts.contact_list());
   }
 
   /// m, of a place below the surface of the nearest wall that lets through what cells live on.

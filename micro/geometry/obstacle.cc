@@ -92,6 +92,8 @@ double Obstacle<dim>::advance(const double dt)
   const Step step{dt * velocity, dt * spin, dt * growth};
   const double work = work_over({0.5 * (last.way + step.way), 0.5 * (last.turn + step.turn), 0.5 * (last.growth + step.growth)});
   last = step;
+  gone += step.way.norm() + std::abs(step.growth);
+  turned += step.turn.norm();
   centre += step.way;
   turn(step.turn);
   grow(step.growth);

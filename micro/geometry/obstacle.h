@@ -99,6 +99,9 @@ public:
 
   /// J, done on the particles by the steps so far, but for what the second half of the last one is still to do.
   double advance(double dt);
+  /// m; a running total: by no more than what is added to it has the surface come nearer to any place that is within `arm` (m) of the centre. Without
+  /// what settle() does.
+  double moved(const double arm) const { return gone + arm * turned; }
   double work_of_last_step() const;           ///< J, that half, with the forces of now
 
   virtual double energy() const { return 0.; } ///< J, stored in the body
@@ -111,7 +114,8 @@ public:
     /// N, and N/m: its slope towards the surface; at a distance (m) from a surface of a curvature (1/m).
     std::function<std::pair<double, double>(std::size_t k, double distance, double curvature)> force;
   };
-  /// m; by so much the surface may move away from the particles' side when it settles: who is within reach of it then presses. Negative: it is rigid.
+  /// m; by so much the surface may come back towards the particles when it settles, and no farther whatever it did before: who is within reach of it
+  /// then may press. Negative: it is rigid.
   virtual double slack() const { return -1.; }
   /// Into balance with what presses on it; dt (s): over that time, with its own friction, 0: at once.
   virtual void settle(const Pressing &, double /*dt*/) {}
@@ -148,6 +152,7 @@ private:
 
   std::vector<std::vector<Push>> pushes; ///< by pusher and group
   Step last;
+  double gone = 0., turned = 0.; ///< m, by travelling and growing; rad
 };
 
 extern template class Obstacle<2>;

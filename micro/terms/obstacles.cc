@@ -18,46 +18,52 @@ void Obstacles<dim>::declare(Particles<dim> &particles)
 }
 
 template <int dim>
-void Obstacles<dim>::settle(const Particles<dim> &particles, const double dt)
+void Obstacles<dim>::listed_in(std::shared_ptr<ContactList<dim>> list_)
 {
+  list = std::move(list_);
+  entry.clear();
   for (const auto &body : bodies)
-    if (body->slack() >= 0. && body->settles_at_once() == (dt == 0.))
+    entry.push_back(list->add(*body));
+}
+
+template <int dim>
+void Obstacles<dim>::settle(const Particles<dim> &particles, const double dt, const bool listed)
+{
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    if (Obstacle<dim> &body = *bodies[k]; body.slack() >= 0. && body.settles_at_once() == (dt == 0.))
       std::visit(
         [&](const auto &one) {
           const auto view = one.on(particles);
           typename Obstacle<dim>::Pressing near;
           std::vector<std::size_t> which;
-          const double slack = body->slack();
-          for (const Group &g : particles.groups)
-            {
-              const auto [begin, end] = view.holds_for(g);
-              for (std::uint32_t i = begin; i < end; ++i)
-                {
-                  const Vector<dim> x = particles.position(i);
-                  const double reach = view.reach(i);
-                  if (body->at(x, reach + slack).distance < reach + slack)
-                    {
-                      which.push_back(i);
-                      near.x.push_back(x);
-                      near.reach.push_back(reach);
-                    }
-                }
-            }
-          near.force = [&](const std::size_t k, const double w, const double curvature) {
-            const SphereContact c = view(which[k], w, curvature);
+          const double slack = body.slack();
+          for_candidates(view, particles, k, 0, particles.groups.size(), listed, [&](std::size_t, const std::uint32_t i) {
+            const Vector<dim> x = particles.position(i);
+            const double reach = view.reach(i);
+            if (body.at(x, reach + slack).distance < reach + slack)
+              {
+                which.push_back(i);
+                near.x.push_back(x);
+                near.reach.push_back(reach);
+              }
+          });
+          near.force = [&](const std::size_t n, const double w, const double curvature) {
+            const SphereContact c = view(which[n], w, curvature);
             return std::pair(c.force, c.stiffness);
           };
-          body->settle(near, dt);
+          body.settle(near, dt);
         },
         law);
 }
 
 template <int dim>
-void Obstacles<dim>::prepare(const Particles<dim> &particles, const Box<dim> &, unsigned int, bool)
+void Obstacles<dim>::prepare(const Particles<dim> &particles, const Box<dim> &, const unsigned int threads, bool)
 {
   for (std::size_t k = 0; k < bodies.size(); ++k)
     bodies[k]->set_groups(number[k], particles.groups.size());
-  settle(particles, 0.);
+  if (list)
+    list->bring_up_to_date(particles, threads);
+  settle(particles, 0., bool(list));
 }
 
 template <int dim>
@@ -66,11 +72,11 @@ void Obstacles<dim>::advance(const Particles<dim> &particles, const double dt)
   for (const auto &body : bodies)
     done += body->advance(dt);
   if (dt > 0.)
-    settle(particles, dt);
+    settle(particles, dt, list && list->covers(particles));
 }
 
 template <int dim>
-void Obstacles<dim>::add_forces(Particles<dim> &particles, const Box<dim> &, const std::size_t group)
+void Obstacles<dim>::add_forces_of(Particles<dim> &particles, const Box<dim> &, const std::size_t begin, const std::size_t end)
 {
   std::visit(
     [&](const auto &one) {
@@ -78,8 +84,9 @@ void Obstacles<dim>::add_forces(Particles<dim> &particles, const Box<dim> &, con
       for (std::size_t k = 0; k < bodies.size(); ++k)
         {
           Obstacle<dim> &body = *bodies[k];
-          body.clear(number[k], group);
-          for_group(view, particles, body, particles.groups[group], [&](const std::size_t i, const Vector<dim> &x, const Contact &c) {
+          for (std::size_t group = begin; group < end; ++group)
+            body.clear(number[k], group);
+          for_groups(view, particles, k, begin, end, bool(list), [&](const std::size_t group, const std::size_t i, const Vector<dim> &x, const Contact &c) {
             if (view.ends_at(c.distance))
               throw StepTooLong(body.passed(i, view.modulus(i), view.modulus_of_wall()));
             const double force = view(i, c.distance, c.curvature).force;
@@ -109,13 +116,13 @@ double Obstacles<dim>::energy(const Particles<dim> &particles, const Box<dim> &,
   std::visit(
     [&](const auto &one) {
       const auto view = one.on(particles);
-      for (const auto &body : bodies)
+      for (std::size_t k = 0; k < bodies.size(); ++k)
         {
-          for_group(view, particles, *body, particles.groups[group], [&](const std::size_t i, const Vector<dim> &, const Contact &c) {
+          for_groups(view, particles, k, group, group + 1, bool(list), [&](std::size_t, const std::size_t i, const Vector<dim> &, const Contact &c) {
             total += view.energy(i, c.distance, c.curvature);
           });
           if (group == 0)
-            total += body->energy();
+            total += bodies[k]->energy();
         }
     },
     law);

@@ -16,7 +16,9 @@ SphereContacts::SphereContacts(const ContactLaw &law_, const double skin, std::o
   : law(law_)
   , stiffness(std::move(stiffness_))
   , compression(compression_)
-  , pairs(skin)
+  , all(std::make_shared<ContactList<3>>(skin, std::visit([](const auto &one) { return bool(one.has_history); }, law)))
+  , pairs(all->pairs())
+  , touching(all->touching)
 {}
 
 std::string SphereContacts::name(const ContactLaw &law)

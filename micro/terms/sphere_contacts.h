@@ -15,10 +15,10 @@
 // energy() is that of the pairs at the present moduli.
 //
 // For speed: what the pairs read of a cell is packed into one cache line first; a pair is computed once, in parallel over pairs.
-// The stress of a cell from its contacts: cell_stress.h.
+// The stress of a cell from its contacts: cell_stress.h. Bodies that the cells touch are in the same list (contact_list.h, obstacles.h).
 #pragma once
 
-#include "micro/engine/pair_list.h"
+#include "micro/engine/contact_list.h"
 #include "micro/engine/term.h"
 #include "micro/laws/local_stiffness.h"
 #include "micro/laws/contact_law.h"
@@ -119,6 +119,8 @@ public:
   double pair_energy(const Sphere &i, const Sphere &j, double distance) const;
 
   const PairList<3> &list() const { return pairs; }
+  /// With what else touches spheres: bodies may be added to it.
+  const std::shared_ptr<ContactList<3>> &contact_list() const { return all; }
   const std::vector<PairContact> &contacts() const { return contact; }
 
   std::size_t memory_bytes() const;
@@ -141,9 +143,11 @@ private:
   std::optional<LocalStiffness> stiffness;
   CompressionOf compression;
   std::vector<Cell> cells;
-  PairList<3> pairs;
+  std::shared_ptr<ContactList<3>> all;
+  PairList<3> &pairs;
+  std::vector<unsigned char> &touching;
   std::vector<PairContact> contact;
-  std::vector<unsigned char> touching;
+  std::size_t build = 0; ///< of the pairs that `contact` belongs to
   std::vector<std::unique_ptr<LinkSource>> links; ///< collected since the last prepare()
 };
 } // namespace turgor

@@ -159,14 +159,10 @@ void SphereContacts::compute_pairs(const Law &one, const unsigned int threads, c
 void SphereContacts::prepare(const Particles<3> &particles, const Box<3> &, const unsigned int threads, const bool trial)
 {
   links.clear();
-  const std::vector<double> &radius = particles.field("radius");
-  if (pairs.stale(particles, radius, threads))
-    {
-      if (!std::visit([](const auto &one) { return one.has_history; }, law))
-        touching.clear();
-      pairs.build(particles, radius, touching, threads);
-      contact.assign(pairs.pairs().size(), PairContact());
-    }
+  all->bring_up_to_date(particles, threads);
+  if (build != pairs.builds())
+    contact.assign(pairs.pairs().size(), PairContact());
+  build = pairs.builds();
   pack(particles, threads);
   contact.resize(pairs.pairs().size());
   std::visit([&](const auto &one) { compute_pairs(one, threads, trial); }, law);

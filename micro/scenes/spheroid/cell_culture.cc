@@ -39,7 +39,7 @@ CellCulture::CellCulture(const CultureParameters &parameters_, Surroundings surr
   cells.threads = threads_;
   contacts.friction = parameters.friction;
   life.declare(cells.particles);
-  surroundings.join(cells);
+  surroundings.join(cells, contacts);
   if (migrates())
     cells.add(std::make_unique<CellMigration>(parameters.migration));
   if (parameters.motility > 0.)
