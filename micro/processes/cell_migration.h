@@ -1,13 +1,13 @@
-// The force by which living cells migrate along their polarity (cell_motility.h, which also advances it between steps), as a term.
+// Living cells migrate along their polarity (cell_motility.h): its force as a term, and the process that advances it.
 //
-//   if (parameters.force > 0.)
-//     cells.add(std::make_unique<CellMigration>(parameters));
+//   cells.add(std::make_unique<CellMigration>(parameters));  life.add(std::make_unique<Polarity>(parameters, seed, directions));
 //
 // Columns of a cell: polarity_x, _y, _z (none), state. In: F_0 (N). f += F_0 P of each cell that lives.
 #pragma once
 
 #include "micro/cells/cell_population.h"
 #include "micro/processes/cell_motility.h"
+#include "micro/processes/process.h"
 
 namespace turgor
 {
@@ -39,5 +39,32 @@ public:
 
 private:
   MigrationParameters parameters;
+};
+
+/// That of rest from the start on, once the first cells have divided; daughters have their mother's. It is held during a step.
+class Polarity final : public Process
+{
+public:
+  Polarity(const MigrationParameters &parameters_, const std::uint64_t seed_, const int directions_)
+    : parameters(parameters_)
+    , seed(seed_)
+    , directions(directions_)
+  {}
+  void declare(Particles<3> &particles) const override { declare_polarity(particles.cells); }
+  void rearrange(Interval &now) override
+  {
+    if (now.steps == 0)
+      after_step(now.cells, HUGE_VAL, ~std::uint64_t(0));
+  }
+  void after_step(CellPopulation &cells, const double dt, const std::uint64_t step) override
+  {
+    advance_polarity(cells.particles.cells, cells.id(), parameters, dt, seed, step, directions);
+  }
+  double longest_step() const override { return 0.25 * parameters.persistence; }
+
+private:
+  MigrationParameters parameters;
+  std::uint64_t seed;
+  int directions;
 };
 } // namespace turgor

@@ -215,7 +215,7 @@ BOOST_AUTO_TEST_CASE(death_does_not_soften_the_contact)
   BOOST_TEST(before / force(soft) == law(d).factor, digits(1e-12));
   // p, less what the pair presses itself
   press.p = p - life.measure_pressures(cells, contacts, 1)[0];
-  const auto pass = [&](const double dt) { life.advance(cells, contacts, {}, dt, 1, [](const auto &) {}); };
+  const auto pass = [&](const double dt) { life.advance(cells, contacts, {}, dt, 0, 1, [](const auto &) {}); };
   pass(60.);
   BOOST_CHECK(!cells.state().alive(0) && !cells.state().alive(1));
   BOOST_TEST(force(contacts) == before, digits(1e-9));
@@ -388,7 +388,7 @@ BOOST_AUTO_TEST_CASE(a_lonely_cell_doubles_every_cycle)
   while (t < 17. * hour - 0.6 * dt)
     {
       contacts.add_forces(cells.particles, 1);
-      life.advance(cells, contacts, {}, dt, 1, [&](const Rearrangement &places) {
+      life.advance(cells, contacts, {}, dt, 0, 1, [&](const Rearrangement &places) {
         contacts.gather(places);
         ++gathers;
       });
@@ -396,7 +396,7 @@ BOOST_AUTO_TEST_CASE(a_lonely_cell_doubles_every_cycle)
     }
   BOOST_TEST(cells.size() == 1u);
   contacts.add_forces(cells.particles, 1);
-  life.advance(cells, contacts, {}, dt, 1, [&](const Rearrangement &places) {
+  life.advance(cells, contacts, {}, dt, 0, 1, [&](const Rearrangement &places) {
     contacts.gather(places);
     ++gathers;
   });
@@ -434,7 +434,7 @@ BOOST_AUTO_TEST_CASE(a_compressed_cell_follows_its_closed_form)
       {
         press.p = ramp ? most * k / n : most;
         contacts.add_forces(cells.particles, 1);
-        life.advance(cells, contacts, {}, end / n, 1, [](const auto &) {});
+        life.advance(cells, contacts, {}, end / n, 0, 1, [](const auto &) {});
       }
     BOOST_TEST(cells.particles.field("radius")[0]
                  == parameters.birth_radius * std::exp(-cells.particles.cells.column("strain")[0] / 3.),

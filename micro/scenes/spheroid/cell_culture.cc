@@ -38,6 +38,8 @@ CellCulture::CellCulture(const CultureParameters &parameters_, Surroundings surr
 {
   cells.threads = threads_;
   contacts.friction = parameters.friction;
+  if (migrates())
+    life.add(std::make_unique<Polarity>(parameters.migration, parameters.life.variability.seed, directions()));
   life.declare(cells.particles);
   surroundings.join(cells, contacts);
   if (migrates())
@@ -95,13 +97,10 @@ void CellCulture::begin_interval()
 {
   sort();
   cells.compute_forces();
-  life.advance(cells, contacts, surroundings, until - t, cells.threads,
+  life.advance(cells, contacts, surroundings, until - t, steps, cells.threads,
                [this](const Rearrangement &places) { stepper.gather(places); });
   surroundings.update(cells.particles, t);
   set_friction();
-  const std::uint64_t seed = parameters.life.variability.seed;
-  if (migrates() && steps == 0)
-    advance_polarity(cells.particles.cells, cells.id(), parameters.migration, HUGE_VAL, seed, ~std::uint64_t(0), directions());
 }
 
 bool CellCulture::advance(const double end, const std::function<bool()> &stop)
@@ -111,12 +110,11 @@ bool CellCulture::advance(const double end, const std::function<bool()> &stop)
       until = std::min(end, t + h);
       begin_interval();
     }
-  const double longest = migrates() ? 0.25 * parameters.migration.persistence : HUGE_VAL;
+  const double longest = life.longest_step();
   while (t < until)
     {
       const double dt = stepper.step(cells.particles, std::min(until - t, longest));
-      if (migrates())
-        advance_polarity(cells.particles.cells, cells.id(), parameters.migration, dt, parameters.life.variability.seed, steps, directions());
+      life.after_step(cells, dt, steps);
       cells.advance(dt);
       t = until - t > dt ? t + dt : until;
       ++steps;
@@ -129,7 +127,7 @@ bool CellCulture::advance(const double end, const std::function<bool()> &stop)
 void CellCulture::archive(Archive &a)
 {
   a.section("culture");
-  a(t, until, motion.medium, steps, sorted_size, life.divisions, life.deaths, life.removed, life.grown, life.drained, cells);
+  a(t, until, motion.medium, steps, sorted_size, life.count, cells);
   a(stepper);
 }
 } // namespace turgor

@@ -7,9 +7,6 @@
 //
 // Cells are sorted in space (space_order.h) whenever their number has grown by a tenth; whoever writes them restores the order of ids.
 //
-// Cells that migrate have a polarity from the start on, that of rest; daughters have their mother's. It is held during a step, which is at
-// most a quarter of the persistence time.
-//
 // Checkpoints are taken between intervals; a resumed run has the bits of one that was never stopped.
 #pragma once
 

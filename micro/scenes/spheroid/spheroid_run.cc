@@ -159,8 +159,8 @@ std::vector<double> SpheroidScene::Run::row()
                              living > 0. ? weighted / living : 0.,
                              living > 0. ? strain / living : 0.,
                              in_section / area * 100e-12,
-                             culture.life.grown,
-                             culture.life.drained,
+                             culture.life.count.grown,
+                             culture.life.count.drained,
                              growing};
   for (const auto &value : culture.surroundings.values(cells.particles))
     values.push_back(value.value);
@@ -212,8 +212,8 @@ void SpheroidScene::Run::report_growth()
   context.result("time", culture.time(), "s");
   for (std::size_t k = 0; k < final_values.size(); ++k)
     context.result(final_values[k].first, at_end[k + 1], final_values[k].second);
-  context.result("divisions", double(culture.life.divisions), "");
-  context.result("deaths", double(culture.life.deaths), "");
+  context.result("divisions", double(culture.life.count.divisions), "");
+  context.result("deaths", double(culture.life.count.deaths), "");
   context.result("interval", culture.interval(), "s");
   context.result("steps", double(culture.steps), "");
   context.result("rejected_steps", double(culture.rejected()), "");
