@@ -5,7 +5,7 @@
 //   Overdamped<3> stepper(parameters, motion, system.threads);
 //   stepper.step(system.particles, limit);
 //
-// Forces from outside have no energy: a step that checks its energy counts what they do as work.
+// All forces are those of terms. What has no energy does work (Term::active_work), which a step that checks its energy counts.
 #pragma once
 
 #include "micro/engine/motion.h"
