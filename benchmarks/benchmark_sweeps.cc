@@ -3,7 +3,7 @@
 //   build-bench/benchmarks/benchmark_sweeps --benchmark_repetitions=5 --benchmark_report_aggregates_only
 //
 // force: the force sweep (target: at most 1.2 ns per neighbour). density: the density sweep with the wall's part; pairs_only: the
-// same with no wall in reach, so that the difference of the two is the wall. viscosity: all of an impulse. Lists have the skin of a run. No EOS to speak of.
+// same with no wall in reach, so that the difference of the two is the wall. viscosity: all of an impulse. lists: one build of a cell's. Lists have the skin of a run. No EOS to speak of.
 #include "micro/cells/sph_parenchyma.h"
 #include "micro/cells/annealed_cells.h"
 #include "micro/terms/sph_lists.h"
@@ -114,6 +114,23 @@ void sweep(benchmark::State &state, void (*const which)(sph::CellView<2> &), con
   state.counters["listed"] = double(cell.lists.fluid.neighbours.size()) / cell.view.n; // with skin and padding
   state.SetLabel(sph::sweeps<2>().name);
 }
+/// One build of the lists of a cell, from positions as they are in a run; per particle, fluid and wall.
+void lists(benchmark::State &state)
+{
+  Cell cell(true);
+  const Particles<2> &p = cell.patch->system.particles;
+  const double reach = cell.view.support + SphParameters().skin_ratio * ParenchymaParameters().period / SphParameters().particles_per_side;
+  ListOrigin<2> origin;
+  for (auto _ : state)
+    {
+      origin.take(p.x, p.groups[0]);
+      cell.lists.fluid.build(origin, cell.view.n_wall, reach);
+      cell.lists.wall.build(origin, cell.view.n_wall, reach, nullptr);
+    }
+  state.counters["per_particle"] =
+    benchmark::Counter(double(p.size()), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["listed"] = double(cell.lists.fluid.neighbours.size()) / cell.view.n;
+}
 void force(benchmark::State &state) { sweep(state, sph::sweeps<2>().force, true); }
 void density(benchmark::State &state) { sweep(state, sph::sweeps<2>().density, true); }
 void density_pairs_only(benchmark::State &state) { sweep(state, sph::sweeps<2>().density, false); }
@@ -122,6 +139,7 @@ BENCHMARK(force);
 BENCHMARK(density);
 BENCHMARK(density_pairs_only);
 BENCHMARK(viscosity);
+BENCHMARK(lists);
 } // namespace
 
 BENCHMARK_MAIN();

@@ -19,6 +19,7 @@ public:
   Bins(const double *const x[dim], const std::uint32_t n, const double width_, const double *lo_, const double *hi_,
        const double most = dim == 2 ? 256. : 64.)
     : width(width_)
+    , per_width(1. / width_)
     , order(n)
   {
     std::size_t total = 1;
@@ -88,7 +89,7 @@ public:
               continue;
             const double half = std::sqrt(left);
             const std::size_t row = (std::size_t(z) * count[1] + y) * count[0];
-            const std::uint32_t first = start[row + index(p[0] - half, 0)], last = start[row + index(p[0] + half, 0) + 1];
+            const std::uint32_t first = start[row + about(p[0] - half)], last = start[row + about(p[0] + half) + 1];
             if (first < last)
               visit(first, last);
           }
@@ -109,7 +110,10 @@ private:
   }
   int index(const double value, const int d) const { return int(std::clamp((value - lo[d]) / width, 0., count[d] - 1.)); }
 
-  double width, lo[dim];
+  /// index() along the first direction to round-off, without a division.
+  int about(const double value) const { return int(std::clamp((value - lo[0]) * per_width, 0., count[0] - 1.)); }
+
+  double width, per_width, lo[dim];
   int count[dim];
   std::vector<std::uint32_t> start, order;
 };

@@ -1,6 +1,8 @@
 // The stretches of a ring within reach of each fluid particle.
+#include "micro/geometry/near_points.h"
 #include "micro/terms/sph_lists.h"
 
+#include <bit>
 #include <cmath>
 
 namespace turgor
@@ -20,7 +22,7 @@ void WallArcs::build(const ListOrigin<2> &origin, const std::uint32_t nw, const 
   arcs.clear();
   first_arc.assign(1, 0);
   chunks = 0;
-  std::vector<double> mx(nw), my(nw), limit(nw);
+  std::vector<double> mx(nw + near_block), my(nw + near_block), limit(nw + near_block, -1.);
   for (std::uint32_t k = 0; k < nw; ++k)
     {
       const std::uint32_t b = k + 1 < nw ? k + 1 : 0;
@@ -29,44 +31,39 @@ void WallArcs::build(const ListOrigin<2> &origin, const std::uint32_t nw, const 
       const double r = reach + 0.5 * std::hypot(wx[b] - wx[k], wy[b] - wy[k]);
       limit[k] = gone != nullptr && (*gone)[k] != 0 ? -1. : r * r;
     }
-  std::vector<unsigned char> near(nw);
+  const auto add_arc = [&](const std::uint32_t first, const std::uint32_t length) {
+    arcs.push_back({std::uint16_t(first), std::uint16_t(length)});
+    chunks += (length + sph::list_padding - 1) / sph::list_padding;
+  };
+  struct Stretch
+  {
+    std::uint32_t first, end;
+  };
+  std::vector<Stretch> near; // of the ring cut open before its first face
   for (std::uint32_t i = 0; i < n; ++i)
     {
-      unsigned int count = 0;
-      for (std::uint32_t k = 0; k < nw; ++k)
+      const double at[2] = {x[i], y[i]};
+      near.clear();
+      for (std::uint32_t k = 0; k < nw; k += near_block)
         {
-          const double dx = mx[k] - x[i], dy = my[k] - y[i];
-          near[k] = dx * dx + dy * dy < limit[k];
-          count += near[k];
-        }
-      const auto add_arc = [&](std::uint32_t first, std::uint32_t length) {
-        arcs.push_back({std::uint16_t(first), std::uint16_t(length)});
-        chunks += (length + sph::list_padding - 1) / sph::list_padding;
-      };
-      if (count == nw)
-        add_arc(0, nw);
-      else if (count > 0)
-        {
-          std::uint32_t gap = 0; // a face out of reach, to start from
-          while (near[gap])
-            ++gap;
-          for (std::uint32_t s = 0; s < nw;)
+          unsigned int bits = near_bits<2>({mx.data(), my.data()}, k, at, static_cast<const double *>(limit.data()));
+          while (bits != 0)
             {
-              const std::uint32_t k = (gap + s) % nw;
-              if (!near[k])
-                {
-                  ++s;
-                  continue;
-                }
-              std::uint32_t length = 0;
-              while (s < nw && near[(gap + s) % nw])
-                {
-                  ++s;
-                  ++length;
-                }
-              add_arc(k, length);
+              const auto skipped = std::uint32_t(std::countr_zero(bits)), first = k + skipped,
+                         end = first + std::uint32_t(std::countr_one(bits >> skipped));
+              bits &= ~0u << (end - k);
+              if (!near.empty() && near.back().end == first)
+                near.back().end = end;
+              else
+                near.push_back({first, end});
             }
         }
+      // In order from the first gap on: what lies before that gap goes with the end of the ring, or comes last.
+      const bool cut = !near.empty() && near[0].first == 0, whole = cut && near[0].end == nw, joined = cut && !whole && near.back().end == nw;
+      for (std::size_t s = cut && !whole ? 1 : 0; s < near.size(); ++s)
+        add_arc(near[s].first, near[s].end - near[s].first + (joined && s + 1 == near.size() ? near[0].end : 0));
+      if (cut && !whole && !joined)
+        add_arc(0, near[0].end);
       first_arc.push_back(std::uint32_t(arcs.size()));
     }
 }
