@@ -1,5 +1,7 @@
 #include "micro/engine/pair_list.h"
 
+#include "micro/geometry/bins.h"
+#include "micro/geometry/near_points.h"
 #include "run/parallel.h"
 
 #include <algorithm>
@@ -63,45 +65,8 @@ void PairList<dim>::build(const Particles<dim> &particles, const std::vector<dou
   const std::vector<std::uint32_t> first_before = touching.empty() ? std::vector<std::uint32_t>(1, 0) : first_pair;
   const std::vector<unsigned char> touched = std::move(touching);
 
-  const double widest = n > 0 ? *std::max_element(radius.begin(), radius.end()) : 0.;
-  double low[dim], high[dim];
-  for (int d = 0; d < dim; ++d)
-    {
-      const auto [least, most] = std::minmax_element(x[d], x[d] + n);
-      low[d] = n > 0 ? *least : 0.;
-      high[d] = n > 0 ? *most : 0.;
-    }
-  const Bins<dim> bins(x.data(), n, 0.5 * (2. * widest + skin), low, high, 256.);
-
-  // Pairs of each chunk of spheres i on their own, j > i; then one after another.
   const Chunks chunks(n, 256);
-  if (found.size() < chunks.count())
-    found.resize(chunks.count());
-  first_pair.assign(n + 1, 0);
-  for_chunks(threads, chunks, [&](std::size_t begin, std::size_t end) {
-    std::vector<std::uint32_t> &all = found[begin / chunks.size];
-    all.clear();
-    for (std::uint32_t i = std::uint32_t(begin); i < end; ++i)
-      {
-        std::array<double, dim> at;
-        for (int d = 0; d < dim; ++d)
-          at[d] = x[d][i];
-        const std::size_t before_i = all.size();
-        const double reach_i = radius[i] + skin;
-        bins.near(at.data(), [&](const std::uint32_t j) {
-          if (j <= i)
-            return;
-          double r2 = 0.;
-          for (int d = 0; d < dim; ++d)
-            r2 += (x[d][j] - at[d]) * (x[d][j] - at[d]);
-          const double reach = reach_i + radius[j];
-          if (r2 < reach * reach)
-            all.push_back(j);
-        });
-        std::sort(all.begin() + std::ptrdiff_t(before_i), all.end());
-        first_pair[i + 1] = std::uint32_t(all.size() - before_i);
-      }
-  });
+  find(x, radius, chunks, threads);
   for (std::uint32_t i = 0; i < n; ++i)
     first_pair[i + 1] += first_pair[i];
   list.resize(first_pair[n]);
@@ -121,25 +86,104 @@ void PairList<dim>::build(const Particles<dim> &particles, const std::vector<dou
         }
   });
 
-  std::vector<std::uint32_t> next(n + 1, 0);
+  // Each sphere's own: first the pairs in which it is the second one, then those in which it is the first.
+  std::vector<std::uint32_t> next(n, 0);
   for (const Pair &pair : list)
-    {
-      ++next[pair.i + 1];
-      ++next[pair.j + 1];
-    }
+    ++next[pair.j];
+  first_of.resize(n + 1);
+  first_of[0] = 0;
   for (std::uint32_t i = 0; i < n; ++i)
-    next[i + 1] += next[i];
-  first_of = next;
+    {
+      first_of[i + 1] = first_of[i] + next[i] + (first_pair[i + 1] - first_pair[i]);
+      next[i] = first_of[i];
+    }
   pair_of.resize(2 * list.size());
   other_of.resize(2 * list.size());
-  for (std::uint32_t p = 0; p < list.size(); ++p)
+  for (std::uint32_t i = 0; i < n; ++i)
     {
-      const auto [i, j] = list[p];
-      const std::uint32_t slot_i = next[i]++, slot_j = next[j]++;
-      pair_of[slot_i] = pair_of[slot_j] = p;
-      other_of[slot_i] = j;
-      other_of[slot_j] = i;
+      std::uint32_t own = first_of[i + 1] - (first_pair[i + 1] - first_pair[i]);
+      for (std::uint32_t p = first_pair[i]; p < first_pair[i + 1]; ++p, ++own)
+        {
+          const std::uint32_t j = list[p].j, others = next[j]++;
+          pair_of[own] = pair_of[others] = p;
+          other_of[own] = j;
+          other_of[others] = i;
+        }
     }
+}
+
+/// For each chunk of spheres i the second ones j > i of their pairs, and how many pairs each has.
+template <int dim>
+void PairList<dim>::find(const std::array<const double *, dim> &x, const std::vector<double> &radius, const Chunks &chunks,
+                         const unsigned int threads)
+{
+  const std::uint32_t n = std::uint32_t(radius.size());
+  const double widest = n > 0 ? *std::max_element(radius.begin(), radius.end()) : 0.;
+  double low[dim], high[dim];
+  for (int d = 0; d < dim; ++d)
+    {
+      low[d] = high[d] = n > 0 ? x[d][0] : 0.;
+      for (std::uint32_t i = 0; i < n; ++i)
+        {
+          low[d] = std::min(low[d], x[d][i]);
+          high[d] = std::max(high[d], x[d][i]);
+        }
+    }
+  const Bins<dim> bins(x.data(), n, 2. * widest + skin, low, high, 256.);
+  std::vector<std::uint32_t> order = bins.sorted();
+  order.resize(n + near_block, 0);
+  std::vector<double> sorted[dim], sorted_radius(n + near_block);
+  std::array<const double *, dim> sorted_x;
+  for (int d = 0; d < dim; ++d)
+    {
+      sorted[d].resize(n + near_block);
+      sorted_x[d] = sorted[d].data();
+    }
+  for_chunks(threads, Chunks(n, 4096), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
+      {
+        for (int d = 0; d < dim; ++d)
+          sorted[d][k] = x[d][order[k]];
+        sorted_radius[k] = radius[order[k]];
+      }
+  });
+  if (found.size() < chunks.count())
+    found.resize(chunks.count());
+  first_pair.resize(n + 1);
+  first_pair[0] = 0;
+  for_chunks(threads, chunks, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::uint32_t> &all = found[begin / chunks.size];
+    const std::uint32_t *const number = order.data();
+    const double *const radius_of = sorted_radius.data();
+    typename Bins<dim>::Runs near_by;
+    std::size_t size = 0;
+    for (std::uint32_t i = std::uint32_t(begin); i < end; ++i)
+      {
+        std::array<double, dim> at;
+        for (int d = 0; d < dim; ++d)
+          at[d] = x[d][i];
+        const std::size_t before_i = size;
+        const double reach_i = radius[i] + skin;
+        const auto limit = [=](const std::uint32_t k) {
+          const FourNumbers reach = reach_i + four_numbers(radius_of + k);
+          return reach * reach;
+        };
+        const std::uint32_t runs = bins.near_runs(at.data(), reach_i + widest, near_by);
+        const std::size_t room = size + near_by.numbers + near_block;
+        if (all.size() < room)
+          all.resize(room + room / 2);
+        std::uint32_t *to = all.data() + size;
+        for (std::uint32_t r = 0; r < runs; ++r)
+          for (std::uint32_t k = near_by.run[r].first; k < near_by.run[r].last; k += near_block)
+            {
+              const unsigned int later = greater_bits(number + k, i) & first_bits(near_by.run[r].last - k);
+              to += keep_numbers(number + k, near_bits<dim>(sorted_x, k, at.data(), limit) & later, to);
+            }
+        size = std::size_t(to - all.data());
+        sort_few(all.data() + before_i, size - before_i);
+        first_pair[i + 1] = std::uint32_t(size - before_i);
+      }
+  });
 }
 
 template <int dim>

@@ -6,8 +6,8 @@
 // by half a skin together (moved + grown <= skin/2).
 #pragma once
 
-#include "micro/geometry/bins.h"
 #include "micro/engine/particles.h"
+#include "run/parallel.h"
 
 #include <cstdint>
 #include <vector>
@@ -51,6 +51,8 @@ public:
   std::size_t memory_bytes() const;
 
 private:
+  void find(const std::array<const double *, dim> &x, const std::vector<double> &radius, const Chunks &chunks, unsigned int threads);
+
   double skin;
   std::vector<Pair> list;
   std::vector<std::uint32_t> first_of, pair_of, other_of, first_pair;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -67,7 +68,7 @@ public:
   }
 
   /// visit(first, last): points sorted()[first .. last) along the first direction; together at least all points nearer to p than
-  /// radius (m), which may be at most two widths.
+  /// radius (m).
   template <typename Visit>
   void near_runs(const double *p, const double radius, const Visit &visit) const
   {
@@ -75,9 +76,8 @@ public:
     int from[3] = {}, to[3] = {};
     for (int d = 1; d < dim; ++d)
       {
-        const int at = index(p[d], d);
-        from[d] = std::max(at - 2, 0);
-        to[d] = std::min(at + 2, count[d] - 1);
+        from[d] = about(p[d] - most, d);
+        to[d] = about(p[d] + most, d);
       }
     for (int z = from[2]; z <= to[2]; ++z)
       {
@@ -89,11 +89,32 @@ public:
               continue;
             const double half = std::sqrt(left);
             const std::size_t row = (std::size_t(z) * count[1] + y) * count[0];
-            const std::uint32_t first = start[row + about(p[0] - half)], last = start[row + about(p[0] + half) + 1];
+            const std::uint32_t first = start[row + about(p[0] - half, 0)], last = start[row + about(p[0] + half, 0) + 1];
             if (first < last)
               visit(first, last);
           }
       }
+  }
+  /// sorted()[first .. last)
+  struct Run
+  {
+    std::uint32_t first, last;
+  };
+  struct Runs
+  {
+    std::array<Run, 36> run;
+    std::uint32_t numbers = 0; ///< points of all runs
+  };
+  /// The same runs, of which there are as many as it returns; radius: at most two widths.
+  std::uint32_t near_runs(const double *const p, const double radius, Runs &found) const
+  {
+    std::uint32_t runs = 0, numbers = 0;
+    near_runs(p, radius, [&](const std::uint32_t first, const std::uint32_t last) {
+      found.run[runs++] = {first, last};
+      numbers += last - first;
+    });
+    found.numbers = numbers;
+    return runs;
   }
   const std::vector<std::uint32_t> &sorted() const { return order; }
 
@@ -110,8 +131,8 @@ private:
   }
   int index(const double value, const int d) const { return int(std::clamp((value - lo[d]) / width, 0., count[d] - 1.)); }
 
-  /// index() along the first direction to round-off, without a division.
-  int about(const double value) const { return int(std::clamp((value - lo[0]) * per_width, 0., count[0] - 1.)); }
+  /// index() to round-off, without a division.
+  int about(const double value, const int d) const { return int(std::clamp((value - lo[d]) * per_width, 0., count[d] - 1.)); }
 
   double width, per_width, lo[dim];
   int count[dim];

@@ -46,7 +46,7 @@ void WallArcs::build(const ListOrigin<2> &origin, const std::uint32_t nw, const 
       near.clear();
       for (std::uint32_t k = 0; k < nw; k += near_block)
         {
-          unsigned int bits = near_bits<2>({mx.data(), my.data()}, k, at, static_cast<const double *>(limit.data()));
+          unsigned int bits = near_bits<2>({mx.data(), my.data()}, k, at, [&](const std::uint32_t j) { return four_numbers(&limit[j]); });
           while (bits != 0)
             {
               const auto skipped = std::uint32_t(std::countr_zero(bits)), first = k + skipped,

@@ -46,31 +46,27 @@ void FluidNeighbours::build(const ListOrigin<dim> &origin, const std::uint32_t n
       number[k] = std::uint16_t(order[k]);
       place[order[k]] = k;
     }
+  const auto limit = [reach2](std::uint32_t) { return FourNumbers{reach2, reach2, reach2, reach2}; };
   first_neighbour.resize(n + 1);
   first_neighbour[0] = 0;
   std::size_t size = 0;
-  const auto make_room = [&](const std::size_t more) {
-    if (neighbours.size() < size + more)
-      neighbours.resize(size + size / 4 + more);
-  };
+  typename Bins<dim>::Runs near_by;
   for (std::uint32_t i = 0; i < n; ++i)
     {
       double at[dim];
       for (int d = 0; d < dim; ++d)
         at[d] = x[d][i];
-      bins.near_runs(at, reach, [&](const std::uint32_t first, const std::uint32_t last) {
-        make_room(last - first + near_block + sph::list_padding);
-        std::uint16_t *const out = neighbours.data();
-        for (std::uint32_t k = first; k < last; k += near_block)
+      const std::uint32_t runs = bins.near_runs(at, reach, near_by), own = place[i];
+      if (neighbours.size() < size + near_by.numbers + near_block + sph::list_padding)
+        neighbours.resize(size + size / 4 + near_by.numbers + near_block + sph::list_padding);
+      std::uint16_t *to = neighbours.data() + size;
+      for (std::uint32_t r = 0; r < runs; ++r)
+        for (std::uint32_t k = near_by.run[r].first; k < near_by.run[r].last; k += near_block)
           { // no branch: a third of the candidates are neighbours
-            const std::uint32_t left = last - k, own = place[i] - k;
-            unsigned int near = near_bits<dim>(sorted_x, k, at, reach2);
-            near &= left < near_block ? (1u << left) - 1 : ~0u;
-            near &= own < near_block ? ~(1u << own) : ~0u;
-            size += keep_numbers(&number[k], near, out + size);
+            const unsigned int other = own - k < near_block ? ~(1u << (own - k)) : ~0u;
+            to += keep_numbers(number.data() + k, near_bits<dim>(sorted_x, k, at, limit) & first_bits(near_by.run[r].last - k) & other, to);
           }
-      });
-      make_room(sph::list_padding);
+      size = std::size_t(to - neighbours.data());
       while (size % sph::list_padding != 0)
         neighbours[size++] = std::uint16_t(n);
       first_neighbour[i + 1] = std::uint32_t(size);

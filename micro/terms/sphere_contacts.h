@@ -147,7 +147,6 @@ private:
   PairList<3> &pairs;
   std::vector<unsigned char> &touching;
   std::vector<PairContact> contact;
-  std::size_t build = 0; ///< of the pairs that `contact` belongs to
   std::vector<std::unique_ptr<LinkSource>> links; ///< collected since the last prepare()
 };
 } // namespace turgor

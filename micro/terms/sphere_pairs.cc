@@ -160,11 +160,8 @@ void SphereContacts::prepare(const Particles<3> &particles, const Box<3> &, cons
 {
   links.clear();
   all->bring_up_to_date(particles, threads);
-  if (build != pairs.builds())
-    contact.assign(pairs.pairs().size(), PairContact());
-  build = pairs.builds();
   pack(particles, threads);
-  contact.resize(pairs.pairs().size());
+  contact.resize(pairs.pairs().size()); // what a pair of the list before has left is written over below, or is nought
   std::visit([&](const auto &one) { compute_pairs(one, threads, trial); }, law);
 }
 } // namespace turgor
