@@ -92,11 +92,11 @@ void ElasticCapsule::advance_under(const double pressure, const double dt)
 
 std::string ElasticCapsule::passed(std::size_t, const double modulus, const double of_wall) const
 {
-  const std::string gone = "the centre of a cell has passed the capsule's wall";
+  const std::string lost = "the centre of a cell has passed the capsule's wall";
   if (of_wall < modulus)
-    return gone + ", which with " + number_text(of_wall) + " Pa, E/(1 - nu^2), is softer than the contacts of packed cells ("
+    return lost + ", which with " + number_text(of_wall) + " Pa, E/(1 - nu^2), is softer than the contacts of packed cells ("
            + number_text(modulus) + " Pa): use a stiffer Capsule/Modulus.";
-  return gone + " under " + number_text(pressure()) + " Pa: use stiffer contacts (Contact/Local stiffness = closest, or Cell/Modulus), or where cells"
+  return lost + " under " + number_text(pressure()) + " Pa: use stiffer contacts (Contact/Local stiffness = closest, or Cell/Modulus), or where cells"
                 " jump less Motion/Motility or Migration force.";
 }
 

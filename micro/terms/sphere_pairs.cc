@@ -105,9 +105,9 @@ void SphereContacts::compute_pairs(const Law &one, const unsigned int threads, c
               E[k] = t.E;
               overlap[k] = t.overlap;
             }
-          const ContactOf<Four> all = one(R, E, overlap);
+          const ContactOf<Four> four = one(R, E, overlap);
           for (std::size_t k = 0; k < count; ++k)
-            store(waiting[k], {all.force[k], all.stiffness[k], all.area[k], all.energy[k]});
+            store(waiting[k], {four.force[k], four.stiffness[k], four.area[k], four.energy[k]});
         }
       count = 0;
     };

@@ -1,6 +1,7 @@
 #include "micro/scenes/deformable/deformable_cell.h"
 
 #include "run/archive.h"
+#include "micro/terms/given_load.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +23,8 @@ DeformableCell<Spring>::DeformableCell(const DeformableShape &shape, const Defor
   system.add(std::make_unique<CortexHinges>(surfaces, parameters.bending));
   system.add(std::make_unique<CortexArea>(surfaces, parameters.area));
   inside = &system.add(std::make_unique<Cytoplasm>(surfaces, parameters.bulk_modulus));
+  system.add(std::make_unique<GivenLoad<3>>([this](Particles<3> &particles, std::size_t) { load(loaded_until, particles); }));
   motion.medium.assign(p.size(), 6. * std::numbers::pi * parameters.viscosity * parameters.radius / double(p.size()));
-  motion.outer = [this](Particles<3> &particles) { load(loaded_until, particles); };
   load = [](double, Particles<3> &) {};
   begin_anew();
   energies.start = elastic();
