@@ -17,7 +17,7 @@ void WallParameters::declare_wall(InputEntries &prm)
   prm.add_parameter("Wall density", wall_density,
                     "Mass of the wall over its volume. Quasi-static loading may take a larger one than the wall's: longer steps, same equilibrium. Units: kg/m^3.",
                     Double(1., 1e7));
-  prm.add_parameter("Wall beta", wall_beta, "Of cells in 2D: axial over hoop stress of the wall (thesis Eq. 3.5), 0.5 of a cylinder, 1 of a cube. Units: 1.",
+  prm.add_parameter("Wall beta", wall_beta, "Axial over hoop stress of the wall of a cell in 2D (thesis Eq. 3.5), 0.5 of a cylinder, 1 of a cube. Units: 1.",
                     Double(0., 1.));
   prm.add_parameter("Wall bending", wall_bending,
                     "Whether the wall has the bending stiffness of its own thickness (in 2D E t0^3/12 with E = 4 G). Without it slack walls have no resistance. "
