@@ -68,7 +68,9 @@ int run_ranks(const unsigned int ranks, const std::vector<std::string> &argument
 {
   // mpirun's own way with SIGINT is to kill; SIGUSR1 it hands on to the ranks, who take it as the wish to stop. They then
   // end with 0: at another code mpirun kills those who are still saving.
-  std::vector<std::string> words = {"mpirun", "--quiet", "-n", number_text(ranks), "--oversubscribe", "--bind-to", "none"};
+  // Who waits for the others' answers gives the core away: with more ranks or other work than cores they would come later.
+  std::vector<std::string> words = {"mpirun", "--quiet", "-n", number_text(ranks), "--oversubscribe", "--bind-to", "none",
+                                    "--mca", "mpi_yield_when_idle", "1"};
   if (::geteuid() == 0)
     words.push_back("--allow-run-as-root");
   words.push_back(this_program());

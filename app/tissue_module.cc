@@ -41,7 +41,7 @@ MakeScenario load()
     throw std::runtime_error(part + "is not there. " + advice);
   if (sha1(read_whole(file)) != tissue_module_hash)
     throw std::runtime_error(part + "is from another build than this program. " + advice);
-  void *const module = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL); // stays until the program ends
+  void *const module = ::dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL); // stays until the program ends; most of what its 200 libraries call is never called
   void *const symbol = module != nullptr ? ::dlsym(module, "turgor_make_tissue_scenario") : nullptr;
   if (symbol == nullptr)
     {
