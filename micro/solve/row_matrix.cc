@@ -61,13 +61,19 @@ void RowMatrix::sort(const std::size_t bodies, const unsigned int threads)
   of_body.resize(first_of[bodies]);
   std::vector<std::uint32_t> next(first_of.begin(), first_of.end());
   for (std::uint32_t r = 0; r < common.size(); ++r)
-    for (std::uint32_t k = first[r]; k < first[r + 1]; ++k)
-      if (body[k] < bodies)
+    {
+      DoubleRow others{}; // with G as it was rounded a common velocity costs what G says, no more
+      for (std::uint32_t k = first[r + 1]; k-- > first[r];)
         {
+          const DoubleRow g = k == first[r] ? common[r].g - others : entries[k].g;
+          others += g;
+          if (body[k] >= bodies)
+            continue;
           const std::uint32_t at = next[body[k]]++;
           row_of[at] = r;
-          of_body[at] = entries[k];
+          of_body[at].g = g;
         }
+    }
   place_rows(threads);
   place_bodies(bodies, threads);
 }

@@ -63,7 +63,7 @@ private:
   std::vector<Entry> entries;
   std::vector<Entry> common;           ///< sqrt(c) G of a row
   std::vector<double> exact_number;    ///< of each row
-  // by bodies: the rows that a body is in, and a copy of its entry in each, which is gone through several times
+  // by bodies: the rows that a body is in, and its own vector in each (of the first body g_0, not G)
   std::vector<std::uint32_t> first_of, row_of;
   std::vector<Entry> of_body;
   // in single precision
