@@ -9,7 +9,7 @@ namespace turgor
 void SkippingSettings::declare(InputEntries &prm)
 {
   prm.enter_subsection("Skipping");
-  prm.add_parameter("Skipping", mode,
+  prm.add_parameter("Skipping", certified,
                     "Whether an RVE that was asked almost the same before answers from that: none, every RVE is called at every step; certified, its stress is "
                     "extrapolated from a table of answers within the tolerance, a sample is computed after all, and the run prints what the error is at most. "
                     "Units: none.",
@@ -28,7 +28,7 @@ void SkippingSettings::check(const RveParameters &rve) const
   if (!active())
     return;
   if (rve.fluid != "hydrostatic")
-    throw InputError("Skipping/Skipping is " + mode + ", but the stress of RVE/Fluid = " + rve.fluid +
+    throw InputError("Skipping/Skipping is certified, but the stress of RVE/Fluid = " + rve.fluid +
                      " depends on rates and on the past of its particles; skipping needs 'Fluid = hydrostatic', or take 'Skipping = none'.");
   if (with(rve).tolerance <= 0.)
     throw InputError("Skipping/Tolerance is 0 and so is Cell/Turgor; allowed is more than 0 Pa for one of them.");

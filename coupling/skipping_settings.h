@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 
 namespace turgor
 {
@@ -10,13 +9,13 @@ class InputEntries;
 struct RveParameters;
 struct SkippingSettings
 {
-  std::string mode = "none";  ///< none | certified
+  bool certified = false;
   double tolerance = 0.;      ///< Pa; 0: share of turgor
   double share = 1e-3;        ///< of turgor
   double audit_share = 2.5e-3;
   std::uint64_t seed = 1;
 
-  bool active() const { return mode != "none"; }
+  bool active() const { return certified; }
   void declare(InputEntries &prm);
   /// Throws InputError for RVEs whose answers cannot be told from F alone.
   void check(const RveParameters &rve) const;

@@ -1,14 +1,12 @@
 #include "coupling/tissue_bruise.h"
 
 #include "coupling/bruise.h"
-#include "coupling/tissue_size.h"
 #include "run/input_entries.h"
 #include "run/number_text.h"
 #include "rve/make_rve.h"
 
 namespace turgor
 {
-
 TissueBruise::TissueBruise()
 {
   settings.tissue.size = {{1.5e-3, 3e-3}};
@@ -16,7 +14,7 @@ TissueBruise::TissueBruise()
   settings.tissue.end_time = 0.3e-3;
   settings.tissue.output_interval = 1e-5;
   settings.tissue.estimate_every = 20; // what is hit changes fast
-  settings.tissue.tool.shape = "cylinder";
+  settings.tissue.tool.shape = ToolShape::cylinder;
   settings.tissue.tool.radius = 1.5e-3;
   settings.tissue.tool.depth = 0.35e-3;
   rve_parameters.cell.fluid_viscosity = 1.;
@@ -30,32 +28,15 @@ void TissueBruise::declare_parameters(InputEntries &prm)
   prm.enter_subsection("Impact");
   settings.tissue.tool.declare(prm);
   prm.add_parameter("Support", settings.tissue.left,
-                    "What holds the side x = 0: clamped, or a frictionless plate on which the tissue lies loosely. Units: none.",
-                    Patterns::Selection("clamped|plate"));
+                    "What holds the side x = 0: clamped, or a frictionless plate on which the tissue lies loosely. Units: none.");
   prm.add_parameter("Outlined RVEs", settings.outlined_rves,
                     "RVEs whose cells are written for the picture. Units: 1.", Patterns::Integer(0, 9));
-  prm.add_parameter("Steps between rebalances", settings.law.rebalance_every,
-                    "Steps between two looks at which rank computes which RVE, on several MPI ranks; 0 = never. "
-                    "The results do not depend on it. Units: 1.",
-                    Patterns::Integer(0, 1000000));
-  prm.leave_subsection();
-  settings.law.skipping.declare(prm);
-  settings.tissue.declare(prm);
-  rve_parameters.add_parameters(prm);
+  settings.declare(prm, rve_parameters);
 }
 
 void TissueBruise::check() const
 {
-  try
-  {
-    settings.tissue.check();
-  }
-  catch (const std::invalid_argument &e)
-  {
-    throw InputError(e.what());
-  }
-  settings.law.skipping.check(rve_parameters);
-  check_tissue_size(settings.tissue, state_size(rve_parameters));
+  settings.check(rve_parameters);
 }
 
 void TissueBruise::run(RunContext &context)
@@ -69,8 +50,8 @@ void TissueBruise::run(RunContext &context)
                         number_text(rve_parameters.columns) + " x " + number_text(rve_parameters.rows) + " cells, yielding " +
                         rve_parameters.yielding);
   const ToolParameters &tool = settings.tissue.tool;
-  context.note("tool", tool.shape + ", " + tool.motion);
-  if (tool.shape == "cylinder")
+  context.note("tool", word_of(tool.shape) + ", " + word_of(tool.motion));
+  if (tool.shape == ToolShape::cylinder)
     context.result("tool_radius", tool.radius, "m");
   Bruise bruise(settings.tissue);
   run_tissue(context, settings, rve, bruise);

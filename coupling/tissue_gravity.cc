@@ -1,6 +1,5 @@
 #include "coupling/tissue_gravity.h"
 
-#include "coupling/tissue_size.h"
 #include "run/input_entries.h"
 #include "run/number_text.h"
 #include "run/judged.h"
@@ -10,7 +9,6 @@
 
 namespace turgor
 {
-
 TissueGravity::TissueGravity()
 {
   rve_parameters.cell.fluid_viscosity = 1.; // at water's nothing damps within a period
@@ -31,28 +29,12 @@ void TissueGravity::declare_parameters(InputEntries &prm)
                     Patterns::Integer(1, 100));
   prm.add_parameter("Outlined RVEs", settings.outlined_rves,
                     "RVEs whose cells are written at the end, for the picture. Units: 1.", Patterns::Integer(0, 9));
-  prm.add_parameter("Steps between rebalances", settings.law.rebalance_every,
-                    "Steps between two looks at which rank computes which RVE, on several MPI ranks; 0 = never. "
-                    "The results do not depend on it. Units: 1.",
-                    Patterns::Integer(0, 1000000));
-  prm.leave_subsection();
-  settings.law.skipping.declare(prm);
-  settings.tissue.declare(prm, false);
-  rve_parameters.add_parameters(prm);
+  settings.declare(prm, rve_parameters, false);
 }
 
 void TissueGravity::check() const
 {
-  try
-  {
-    settings.tissue.check();
-  }
-  catch (const std::invalid_argument &e)
-  {
-    throw InputError(e.what());
-  }
-  settings.law.skipping.check(rve_parameters);
-  check_tissue_size(settings.tissue, state_size(rve_parameters), double(settings.cells) * settings.cells * settings.cell_samples * settings.cell_samples);
+  settings.check(rve_parameters, double(settings.cells) * settings.cells * settings.cell_samples * settings.cell_samples);
 }
 
 void TissueGravity::run(RunContext &context)

@@ -109,7 +109,7 @@ void TissueCourse::tell_of_skipping()
 /// is periodic across it needs no more rows of cells than the RVE has.
 void TissueCourse::report_micro_steps()
 {
-  const bool slab = settings.tissue.lateral == "periodic";
+  const bool slab = settings.tissue.lateral == LateralSides::periodic;
   const double rve_area = rve.lattice().determinant(), height = slab ? std::min(tissue.size()[1], rve.lattice()(1, 1)) : tissue.size()[1];
   const double ratio = double(law.statistics().iterations) * rve.micro_step() * rve_area / (tissue.size()[0] * height * tissue.time());
   context.result("micro_steps_over_full_run", ratio, "1");

@@ -14,6 +14,8 @@
 
 namespace turgor
 {
+class InputEntries;
+struct RveParameters;
 struct TissueRunSettings
 {
   TissueParameters<2> tissue;      ///< size and load filled in
@@ -22,6 +24,11 @@ struct TissueRunSettings
   double period = 100e-6;          ///< m, side of a cell
   unsigned int cell_samples = 5;   ///< points per direction for the mean displacement of a cell
   unsigned int outlined_rves = 6;
+
+  /// What every such scene declares last: "Steps between rebalances", the end of the open subsection, and those of skipping, tissue and RVE.
+  void declare(InputEntries &prm, RveParameters &rve, bool with_size_and_body_force = true);
+  /// Throws InputError or std::invalid_argument. sampled: points at which displacements are watched.
+  void check(const RveParameters &rve, double sampled = 0.) const;
 };
 
 /// Throws RunFailed with place and reason when no shorter step helps (the last good state is saved), RunStopped.

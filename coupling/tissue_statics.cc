@@ -44,11 +44,9 @@ void TissueStatics::declare_parameters(InputEntries &prm)
                     Patterns::Integer(1, 2));
   prm.add_parameter("Locking treatment", tissue.locking,
                     "f_bar: volume change of one order lower than the shape change; full: plain full integration. "
-                    "Units: none.",
-                    Patterns::Selection("f_bar|full"));
+                    "Units: none.");
   prm.add_parameter("Lateral sides", tissue.lateral,
-                    "The sides normal to y: free, periodic (a slab without end) or clamped. Units: none.",
-                    Patterns::Selection("free|periodic|clamped"));
+                    "The sides normal to y: free, periodic (a slab without end) or clamped. Units: none.");
   prm.add_parameter("Tolerance", newton.tolerance,
                     "Norm of the unbalanced nodal forces over that of the load. Units: 1.", Patterns::Double(1e-14, 1e-1));
   prm.add_parameter("Most iterations", newton.most_iterations,

@@ -150,6 +150,35 @@ double DormandPrince<dim>::first_try(double limit) const
   return std::min(next_step > 0. ? std::min(next_step, largest) : largest, limit - this->state.time);
 }
 
+// The last stage is the accepted state but for round-off: take it as it was given to the law.
+template <int dim>
+bool DormandPrince<dim>::take_result(const double reached)
+{
+  const TissueState<dim> &now = this->state;
+  const std::size_t n = free_entries.size();
+  const realtype *y = N_VGetArrayPointer(sundials->y);
+  bool same = true;
+  for (std::size_t i = 0; i < n && same; ++i)
+    {
+      const std::size_t k = free_entries[i];
+      same = std::abs(y[i] - u[k]) <= 1e-6 * this->parameters.displacement_tolerance + 1e-13 * std::abs(u[k]) &&
+             std::abs(y[n + i] - v[k]) <= 1e-6 * this->parameters.velocity_tolerance + 1e-13 * std::abs(v[k]);
+    }
+  if (same)
+    return true;
+  for (std::size_t i = 0; i < n; ++i)
+    {
+      u[free_entries[i]] = y[i];
+      v[free_entries[i]] = y[n + i];
+    }
+  if (this->op.evaluate(reached, reached - now.time, u, v))
+    return true;
+  point_failed = true;
+  last_failure = this->op.failure();
+  ++this->counters.failures;
+  return false;
+}
+
 template <int dim>
 void DormandPrince<dim>::step(double limit)
 {
@@ -186,35 +215,7 @@ void DormandPrince<dim>::step(double limit)
       check(ARKStepGetNumStepAttempts(s.arkode, &attempts), "ARKStepGetNumStepAttempts");
       this->counters.rejected += static_cast<unsigned long>(std::max(0l, attempts - (flag >= 0 ? 1 : 0)));
 
-      bool done = flag >= 0;
-      if (done)
-        {
-          // the last stage is the accepted state but for round-off: take it as it was given to the law
-          bool same = true;
-          y = N_VGetArrayPointer(s.y);
-          for (std::size_t i = 0; i < n && same; ++i)
-            {
-              const std::size_t k = free_entries[i];
-              same = std::abs(y[i] - u[k]) <= 1e-6 * this->parameters.displacement_tolerance + 1e-13 * std::abs(u[k]) &&
-                     std::abs(y[n + i] - v[k]) <= 1e-6 * this->parameters.velocity_tolerance + 1e-13 * std::abs(v[k]);
-            }
-          if (!same)
-            {
-              for (std::size_t i = 0; i < n; ++i)
-                {
-                  u[free_entries[i]] = y[i];
-                  v[free_entries[i]] = y[n + i];
-                }
-              done = this->op.evaluate(reached, reached - now.time, u, v);
-              if (!done)
-                {
-                  point_failed = true;
-                  last_failure = this->op.failure();
-                  ++this->counters.failures;
-                }
-            }
-        }
-      if (done)
+      if (flag >= 0 && take_result(reached))
         {
           double next = 0.;
           check(ARKStepGetCurrentStep(s.arkode, &next), "ARKStepGetCurrentStep");

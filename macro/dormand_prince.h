@@ -38,6 +38,7 @@ private:
   struct Sundials;
 
   double first_try(double limit) const override;
+  bool take_result(double reached); // of ARKStep at that time, s; false: a point failed there
 
   std::unique_ptr<Sundials> sundials;
   std::vector<std::size_t> free_entries;

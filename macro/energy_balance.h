@@ -51,9 +51,8 @@ public:
 
   void update(const TissueEnergies &now);
 
-  /// What the law has taken, and what is missing in all, over the largest work so far; 0 before any work.
+  /// What the law has taken over the largest work so far; 0 before any work.
   double taken_share() const { return share(last.taken()); }
-  double dissipated_share() const { return share(last.dissipated()); }
   double heat_share() const { return share(last.heat); } ///< what the law explains; NaN if it does not tell
   double unexplained_share() const { return taken_share() - heat_share(); }
 

@@ -142,7 +142,7 @@ void Integrator<dim>::archive(Archive &a)
 template <int dim>
 std::unique_ptr<Integrator<dim>> make_integrator(TissueOperator<dim> &op, const TissueParameters<dim> &parameters)
 {
-  if (parameters.integrator == "dormand_prince")
+  if (parameters.integrator == TimeIntegration::dormand_prince)
     return std::make_unique<DormandPrince<dim>>(op, parameters);
   return std::make_unique<CentralDifferences<dim>>(op, parameters);
 }

@@ -40,14 +40,14 @@ template <int dim>
 RigidTools<dim>::RigidTools(const TissueMesh<dim> &mesh_, const TissueParameters<dim> &parameters, const double stiffness)
   : mesh(mesh_)
   , tool(parameters.tool)
-  , plate_below(parameters.left == "plate")
+  , plate_below(parameters.left == LeftSide::plate)
   , kappa(stiffness)
   , width(parameters.size[0])
   , middle(0.5 * parameters.size[1])
   , size(parameters.size[0] / parameters.elements[0])
   , points_across(dim == 3 ? per_element * parameters.elements[dim - 1] : 1)
 {
-  if (tool.shape == "cylinder" && tool.active())
+  if (tool.shape == ToolShape::cylinder && tool.active())
     size = std::min(size, tool.radius);
   if (tool.active())
     {
@@ -66,7 +66,7 @@ typename RigidTools<dim>::Touch RigidTools<dim>::touch(const double face, const 
 {
   Touch result{x[0] - face, {}};
   result.normal[0] = 1.;
-  if (tool.shape == "cylinder")
+  if (tool.shape == ToolShape::cylinder)
     {
       Tensor<1, dim> to_axis;
       to_axis[0] = face + tool.radius - x[0];
@@ -148,7 +148,7 @@ double RigidTools<dim>::deepest(const double time, const std::vector<double> &u)
   double result = -std::numeric_limits<double>::infinity();
   for (const dealii::Point<dim> &x : side)
     result = std::max(result, touch(face, x).penetration);
-  return tool.shape == "cylinder" ? std::max(result, tool.radius + axis_behind(face, side)) : result;
+  return tool.shape == ToolShape::cylinder ? std::max(result, tool.radius + axis_behind(face, side)) : result;
 }
 
 template <int dim>

@@ -127,7 +127,7 @@ void TissueMesh<dim>::number_nodes(const TissueParameters<dim> &parameters, cons
       {
         dealii::Point<dim> image = position[i];
         bool moved = false;
-        if (parameters.lateral == "periodic")
+        if (parameters.lateral == LateralSides::periodic)
           for (unsigned int d = 1; d < dim; ++d)
             if (on_side(position[i], corner, d, true))
               {
@@ -152,8 +152,8 @@ void TissueMesh<dim>::hold_sides(const TissueParameters<dim> &parameters, const 
   clamped.assign(nodes, 0);
   for (unsigned int n = 0; n < nodes; ++n)
     {
-      bool held = (parameters.left == "clamped" && on_side(node_position[n], corner, 0, false)) || (parameters.right == "clamped" && on_side(node_position[n], corner, 0, true));
-      for (unsigned int d = 1; d < dim && parameters.lateral == "clamped"; ++d)
+      bool held = (parameters.left == LeftSide::clamped && on_side(node_position[n], corner, 0, false)) || (parameters.right == RightSide::clamped && on_side(node_position[n], corner, 0, true));
+      for (unsigned int d = 1; d < dim && parameters.lateral == LateralSides::clamped; ++d)
         held = held || on_side(node_position[n], corner, d, false) || on_side(node_position[n], corner, d, true);
       clamped[n] = held;
     }
@@ -173,7 +173,7 @@ void TissueMesh<dim>::integrate(const TissueParameters<dim> &parameters)
       unit_points.push_back(centre);
       unit_weights.push_back(0.);
     }
-  if (parameters.locking == "f_bar")
+  if (parameters.locking == Locking::f_bar)
     projection = volume_projection(gauss, parameters.degree);
   gauss_points = gauss.size();
   points = unit_points.size();

@@ -31,7 +31,7 @@ TissueOperator<dim>::TissueOperator(const TissueMesh<dim> &mesh, const TissuePar
           nodal_mass[a * dim + c] * parameters.body_force[c] + mesh.nodal_area[a] * parameters.traction[c];
       }
   law.set_points(mesh.gauss_position);
-  if (parameters.tool.active() || parameters.left == "plate")
+  if (parameters.tool.active() || parameters.left == LeftSide::plate)
     {
       const double distance = parameters.size[0] / (parameters.elements[0] * parameters.degree);
       rigid.emplace(mesh, parameters, parameters.tool.stiffness * law.stiffness_bound() / distance);

@@ -39,13 +39,10 @@ void TissueParameters<dim>::declare(InputEntries &prm, bool with_size_and_body_f
                     Patterns::Integer(1, 2));
   prm.add_parameter("Locking treatment", locking,
                     "f_bar: volume change of one order lower than the shape change, so that nearly incompressible tissue "
-                    "bends freely; full: plain full integration. Units: none.",
-                    Patterns::Selection("f_bar|full"));
+                    "bends freely; full: plain full integration. Units: none.");
   prm.add_parameter("Lateral sides", lateral,
-                    "The sides normal to y (and z): free, periodic (a slab without end) or clamped. Units: none.",
-                    Patterns::Selection("free|periodic|clamped"));
-  prm.add_parameter("Right side", right, "The side x = Width: free or clamped. The side x = 0 is always clamped. Units: none.",
-                    Patterns::Selection("free|clamped"));
+                    "The sides normal to y (and z): free, periodic (a slab without end) or clamped. Units: none.");
+  prm.add_parameter("Right side", right, "The side x = Width: free or clamped. The side x = 0 is always clamped. Units: none.");
   if (with_size_and_body_force)
     prm.add_parameter("Body force", body_force,
                       "Force per mass, switched on at t = 0: one number per direction. Units: N/kg.", vector);
@@ -58,8 +55,7 @@ void TissueParameters<dim>::declare(InputEntries &prm, bool with_size_and_body_f
   prm.enter_subsection("Time");
   prm.add_parameter("Integrator", integrator,
                     "central_differences: second order, one stress evaluation a step; dormand_prince: the thesis's adaptive "
-                    "Runge-Kutta 5(4) of SUNDIALS. Units: none.",
-                    Patterns::Selection("central_differences|dormand_prince"));
+                    "Runge-Kutta 5(4) of SUNDIALS. Units: none.");
   prm.add_parameter("End time", end_time, end_of_run("Simulated time after which the run ends. Units: s."), Patterns::Double(1e-12, 1e6));
   prm.add_parameter("Step fraction", cfl, "Time step over the largest that is stable; smaller is more accurate and slower. Units: 1.",
                     Patterns::Double(0.01, 1.));
@@ -113,20 +109,20 @@ void TissueParameters<dim>::check() const
       if (!std::isfinite(traction[d]))
         throw std::invalid_argument("Tissue/Traction must be " + number_text(dim) + " finite numbers (Pa).");
     }
-  if (right == "clamped" && traction.norm() > 0.)
+  if (right == RightSide::clamped && traction.norm() > 0.)
     throw std::invalid_argument("Tissue/Traction acts on the side x = Width, so it needs 'Right side = free' "
                                 "(it is 'clamped').");
-  if (right == "clamped" && tool.active())
+  if (right == RightSide::clamped && tool.active())
     throw std::invalid_argument("A tool acts on the side x = Width, so it needs 'Right side = free' (it is 'clamped').");
   tool.check(size[0]);
-  if (tool.shape == "cylinder" && tool.active())
+  if (tool.shape == ToolShape::cylinder && tool.active())
     check_cylinder();
-  if (tool.active() && lateral == "clamped")
+  if (tool.active() && lateral == LateralSides::clamped)
     for (unsigned int d = 1; d < dim; ++d)
       if (elements[d] * degree < 2)
         throw std::invalid_argument("With Tissue/Elements " + std::string(axis_names[d]) + " = 1, degree 1 and 'Lateral sides = clamped' every node that the tool touches is held "
                                     "and nothing can move; take more elements or other lateral sides.");
-  if (lateral == "periodic")
+  if (lateral == LateralSides::periodic)
     for (unsigned int d = 1; d < dim; ++d)
       if (elements[d] * degree < 2)
         throw std::invalid_argument("Tissue/Elements " + std::string(axis_names[d]) +

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "macro/tool_parameters.h"
+#include "run/choice.h"
 
 #include <deal.II/base/tensor.h>
 
@@ -14,21 +15,61 @@
 namespace turgor
 {
 class InputEntries;
+/// Of elements that are nearly incompressible: f_bar.h, or plain full integration.
+enum class Locking
+{
+  f_bar,
+  full
+};
+constexpr const char *words_of(Locking) { return "f_bar|full"; }
+
+/// The sides normal to y (and z).
+enum class LateralSides
+{
+  free,
+  periodic,
+  clamped
+};
+constexpr const char *words_of(LateralSides) { return "free|periodic|clamped"; }
+
+/// The side x = width.
+enum class RightSide
+{
+  free,
+  clamped
+};
+constexpr const char *words_of(RightSide) { return "free|clamped"; }
+
+/// The side x = 0; the plate is one of rigid_tools.h.
+enum class LeftSide
+{
+  clamped,
+  plate
+};
+constexpr const char *words_of(LeftSide) { return "clamped|plate"; }
+
+enum class TimeIntegration
+{
+  central_differences,
+  dormand_prince
+};
+constexpr const char *words_of(TimeIntegration) { return "central_differences|dormand_prince"; }
+
 template <int dim>
 struct TissueParameters
 {
   std::array<double, dim> size;                   ///< m
   std::array<unsigned int, dim> elements;         ///< per direction
   unsigned int degree = 1;                        ///< 1 bilinear, 2 biquadratic
-  std::string locking = "f_bar";                  ///< f_bar | full
-  std::string lateral = "free";                   ///< sides y (and z): free | periodic | clamped
-  std::string right = "free";                     ///< side x = width: free | clamped
-  std::string left = "clamped";                   ///< side x = 0: clamped | plate (rigid_tools.h); scenes with a tool ask for it
+  Locking locking = Locking::f_bar;
+  LateralSides lateral = LateralSides::free;
+  RightSide right = RightSide::free;
+  LeftSide left = LeftSide::clamped;              ///< scenes with a tool ask for it
   ToolParameters tool;                            ///< on the side x = width; none unless a scene declares it
   dealii::Tensor<1, dim> body_force;              ///< N/kg, on from t = 0
   dealii::Tensor<1, dim> traction;                ///< Pa of reference area, on the side x = width, from t = 0
 
-  std::string integrator = "central_differences"; ///< central_differences | dormand_prince
+  TimeIntegration integrator = TimeIntegration::central_differences;
   double end_time = 0.47e-3;                      ///< s
   double cfl = 0.9;                               ///< fraction of the stable step
   unsigned int estimate_every = 100;              ///< steps between stable steps from the law's tangents; 0: bounds only

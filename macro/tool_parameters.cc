@@ -14,7 +14,7 @@ namespace turgor
 {
 double ToolParameters::travel(const double time) const
 {
-  if (motion == "steady")
+  if (motion == ToolMotion::steady)
     return std::min(speed * time, depth);
   const double phase = speed * time / depth;
   // back at the surface it goes on as it came
@@ -34,8 +34,7 @@ void ToolParameters::declare(InputEntries &prm)
   prm.add_parameter("Radius", radius, "Radius of the cylinder that hits, with Tool = cylinder. Units: m.", Patterns::Double(1e-9, 1e3));
   prm.add_parameter("Motion", motion,
                     "steady: at constant speed to the depth, then at rest; rebound: half a sine to the depth and back, as a mass "
-                    "moves on a spring. Units: none.",
-                    Patterns::Selection("steady|rebound"));
+                    "moves on a spring. Units: none.");
   prm.add_parameter("Speed", speed, "Speed of the tool at first contact, at t = 0. Units: m/s.", Patterns::Double(1e-9, 1e3));
   prm.add_parameter("Depth", depth, "How far the tool goes in from the first contact. Units: m.", Patterns::Double(1e-12, 1e3));
   prm.add_parameter("Contact stiffness", stiffness,
@@ -57,7 +56,7 @@ void ToolParameters::check(const double width) const
     wrong("Speed", speed, "a positive speed (m/s)");
   if (!(depth > 0. && depth < 0.9 * width))
     wrong("Depth", depth, "more than 0 and less than nine tenths of the tissue's width, " + number_text(width * 1e3) + " mm (m)");
-  if (shape == "cylinder" && !(radius > 0.))
+  if (shape == ToolShape::cylinder && !(radius > 0.))
     wrong("Radius", radius, "a positive radius (m)");
   if (!(stiffness > 0.))
     wrong("Contact stiffness", stiffness, "a positive number");

@@ -1,21 +1,36 @@
 // What the user says about the tool that hits the tissue (rigid_tools.h).
 #pragma once
 
-#include <string>
+#include "run/choice.h"
 
 namespace turgor
 {
 class InputEntries;
+enum class ToolShape
+{
+  none,
+  plate,
+  cylinder
+};
+constexpr const char *words_of(ToolShape) { return "none|plate|cylinder"; }
+
+enum class ToolMotion
+{
+  steady,
+  rebound
+};
+constexpr const char *words_of(ToolMotion) { return "steady|rebound"; }
+
 struct ToolParameters
 {
-  std::string shape = "none";       ///< none | plate | cylinder
+  ToolShape shape = ToolShape::none;
   double radius = 1e-3;             ///< m, of the cylinder
-  std::string motion = "rebound";   ///< steady | rebound
+  ToolMotion motion = ToolMotion::rebound;
   double speed = 5.;                ///< m/s, at first contact
   double depth = 0.2e-3;            ///< m, largest travel
   double stiffness = 1.;            ///< kappa * distance of nodes / stiffness bound of the law
 
-  bool active() const { return shape != "none"; }
+  bool active() const { return shape != ToolShape::none; }
   double travel(double time) const;
 
   /// s; a longer step does not see the tool come and go, and makes energy of that.

@@ -39,7 +39,9 @@ void InputEntries::add_parameter(const std::string &name, double &variable, cons
 
 void InputEntries::add_parameter(const std::string &name, bool &variable, const std::string &documentation, const EntryPattern &pattern)
 {
-  add(name, variable ? "true" : "false", documentation, pattern, [&variable](const std::string &text) { variable = text == "true"; });
+  const bool two_words = pattern.kind == EntryPattern::Kind::choice;
+  const std::string no = two_words ? pattern.choices.at(0) : "false", yes = two_words ? pattern.choices.at(1) : "true";
+  add(name, variable ? yes : no, documentation, pattern, [&variable, yes](const std::string &text) { variable = text == yes; });
 }
 
 void InputEntries::add_parameter(const std::string &name, std::string &variable, const std::string &documentation,

@@ -10,6 +10,7 @@
 // used because its headers cost every file that declares an entry five seconds of compiling, and its library a quarter of a second at every start.
 #pragma once
 
+#include "run/choice.h"
 #include "run/entry_pattern.h"
 #include "run/number_text.h"
 
@@ -44,6 +45,7 @@ public:
   /// for a default that the pattern forbids.
   void add_parameter(const std::string &name, double &variable, const std::string &documentation,
                      const EntryPattern &pattern = Patterns::Double());
+  /// With a Selection of two words: false is the first, true the second.
   void add_parameter(const std::string &name, bool &variable, const std::string &documentation,
                      const EntryPattern &pattern = Patterns::Bool());
   void add_parameter(const std::string &name, std::string &variable, const std::string &documentation,
@@ -57,6 +59,14 @@ public:
   {
     add(name, number_text(variable), documentation, pattern,
         [&variable](const std::string &text) { variable = Whole(*read_whole_number(text)); });
+  }
+
+  /// A choice (run/choice.h), of all words of the enum or of some of them.
+  template <Choice E>
+  void add_parameter(const std::string &name, E &variable, const std::string &documentation,
+                     const EntryPattern &pattern = Patterns::Selection(words_of(E{})))
+  {
+    add(name, word_of(variable), documentation, pattern, [&variable](const std::string &text) { variable = choice_of<E>(text); });
   }
 
   /// A list of numbers: a std::vector takes its length from the text, anything else with [] is as long as the pattern's list.

@@ -1,7 +1,6 @@
 #include "rve/hydrostatic_rve.h"
 
 #include "rve/hydrostatic_scratch.h"
-#include "rve/withdrawn_answer.h"
 #include "micro/cells/turgid_layout.h"
 #include "run/cpu_clock.h"
 #include "rve/acoustic_bound.h"
@@ -159,7 +158,7 @@ RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor
                                       const RveRequest &request, Workspace &workspace) const
 {
   const double start = thread_cpu_seconds();
-  check_motion<2>(F, F_dot);
+  check_motion(F, F_dot);
   Scratch &scratch = dynamic_cast<Scratch &>(workspace);
   const bool relaxed = settings.rule == HydrostaticRule::elastic_equilibrium;
   begin(committed, request, scratch);
@@ -209,7 +208,7 @@ RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor
       answer.diagnostics.message = "The stress is not finite.";
     }
   if (!answer.diagnostics.converged)
-    withdraw(answer, committed);
+    answer.withdraw(committed);
   answer.diagnostics.cpu_seconds = thread_cpu_seconds() - start;
   return answer;
 }

@@ -10,8 +10,10 @@
 #include "micro/geometry/tensor.h"
 #include "run/archive.h"
 
+#include <cmath>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -75,7 +77,30 @@ struct RveAnswer
   double safe_strain = std::numeric_limits<double>::infinity();
   RveState<dim> trial;
   RveDiagnostics diagnostics;
+
+  /// What did not converge has no number to build on, never NaN, and leaves the committed state.
+  void withdraw(const RveState<dim> &committed)
+  {
+    sigma.setZero();
+    P.setZero();
+    viscous.setZero();
+    tangent.setZero();
+    rate_tangent.setZero();
+    energy = heating = pressure = 0.;
+    condition = {};
+    trial = committed;
+    if (!std::isfinite(diagnostics.residual))
+      diagnostics.residual = HUGE_VAL;
+  }
 };
+
+/// Throws std::invalid_argument for what no RVE can be asked.
+template <int dim>
+void check_motion(const Tensor2<dim> &F, const Tensor2<dim> &F_dot)
+{
+  if (!F.allFinite() || !F_dot.allFinite() || !(F.determinant() > 0.))
+    throw std::invalid_argument("An RVE needs a finite F with positive determinant and a finite F_dot.");
+}
 
 template <int dim>
 class Rve

@@ -109,8 +109,7 @@ void RveResponse::declare_parameters(InputEntries &prm)
                     Anything());
   prm.add_parameter("Free component", free_component,
                     "Component of F whose values on the path are not imposed but found so that the stress P there is zero, as of tissue "
-                    "with free sides; none: F is as it is given. Needs RVE/Fluid = hydrostatic. Units: none.",
-                    Selection("none|xx|yy"));
+                    "with free sides; none: F is as it is given. Needs RVE/Fluid = hydrostatic. Units: none.");
   prm.leave_subsection();
   rve.add_parameters(prm);
 }
@@ -127,8 +126,8 @@ void RveResponse::check() const
     }
   else if (!(parse_tensor(F_by_hand, "Path/F").determinant() > 0.))
     throw InputError("Path/F is '" + F_by_hand + "', but its determinant has to be positive.");
-  if (free_component != "none" && rve.fluid != "hydrostatic")
-    throw InputError("Path/Free component is " + free_component + ", but it needs 'RVE/Fluid = hydrostatic' (it is " + rve.fluid + ").");
+  if (free_component != FreeComponent::none && rve.fluid != "hydrostatic")
+    throw InputError("Path/Free component is " + word_of(free_component) + ", but it needs 'RVE/Fluid = hydrostatic' (it is " + rve.fluid + ").");
   rve.check();
 }
 
@@ -159,11 +158,11 @@ RveAnswer<2> RveResponse::answer(const Rve<2> &cells, const RveState<2> &state, 
   request.time_since_commit = since;
   Tensor2<2> &F = asked.F;
   RveAnswer<2> result;
-  if (free_component == "none")
+  if (free_component == FreeComponent::none)
     result = cells.evaluate(state, F, asked.F_dot, request, workspace);
   else
     {
-      const int k = free_component == "xx" ? 0 : 1;
+      const int k = free_component == FreeComponent::xx ? 0 : 1;
       F(k, k) = state.F(k, k); // where the search begins
       result = answer_with_free_side(cells, state, F, asked.F_dot, request, k, workspace);
     }

@@ -10,6 +10,15 @@
 
 namespace turgor
 {
+/// Of F, found so that P there is zero.
+enum class FreeComponent
+{
+  none,
+  xx,
+  yy
+};
+constexpr const char *words_of(FreeComponent) { return "none|xx|yy"; }
+
 class RveResponse : public Scenario
 {
 public:
@@ -31,7 +40,7 @@ private:
   RveParameters rve;
   std::string path = "0 : 1, 0; 0, 1 | 1e-3 : 1, 0.3; 0, 1";
   std::string F_by_hand, F_dot_by_hand;
-  std::string free_component = "none"; ///< of F, found so that P there is zero
+  FreeComponent free_component = FreeComponent::none;
   unsigned int points = 31;
 };
 

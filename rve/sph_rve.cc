@@ -7,7 +7,6 @@
 #include "run/stop_flag.h"
 #include "rve/acoustic_bound.h"
 #include "rve/sph_motion.h"
-#include "rve/withdrawn_answer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -193,7 +192,7 @@ RveAnswer<2> SphRve::evaluate(const RveState<2> &committed, const Tensor2<2> &F,
                               const RveRequest &request, Workspace &workspace) const
 {
   const double began = thread_cpu_seconds();
-  check_motion<2>(F, F_dot);
+  check_motion(F, F_dot);
   Scratch &scratch = dynamic_cast<Scratch &>(workspace);
   const bool affine = settings.rule == SphRule::cauchy_born;
   if (!affine && (committed.unknowns.size() != start.unknowns.size() || !(committed.F.determinant() > 0.)))
@@ -210,7 +209,7 @@ RveAnswer<2> SphRve::evaluate(const RveState<2> &committed, const Tensor2<2> &F,
     }
   answer.diagnostics.converged = answer.diagnostics.message.empty();
   if (!answer.diagnostics.converged)
-    withdraw(answer, committed);
+    answer.withdraw(committed);
   else
     {
       if (!affine)

@@ -40,6 +40,7 @@ enum class OverdampedMethod
   heun,
   implicit
 };
+constexpr const char *words_of(OverdampedMethod) { return "euler|heun|implicit"; }
 
 /// Of implicit steps.
 struct EnergyCheck

@@ -29,12 +29,14 @@ enum class Rim
   quiescent, ///< deeper cells rest (Model II)
   necrotic   ///< deeper cells die at p_th (Model I)
 };
+constexpr const char *words_of(Rim) { return "none|quiescent|necrotic"; }
 
 enum class RimFrom
 {
   surface, ///< the nearest
   edge     ///< the mean of the spheroid's
 };
+constexpr const char *words_of(RimFrom) { return "surface|edge"; }
 
 struct CellDeath
 {

@@ -23,6 +23,7 @@ enum class Inhibition
   hill,
   linear
 };
+constexpr const char *words_of(Inhibition) { return "none|hill|linear"; }
 
 struct GrowthLaw
 {

@@ -28,6 +28,7 @@ enum class DivisionDirection
   least_stress,
   given
 };
+constexpr const char *words_of(DivisionDirection) { return "random|random_in_plane|least_stress|given"; }
 
 struct CellDivision
 {

@@ -21,29 +21,31 @@ Four load(const Block2 &b)
 void store(Block2 &b, const Four v) { std::memcpy(b.data(), &v, sizeof v); }
 } // namespace
 
+// Approximate minimum degree of the graph of blocks.
+void BlockLdlt::order(const std::vector<std::pair<std::uint32_t, std::uint32_t>> &pairs)
+{
+  std::vector<Eigen::Triplet<double, int>> entries;
+  for (std::uint32_t i = 0; i < n; ++i)
+    entries.emplace_back(i, i, 1.);
+  for (const auto &[i, j] : pairs)
+    {
+      entries.emplace_back(i, j, 1.);
+      entries.emplace_back(j, i, 1.);
+    }
+  Eigen::SparseMatrix<double> graph(n, n);
+  graph.setFromTriplets(entries.begin(), entries.end());
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> least_fill;
+  Eigen::AMDOrdering<int>()(graph, least_fill);
+  position.resize(n);
+  for (std::uint32_t k = 0; k < n; ++k)
+    position[least_fill.indices()[k]] = k;
+}
+
 void BlockLdlt::analyse(const std::uint32_t n_blocks,
                         const std::vector<std::pair<std::uint32_t, std::uint32_t>> &pairs)
 {
   n = n_blocks;
-  // Order: approximate minimum degree of the graph of blocks.
-  {
-    std::vector<Eigen::Triplet<double, int>> entries;
-    for (std::uint32_t i = 0; i < n; ++i)
-      entries.emplace_back(i, i, 1.);
-    for (const auto &[i, j] : pairs)
-      {
-        entries.emplace_back(i, j, 1.);
-        entries.emplace_back(j, i, 1.);
-      }
-    Eigen::SparseMatrix<double> graph(n, n);
-    graph.setFromTriplets(entries.begin(), entries.end());
-    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
-    Eigen::AMDOrdering<int>()(graph, order);
-    position.resize(n);
-    for (std::uint32_t k = 0; k < n; ++k)
-      position[order.indices()[k]] = k;
-  }
-
+  order(pairs);
   std::vector<std::vector<std::uint32_t>> upper(n); // rows i < k of column k
   for (const auto &[i, j] : pairs)
     {

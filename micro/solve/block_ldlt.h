@@ -49,6 +49,8 @@ public:
   std::size_t fill() const { return rows_of_L.size(); } ///< blocks of L below the diagonal
 
 private:
+  void order(const std::vector<std::pair<std::uint32_t, std::uint32_t>> &pairs);
+
   std::uint32_t n = 0;
   std::vector<std::uint32_t> position; ///< block -> place in the elimination order
   // A, by columns k of the permuted upper triangle: diagonal first

@@ -17,6 +17,29 @@ namespace
 constexpr double three_do = 4., one_does = 0.1;
 /// Distance of a quadrature's outermost point from the centroid, over the same size: out of the support when all of them are.
 constexpr double outermost[sph::quadratures] = {0.7253, 0.5001, 0.};
+/// Centroids of the faces, the largest distance of a corner from each, and the largest of these of faces that are there.
+struct FaceSizes
+{
+  std::vector<Vector<3>> middle; // m
+  std::vector<double> size;      // m
+  double largest = 0.;
+
+  FaceSizes(const ListOrigin<3> &origin, const TriangleMesh &mesh, const std::vector<unsigned char> *gone)
+    : middle(mesh.faces.size())
+    , size(mesh.faces.size())
+  {
+    const auto position = [&](const std::uint32_t i) { return Vector<3>(origin[0][i], origin[1][i], origin[2][i]); };
+    for (std::uint32_t f = 0; f < mesh.faces.size(); ++f)
+      {
+        const auto &corner = mesh.faces[f];
+        middle[f] = (position(corner[0]) + position(corner[1]) + position(corner[2])) / 3.;
+        for (const std::uint16_t k : corner)
+          size[f] = std::max(size[f], (position(k) - middle[f]).norm());
+        if (gone == nullptr || (*gone)[f] == 0)
+          largest = std::max(largest, size[f]);
+      }
+  }
+};
 } // namespace
 
 void WallFaces::clear(const std::uint32_t particles_)
@@ -37,25 +60,34 @@ std::size_t WallFaces::memory_bytes() const
          + rims.capacity() * sizeof(sph::Rim) + toward.capacity() * 8 + doubts.capacity() * sizeof(sph::Doubt);
 }
 
+void WallFaces::add_list(const std::uint32_t face, std::vector<std::uint16_t> *const found, const std::vector<std::uint16_t> *const far)
+{
+  sph::FaceList list;
+  list.face = face;
+  list.first = std::uint32_t(particles.size());
+  for (int q = 0; q < sph::quadratures; ++q)
+    {
+      found[q].insert(found[q].end(), far[q].begin(), far[q].end());
+      if (found[q].empty())
+        continue;
+      list.count[q] = std::uint16_t(found[q].size());
+      const std::size_t padded = (found[q].size() + sph::list_padding - 1) / sph::list_padding * sph::list_padding;
+      found[q].resize(padded, found[q].back());
+      particles.insert(particles.end(), found[q].begin(), found[q].end());
+      kept += padded * (1 + sph::quadrature_points[q]);
+    }
+  if (particles.size() > list.first)
+    faces.push_back(list);
+}
+
 void WallFaces::build(const ListOrigin<3> &origin, const std::uint32_t nw, const TriangleMesh &mesh, const double reach,
                       const double slack, const double near, const std::vector<unsigned char> *gone)
 {
   const std::uint32_t n = std::uint32_t(origin.size()) - nw;
   clear(n);
-  const auto position = [&](const std::uint32_t i) { return Vector<3>(origin[0][i], origin[1][i], origin[2][i]); };
-
-  std::vector<Vector<3>> middle(mesh.faces.size());
-  std::vector<double> size(mesh.faces.size());
-  double largest_size = 0.;
-  for (std::uint32_t f = 0; f < mesh.faces.size(); ++f)
-    {
-      const auto &corner = mesh.faces[f];
-      middle[f] = (position(corner[0]) + position(corner[1]) + position(corner[2])) / 3.;
-      for (const std::uint16_t k : corner)
-        size[f] = std::max(size[f], (position(k) - middle[f]).norm());
-      if (gone == nullptr || (*gone)[f] == 0)
-        largest_size = std::max(largest_size, size[f]);
-    }
+  const FaceSizes sizes(origin, mesh, gone);
+  const std::vector<Vector<3>> &middle = sizes.middle;
+  const std::vector<double> &size = sizes.size;
   const double *x[3];
   double lo[3], hi[3];
   for (int d = 0; d < 3; ++d)
@@ -66,7 +98,7 @@ void WallFaces::build(const ListOrigin<3> &origin, const std::uint32_t nw, const
       lo[d] = *least - reach;
       hi[d] = *most + reach;
     }
-  const Bins<3> bins(x, n, (reach + largest_size) / 2., lo, hi);
+  const Bins<3> bins(x, n, (reach + sizes.largest) / 2., lo, hi);
   const std::vector<std::uint32_t> &order = bins.sorted();
   std::vector<double> sorted[3], square(n + 1);
   for (int d = 0; d < 3; ++d)
@@ -119,22 +151,7 @@ void WallFaces::build(const ListOrigin<3> &origin, const std::uint32_t nw, const
           if (d2 < upto2[q])
             (d2 < inner2[q] ? found : far)[q].push_back(near_by[k]);
         }
-      sph::FaceList list;
-      list.face = f;
-      list.first = std::uint32_t(particles.size());
-      for (int q = 0; q < sph::quadratures; ++q)
-        {
-          found[q].insert(found[q].end(), far[q].begin(), far[q].end());
-          if (found[q].empty())
-            continue;
-          list.count[q] = std::uint16_t(found[q].size());
-          const std::size_t padded = (found[q].size() + sph::list_padding - 1) / sph::list_padding * sph::list_padding;
-          found[q].resize(padded, found[q].back());
-          particles.insert(particles.end(), found[q].begin(), found[q].end());
-          kept += padded * (1 + sph::quadrature_points[q]);
-        }
-      if (particles.size() > list.first)
-        faces.push_back(list);
+      add_list(f, found, far);
     }
   build_rims(origin, nw, mesh, middle, size, slack);
 }

@@ -10,6 +10,7 @@
 #include "micro/terms/sph_sweeps.h"
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace turgor
@@ -48,6 +49,15 @@ struct WallFaces
   std::size_t memory_bytes() const;
 
 private:
+  struct Side
+  {
+    std::uint16_t from, to;
+  };
+  std::pair<std::vector<std::uint32_t>, std::vector<std::uint32_t>> near_faces(std::uint32_t n) const;
+  /// Of particle i; uses the sides up.
+  void close_rims(std::uint32_t i, std::vector<Side> &sides);
+  /// found: particles by quadrature, those that count first; far: the others. Uses both up.
+  void add_list(std::uint32_t face, std::vector<std::uint16_t> *found, const std::vector<std::uint16_t> *far);
   /// middle, size: of the faces, m.
   void build_rims(const ListOrigin<3> &origin, std::uint32_t wall_count, const TriangleMesh &mesh,
                   const std::vector<Vector<3>> &middle, const std::vector<double> &size, double slack);

@@ -28,12 +28,36 @@ double distance_to_triangle(const Vector<3> &p, const Vector<3> &a, const Vector
 }
 } // namespace
 
-void WallFaces::build_rims(const ListOrigin<3> &origin, const std::uint32_t nw, const TriangleMesh &mesh,
-                           const std::vector<Vector<3>> &middle, const std::vector<double> &size, const double slack)
+// Sides into closed ways: each begins where one ends.
+void WallFaces::close_rims(const std::uint32_t i, std::vector<Side> &sides)
 {
-  const std::uint32_t n = std::uint32_t(origin.size()) - nw;
-  const auto position = [&](const std::uint32_t i) { return Vector<3>(origin[0][i], origin[1][i], origin[2][i]); };
-  // The near faces of each particle, as the faces' lists have it.
+  while (!sides.empty())
+    {
+      sph::Rim rim;
+      rim.particle = i;
+      rim.first = std::uint32_t(rim_nodes.size());
+      const std::uint16_t start = sides.back().from;
+      std::uint16_t at = sides.back().to;
+      rim_nodes.push_back(start);
+      sides.pop_back();
+      while (at != start)
+        {
+          rim_nodes.push_back(at);
+          const auto side = std::find_if(sides.begin(), sides.end(), [&](const Side &s) { return s.from == at; });
+          at = side->to;
+          *side = sides.back();
+          sides.pop_back();
+        }
+      rim.count = std::uint32_t(rim_nodes.size()) - rim.first;
+      longest = std::max(longest, rim.count);
+      rim_nodes.resize((rim_nodes.size() + sph::list_padding - 1) / sph::list_padding * sph::list_padding, start);
+      rims.push_back(rim);
+    }
+}
+
+// Those of each particle, as the faces' lists have it: from first[i] to first[i + 1].
+std::pair<std::vector<std::uint32_t>, std::vector<std::uint32_t>> WallFaces::near_faces(const std::uint32_t n) const
+{
   std::vector<std::uint32_t> first(n + 1, 0), near;
   for (const sph::FaceList &list : faces)
     for (std::uint32_t k = 0; k < list.count[0]; ++k)
@@ -45,11 +69,15 @@ void WallFaces::build_rims(const ListOrigin<3> &origin, const std::uint32_t nw, 
   for (const sph::FaceList &list : faces)
     for (std::uint32_t k = 0; k < list.count[0]; ++k)
       near[next[particles[list.first + k]]++] = list.face;
+  return {first, near};
+}
 
-  struct Side
-  {
-    std::uint16_t from, to;
-  };
+void WallFaces::build_rims(const ListOrigin<3> &origin, const std::uint32_t nw, const TriangleMesh &mesh,
+                           const std::vector<Vector<3>> &middle, const std::vector<double> &size, const double slack)
+{
+  const std::uint32_t n = std::uint32_t(origin.size()) - nw;
+  const auto position = [&](const std::uint32_t i) { return Vector<3>(origin[0][i], origin[1][i], origin[2][i]); };
+  const auto [first, near] = near_faces(n);
   std::vector<Side> sides;
   std::vector<std::array<std::uint32_t, 3>> across(mesh.faces.size()); // the face beyond the side that begins at corner k
   for (std::uint32_t f = 0; f < mesh.faces.size(); ++f)
@@ -99,29 +127,7 @@ void WallFaces::build_rims(const ListOrigin<3> &origin, const std::uint32_t nw, 
               || distance_to_triangle(Vector<3>::Zero(), r[0], r[1], r[2]) <= slack)
             doubts.push_back({i, f});
         }
-      // Sides into closed ways: each begins where one ends.
-      while (!sides.empty())
-        {
-          sph::Rim rim;
-          rim.particle = i;
-          rim.first = std::uint32_t(rim_nodes.size());
-          const std::uint16_t start = sides.back().from;
-          std::uint16_t at = sides.back().to;
-          rim_nodes.push_back(start);
-          sides.pop_back();
-          while (at != start)
-            {
-              rim_nodes.push_back(at);
-              const auto side = std::find_if(sides.begin(), sides.end(), [&](const Side &s) { return s.from == at; });
-              at = side->to;
-              *side = sides.back();
-              sides.pop_back();
-            }
-          rim.count = std::uint32_t(rim_nodes.size()) - rim.first;
-          longest = std::max(longest, rim.count);
-          rim_nodes.resize((rim_nodes.size() + sph::list_padding - 1) / sph::list_padding * sph::list_padding, start);
-          rims.push_back(rim);
-        }
+      close_rims(i, sides);
     }
 }
 } // namespace turgor

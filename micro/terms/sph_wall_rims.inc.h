@@ -25,6 +25,32 @@ inline Vec cross(const Vec &a, const Vec &b)
 }
 inline Vec splat(const double *a) { return {splat(a[0]), splat(a[1]), splat(a[2])}; }
 
+/// Where the ray from a particle away from `toward` meets a face in doubt, the angle is off by a full turn.
+inline void settle_doubts(CellView<3> &c)
+{
+  for (std::uint32_t k = 0; k < c.n_doubts; ++k)
+    {
+      const std::uint32_t i = c.doubts[k].particle;
+      const std::uint16_t *corner = c.corners + 3 * std::size_t(c.doubts[k].face);
+      const double *d = c.toward + 3 * std::size_t(i);
+      double r[3][3], across[3], volume = 0.;
+      for (int a = 0; a < 3; ++a)
+        for (int e = 0; e < 3; ++e)
+          r[a][e] = c.wall_x[4 * corner[a] + e] - c.x[e][i];
+      for (int a = 0; a < 3; ++a)
+        {
+          const double *p = r[a], *q = r[(a + 1) % 3], *opposite = r[(a + 2) % 3];
+          const double e[3] = {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
+          across[a] = d[0] * e[0] + d[1] * e[1] + d[2] * e[2];
+          volume = opposite[0] * e[0] + opposite[1] * e[1] + opposite[2] * e[2];
+        }
+      if (volume > 0. && across[0] < 0. && across[1] < 0. && across[2] < 0.)
+        c.pull[4 * std::size_t(i)] -= 8. * pi;
+      else if (volume < 0. && across[0] > 0. && across[1] > 0. && across[2] > 0.)
+        c.pull[4 * std::size_t(i)] += 8. * pi;
+    }
+}
+
 /// Adds -2 times the angle to column 0 of `pull` and its gradient to the others; the nodes' gradients to rim_pull.
 inline void add_rims(CellView<3> &c)
 {
@@ -87,27 +113,7 @@ inline void add_rims(CellView<3> &c)
       sums[2] += sum(total.y);
       sums[3] += sum(total.z);
     }
-  for (std::uint32_t k = 0; k < c.n_doubts; ++k)
-    {
-      const std::uint32_t i = c.doubts[k].particle;
-      const std::uint16_t *corner = c.corners + 3 * std::size_t(c.doubts[k].face);
-      const double *d = c.toward + 3 * std::size_t(i);
-      double r[3][3], across[3], volume = 0.;
-      for (int a = 0; a < 3; ++a)
-        for (int e = 0; e < 3; ++e)
-          r[a][e] = c.wall_x[4 * corner[a] + e] - c.x[e][i];
-      for (int a = 0; a < 3; ++a)
-        {
-          const double *p = r[a], *q = r[(a + 1) % 3], *opposite = r[(a + 2) % 3];
-          const double e[3] = {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
-          across[a] = d[0] * e[0] + d[1] * e[1] + d[2] * e[2];
-          volume = opposite[0] * e[0] + opposite[1] * e[1] + opposite[2] * e[2];
-        }
-      if (volume > 0. && across[0] < 0. && across[1] < 0. && across[2] < 0.)
-        c.pull[4 * std::size_t(i)] -= 8. * pi;
-      else if (volume < 0. && across[0] > 0. && across[1] > 0. && across[2] > 0.)
-        c.pull[4 * std::size_t(i)] += 8. * pi;
-    }
+  settle_doubts(c);
 }
 
 /// Forces of the rims on their nodes; factor times push is the slope of the energy with 8 pi gamma, over R.

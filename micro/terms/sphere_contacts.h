@@ -76,6 +76,7 @@ enum class CompressionOf
   cell,
   contact
 };
+constexpr const char *words_of(CompressionOf) { return "cell|contact"; }
 
 class SphereContacts final : public Term<3>
 {

@@ -53,7 +53,7 @@ Deformation batch(const std::size_t n, const double t)
 SkippingSettings certified(const double tolerance, const double audits = 0.02)
 {
   SkippingSettings s;
-  s.mode = "certified";
+  s.certified = true;
   s.tolerance = tolerance;
   s.audit_share = audits;
   return s;

@@ -29,7 +29,7 @@ TissueRunSettings hit()
   s.tissue.output_interval = 1.3e-5;
   s.tissue.checkpoint_interval = 1e6;
   s.tissue.estimate_every = 7;
-  s.tissue.tool.shape = "plate";
+  s.tissue.tool.shape = ToolShape::plate;
   s.tissue.tool.depth = 1.5e-4;
   s.outlined_rves = 2;
   return s;

@@ -168,7 +168,7 @@ BOOST_AUTO_TEST_CASE(micro_steps_are_compared_with_the_least_full_run)
     const auto rve = std::make_shared<FakeRve<2>>();
     rve->step = 1e-9;
     TissueRunSettings settings = small();
-    settings.tissue.lateral = slab ? "periodic" : "free";
+    settings.tissue.lateral = slab ? LateralSides::periodic : LateralSides::free;
     const auto results = finish(disk, settings, rve);
     const double expected = 3. * results.at("rve_calls") / (5e-5 / 1e-9 * (slab ? 4. : 16.));
     BOOST_TEST(results.at("micro_steps_over_full_run") == expected, boost::test_tools::tolerance(1e-12));

@@ -31,7 +31,7 @@ struct Piece
     p.size[1] = 0.7 * width;
     p.elements.fill(2);
     p.degree = s.degree;
-    p.locking = s.locking;
+    p.locking = choice_of<Locking>(s.locking);
     return p;
   }
   double energy(const std::vector<double> &u)

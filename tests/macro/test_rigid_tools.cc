@@ -18,8 +18,8 @@ TissueParameters<2> pressed(const std::string &shape = "plate")
   TissueParameters<2> p;
   p.size = {width, width};
   p.elements = {6, 6};
-  p.tool.shape = shape;
-  p.tool.motion = "steady";
+  p.tool.shape = choice_of<ToolShape>(shape);
+  p.tool.motion = ToolMotion::steady;
   p.tool.speed = 1.;
   p.tool.depth = 0.05 * width;
   p.tool.radius = width;
@@ -32,12 +32,12 @@ BOOST_AUTO_TEST_SUITE(rigid_tools)
 BOOST_AUTO_TEST_CASE(travel_by_hand)
 {
   ToolParameters tool;
-  tool.motion = "steady";
+  tool.motion = ToolMotion::steady;
   tool.speed = 2.;
   tool.depth = 3.;
   BOOST_TEST(tool.travel(1.) == 2.);
   BOOST_TEST(tool.travel(5.) == 3.);
-  tool.motion = "rebound"; // 3 sin(2 t/3): deepest at t = 3 pi/4, at the speed 2 at t = 0 and, away, at t = 3 pi/2 and later
+  tool.motion = ToolMotion::rebound; // 3 sin(2 t/3): deepest at t = 3 pi/4, at the speed 2 at t = 0 and, away, at t = 3 pi/2 and later
   BOOST_TEST(std::abs(tool.travel(0.75 * std::numbers::pi) - 3.) < 1e-14);
   BOOST_TEST(std::abs(tool.travel(1e-6) / 1e-6 - 2.) < 1e-9);
   BOOST_TEST(std::abs(tool.travel(1.5 * std::numbers::pi)) < 1e-14);
@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(a_cylinder_has_to_meet_a_node)
 BOOST_AUTO_TEST_CASE(penalty_by_hand)
 {
   TissueParameters<2> p = pressed();
-  p.left = "plate";
+  p.left = LeftSide::plate;
   const TissueMesh<2> mesh(p);
   const double kappa = 1e9;
   const RigidTools<2> tools(mesh, p, kappa);
@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(penalty_by_hand)
   // forces on the nodes: -d energy/du by central differences, for plate and cylinder
   for (const std::string shape : {"plate", "cylinder"})
     {
-      p.tool.shape = shape;
+      p.tool.shape = choice_of<ToolShape>(shape);
       const RigidTools<2> tool(mesh, p, kappa);
       u = wavy(mesh, 3e-6, 0.3);
       std::fill(force.begin(), force.end(), 0.);
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(elastic_block_between_plates)
   const double soft = 4. * mu; // lambda
   NeoHookeanLaw<2> law(mu, soft, 3., rho);
   TissueParameters<2> p = pressed();
-  p.left = "plate";
+  p.left = LeftSide::plate;
   p.tool.speed = 0.1;
   p.tool.depth = 0.01 * width;
   p.tool.stiffness = 10.;
@@ -178,7 +178,7 @@ BOOST_AUTO_TEST_CASE(energy_and_momentum_of_an_impact)
         {
           NeoHookeanLaw<2> law(mu, 4. * mu, 0., rho);
           TissueParameters<2> p = pressed(shape);
-          p.tool.motion = "rebound";
+          p.tool.motion = ToolMotion::rebound;
           p.tool.speed = 2.;
           p.cfl = level == 0 ? 0.4 : 0.2;
           p.estimate_every = 0;
@@ -214,7 +214,7 @@ BOOST_AUTO_TEST_CASE(stable_step_knows_the_contact)
     {
       NeoHookeanLaw<2> law(mu, 4. * mu, 0., rho);
       TissueParameters<2> p = pressed();
-      p.left = "plate";
+      p.left = LeftSide::plate;
       p.tool.stiffness = stiff ? 100. : 1.;
       p.tool.speed = 1.;
       p.cfl = 0.95;
@@ -235,7 +235,7 @@ BOOST_AUTO_TEST_CASE(saved_and_loaded_impact_gives_the_same_bits)
   for (const std::string integrator : {"central_differences", "dormand_prince"})
     {
       TissueParameters<2> p = pressed("cylinder");
-      p.integrator = integrator;
+      p.integrator = choice_of<TimeIntegration>(integrator);
       p.estimate_every = 3;
       // a law each: its bounds are those of the states committed to it
       NeoHookeanLaw<2> whole_law(mu, lambda, 1., rho), first_law(mu, lambda, 1., rho), second_law(mu, lambda, 1., rho);
@@ -260,7 +260,7 @@ BOOST_AUTO_TEST_CASE(wrong_input_names_the_entry)
                           [&](const auto &e) { return std::string(e.what()).find(entry) != std::string::npos; });
   };
   TissueParameters<2> p = pressed();
-  p.right = "clamped";
+  p.right = RightSide::clamped;
   fails(p, "Right side");
   p = pressed();
   p.tool.depth = 2. * width;

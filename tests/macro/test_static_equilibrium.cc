@@ -38,8 +38,9 @@ double error(unsigned int elements, unsigned int degree, const std::string &lock
   TissueParameters<2> p;
   p.elements = {elements, elements};
   p.degree = degree;
-  p.locking = locking;
-  p.lateral = p.right = "clamped";
+  p.locking = choice_of<Locking>(locking);
+  p.lateral = LateralSides::clamped;
+  p.right = RightSide::clamped;
   NeoHookeanLaw<2> law(1e6, 2e6, 0., rho);
   TissueMesh<2> mesh(p);
   TissueOperator<2> op(mesh, p, law);

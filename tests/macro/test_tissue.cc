@@ -35,7 +35,7 @@ BOOST_AUTO_TEST_CASE(saved_and_loaded_run_gives_the_same_bits)
   for (const std::string &integrator : integrators)
     {
       TissueParameters<2> p = gravity(3);
-      p.integrator = integrator;
+      p.integrator = choice_of<TimeIntegration>(integrator);
       p.estimate_every = 7;
       const double end = 2e-5;
       FailingLaw whole_law(mu, lambda, 1., rho), first_law(mu, lambda, 1., rho), second_law(mu, lambda, 1., rho);
@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(law_that_fails_once_shortens_the_step)
   for (const std::string &integrator : integrators)
     {
       TissueParameters<2> p = gravity(3);
-      p.integrator = integrator;
+      p.integrator = choice_of<TimeIntegration>(integrator);
       p.estimate_every = 0;
       FailingLaw law(mu, lambda, 0., rho);
       law.fail_from = 1;
@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(law_that_fails_for_ever_ends_the_run_with_the_place)
   for (const std::string &integrator : integrators)
     {
       TissueParameters<2> p = gravity(3);
-      p.integrator = integrator;
+      p.integrator = choice_of<TimeIntegration>(integrator);
       p.estimate_every = 0;
       FailingLaw law(mu, lambda, 0., rho);
       law.fail_from = 100;
@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(an_exception_of_the_law_comes_through)
   for (const std::string &integrator : integrators)
     {
       TissueParameters<2> p = gravity(2);
-      p.integrator = integrator;
+      p.integrator = choice_of<TimeIntegration>(integrator);
       Throwing law(mu, lambda, 0., rho);
       Tissue<2> piece(p, law);
       piece.start();
@@ -156,7 +156,7 @@ BOOST_AUTO_TEST_CASE(both_integrators_agree_and_the_clamped_side_stays)
   for (const std::string &integrator : integrators)
     {
       TissueParameters<2> p = gravity(4);
-      p.integrator = integrator;
+      p.integrator = choice_of<TimeIntegration>(integrator);
       p.cfl = 0.1;
       p.relative_tolerance = 1e-8;
       p.displacement_tolerance = 1e-14;
@@ -178,7 +178,7 @@ BOOST_AUTO_TEST_CASE(dormand_prince_is_of_fifth_order_with_six_calls_a_step)
 {
   const auto run = [](double cfl) {
     TissueParameters<2> p = gravity(2);
-    p.integrator = "dormand_prince";
+    p.integrator = TimeIntegration::dormand_prince;
     p.estimate_every = 0;
     p.cfl = cfl;
     p.relative_tolerance = 1.; // error control out of the way: the step is the bound
@@ -203,7 +203,7 @@ BOOST_AUTO_TEST_CASE(bound_of_the_stable_step_by_hand)
 {
   TissueParameters<2> p = gravity(8);
   p.estimate_every = 0;
-  p.lateral = "periodic";
+  p.lateral = LateralSides::periodic;
   NeoHookeanLaw<2> law(mu, lambda, 0., rho);
   Tissue<2> tissue(p, law);
   const double h = width / 8., expected = 0.9 * h * std::sqrt(rho / law.stiffness_bound());
@@ -245,7 +245,7 @@ BOOST_AUTO_TEST_CASE(stable_step_from_tangents_is_sharp)
 BOOST_AUTO_TEST_CASE(periodic_slab_moves_as_one)
 {
   TissueParameters<2> p = gravity(4);
-  p.lateral = "periodic";
+  p.lateral = LateralSides::periodic;
   NeoHookeanLaw<2> law(mu, lambda, 0., rho);
   Tissue<2> tissue(p, law);
   tissue.start();
@@ -317,7 +317,7 @@ BOOST_AUTO_TEST_CASE(parameters_from_text_and_bad_ones)
                               "subsection Time\n set Integrator = dormand_prince\nend\n");
   BOOST_TEST(p.body_force[1] == -4.5);
   BOOST_TEST(p.elements[0] == 5u);
-  BOOST_TEST(p.integrator == "dormand_prince");
+  BOOST_TEST(word_of(p.integrator) == "dormand_prince");
   p.check();
 
   prm.enter_subsection("Tissue");
@@ -326,16 +326,16 @@ BOOST_AUTO_TEST_CASE(parameters_from_text_and_bad_ones)
   BOOST_CHECK_THROW(prm.set("Body force", "1"), std::invalid_argument);
   prm.leave_subsection();
 
-  p.right = "clamped";
+  p.right = RightSide::clamped;
   p.traction[0] = 1.;
   BOOST_CHECK_EXCEPTION(p.check(), std::invalid_argument,
                         [](const auto &e) { return contains(e.what(), "Tissue/Traction") && contains(e.what(), "free"); });
-  p.right = "free";
+  p.right = RightSide::free;
   p.body_force[0] = std::numeric_limits<double>::infinity();
   BOOST_CHECK_EXCEPTION(p.check(), std::invalid_argument,
                         [](const auto &e) { return contains(e.what(), "Tissue/Body force must be 2 finite numbers"); });
   p.body_force[0] = 0.;
-  p.lateral = "periodic";
+  p.lateral = LateralSides::periodic;
   p.elements[1] = 1;
   BOOST_CHECK_EXCEPTION(p.check(), std::invalid_argument,
                         [](const auto &e) { return contains(e.what(), "Elements y must be at least 2"); });

@@ -16,7 +16,7 @@ inline TissueParameters<2> gravity(unsigned int elements, unsigned int degree = 
   p.size = {width, width};
   p.elements = {elements, elements};
   p.degree = degree;
-  p.locking = locking;
+  p.locking = choice_of<Locking>(locking);
   p.body_force[1] = -1.2e4;
   return p;
 }

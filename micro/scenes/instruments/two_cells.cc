@@ -90,6 +90,7 @@ void TwoCells::run(RunContext &context)
   const auto table = context.series("approach", {{"overlap", "m"}, {"force", "N"}, {"area", "m^2"}, {"energy", "J"}});
   Particles<3> p = pair(0.);
   SphereContacts contacts(contact_law(), 0.2 * radius);
+  const bool is_hertz = std::holds_alternative<HertzContact>(contact_law());
   const double top = deepest * radius, R = 0.5 * radius, E = 0.5 * modulus / (1. - poisson * poisson);
   const double hold = hold_of(contact_law(), R, E), bottom = hold > 0. ? -1.2 * hold : -0.05 * top;
   double imbalance = 0., largest = 0., work = 0., before = 0., overlap_before = bottom, hertz_error = 0., least = 0.;
@@ -106,7 +107,7 @@ void TwoCells::run(RunContext &context)
     work += 0.5 * (force + before) * (overlap - overlap_before);
     before = force;
     overlap_before = overlap;
-    if (law == "hertz" && overlap > 0.)
+    if (is_hertz && overlap > 0.)
       hertz_error = std::max(hertz_error, std::abs(force / (4. / 3. * E * std::sqrt(R) * std::pow(overlap, 1.5)) - 1.));
     table->add_row({overlap, force, c.area, c.energy});
   };
@@ -120,7 +121,7 @@ void TwoCells::run(RunContext &context)
   context.result("hysteresis_work", work, "J");
   if (!is_adhesive(contact_law()))
     {
-      if (law == "hertz")
+      if (is_hertz)
         context.result("hertz_force_error", hertz_error, "1");
       return;
     }

@@ -77,7 +77,7 @@ void ShellOscillation::declare_parameters(InputEntries &prm)
                     "Speed of sound c of the liquid; Cell/Fluid modulus is then rho c^2/7, whatever is set there. Units: m/s.",
                     Double(1., 5000.));
   prm.add_parameter("Inward speed", speed, "Speed of all wall nodes towards the centre at the start. Units: m/s.", Double(1e-6, 10.));
-  prm.add_parameter("Struck", struck,
+  prm.add_parameter("Struck", all_struck,
                     "wall: only its nodes move at the start (thesis A.1); most of that stays in tones of the wall above all that the "
                     "liquid's particles carry. whole: the liquid moves with it in proportion to the radius. Units: none.",
                     Selection("wall|whole"));
@@ -224,7 +224,7 @@ void ShellOscillation::run(RunContext &context)
   });
   const double R = round.mean_radius();
   const std::vector<double> theory = closed_form(p, R, sound_speed, modes);
-  strike(system, round.group().wall_count(), R, speed, struck == "whole");
+  strike(system, round.group().wall_count(), R, speed, all_struck);
   const Motion motion = oscillate(context, round, R, theory.front());
   write_spectrum(context, motion.time, motion.speed, theory.back());
   const std::vector<Harmonic> parts = harmonics(motion.speed, motion.sampling, fitted);

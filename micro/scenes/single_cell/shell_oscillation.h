@@ -46,7 +46,7 @@ private:
   double sound_speed = 50., speed = 0.01, periods = 20., step_fraction = 0.5;
   unsigned int samples_per_period = 400, modes = 4, fitted = 12;
   bool filled = true;
-  std::string struck = "whole";
+  bool all_struck = true; ///< else the wall alone
   RoundCellParameters cell;
 };
 

@@ -69,7 +69,7 @@ void WallUniaxial::declare_parameters(InputEntries &prm)
   prm.add_parameter("Yield drop", drop, "Values of B of Eq. 3.8, the share of the stiffness that is lost at large stretch; every A goes with every B. Units: none.", List(Double(0., 1.), 1, 20));
   prm.add_parameter("Largest stretch", largest_stretch, "Length over length at rest at which the wall is let go again. Units: none.", Double(1.001, 10.));
   prm.add_parameter("Points", points, "Equal parts of the way out, and of the way back, between rows of wall.csv. Units: none.", Integer(2, 100000));
-  prm.add_parameter("Way back", way, "How the wall comes back: reversible along the same curve, or plastic, elastic from the stretch that stays. Units: none.",
+  prm.add_parameter("Way back", plastic, "How the wall comes back: reversible along the same curve, or plastic, elastic from the stretch that stays. Units: none.",
                     Selection("reversible|plastic"));
 }
 
@@ -92,7 +92,7 @@ void WallUniaxial::run(RunContext &context)
           const double share = l > 1. ? 1. - 2. * B / std::numbers::pi * std::atan(A * (l - 1.)) : 1.;
           return wall_stiffness * depth * share * (l - 1. / (alpha_squared * std::pow(l, 5)));
         };
-        PulledRing ring(NeoHookeanWall(wall_stiffness, depth, beta, WallYield{A, B}), way == "plastic" && B > 0.);
+        PulledRing ring(NeoHookeanWall(wall_stiffness, depth, beta, WallYield{A, B}), plastic && B > 0.);
         double largest = 0.;
         for (unsigned int k = 0; k <= points; ++k)
           largest = std::max(largest, std::abs(law(1. + (largest_stretch - 1.) * k / points)));
@@ -103,7 +103,7 @@ void WallUniaxial::run(RunContext &context)
               stop_here("while the walls were pulled; a run of this scene starts again");
               const double l = 1. + (largest_stretch - 1.) * (back ? points - k : k) / points, T = ring.tension_at(l);
               table->add_row({A, B, l, T, law(l), double(back)});
-              if (!back || way == "reversible")
+              if (!back || !plastic)
                 error = std::max(error, std::abs(T - law(l)) / largest);
               else if (k > 0 && last > 0. && T <= 0.) // slack between this stretch and the one before
                 stays = std::max(stays, l - 1. + (largest_stretch - 1.) / points * (-T) / (last - T));

@@ -25,7 +25,7 @@ private:
   std::vector<double> sharpness{15., 5., 50.}, drop{0., 0.5, 0.9};
   double largest_stretch = 1.3;
   unsigned int points = 60;
-  std::string way = "plastic";
+  bool plastic = true; ///< on the way back; else along the same curve
 };
 
 std::unique_ptr<Scenario> make_wall_uniaxial();

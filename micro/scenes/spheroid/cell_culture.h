@@ -68,7 +68,6 @@ public:
   std::vector<std::string> term_names() const;
   const SphereContacts &contact() const { return contacts; }
   std::uint64_t rejected() const { return stepper.rejected(); }
-  std::uint64_t solver_iterations() const { return motion.solver().total_iterations(); }
   double next_step() const { return stepper.next_step(); }
 
   void archive(Archive &a);

@@ -29,12 +29,12 @@ double at(const std::vector<double> &time, const std::vector<double> &value, con
 SpheroidCapsule::SpheroidCapsule()
 {
   first_cells = 1500;
-  phases = "spread";
+  phases = FirstPhases::spread;
   duration = 1.5e6;
   samples = 600;
   frames = 6;
   entries.stiffness = "closest";
-  entries.rim = "necrotic";
+  entries.numbers.life.death.rim = Rim::necrotic;
   entries.step_coarsely();
   entries.numbers.motility = 1e-16;
 }
@@ -61,7 +61,7 @@ void SpheroidCapsule::check_more() const
     throw InputError("Capsule/Radius is " + number_text(capsule.radius) + " m, but has to be at least three times Cell/Birth radius ("
                      + number_text(3. * entries.numbers.life.birth_radius) + " m).");
   // The wall may take off of a cell at the start what twice the neighbours of the lattice do.
-  const double largest = entries.numbers.life.birth_radius * (phases == "spread" ? std::cbrt(2.) : 1.);
+  const double largest = entries.numbers.life.birth_radius * (phases == FirstPhases::spread ? std::cbrt(2.) : 1.);
   const std::size_t fit = cluster_within(capsule.radius - 0.8 * largest, first_spacing(), first_cells);
   if (fit < first_cells)
     throw InputError("First cells is " + number_text(first_cells) + ", but " + number_text(first_cells - fit)

@@ -15,12 +15,12 @@ namespace turgor
 SpheroidDextran::SpheroidDextran()
 {
   first_cells = 2000;
-  phases = "spread";
+  phases = FirstPhases::spread;
   duration = 9. * 86400.;
   samples = 300;
   frames = 6;
   entries.stiffness = "closest";
-  entries.rim = "quiescent";
+  entries.numbers.life.death.rim = Rim::quiescent;
   entries.numbers.life.death.rim_thickness = 30e-6;
   entries.step_coarsely();
   entries.numbers.motility = 1e-16;

@@ -21,14 +21,14 @@ Vector<3> vector_of(const std::string &text, const std::string &entry)
 
 void CultureEntries::step_coarsely()
 {
-  method = "implicit";
+  numbers.motion.method = OverdampedMethod::implicit;
   numbers.motion.tolerance = 1e-2;
   numbers.motion.mean_error = true;
   numbers.growth_tolerance = 1e-2;
   numbers.solve.tolerance = 1e-4;
 }
 
-void CultureEntries::declare(InputEntries &prm)
+void CultureEntries::declare_cell(InputEntries &prm)
 {
   using namespace Patterns;
   CellLifeParameters &life = numbers.life;
@@ -46,7 +46,11 @@ void CultureEntries::declare(InputEntries &prm)
                     Double(0., 0.24));
   prm.add_parameter("Seed", seed, "Seed of all that is drawn at random: another one, another run. Units: none.", Double(0., 1e15));
   prm.leave_subsection();
+}
 
+void CultureEntries::declare_contact(InputEntries &prm)
+{
+  using namespace Patterns;
   prm.enter_subsection("Contact");
   prm.add_parameter("Law", numbers.law, "Contact law of two cells. " + contact_law_text() + ". Units: none.",
                     Selection(contact_law_names()));
@@ -56,10 +60,9 @@ void CultureEntries::declare(InputEntries &prm)
                     " pressure of their volume), C9 (the thesis's, as errata repairs it; refuted: under it the space between cells grows"
                     " with the pressure), B19 or the name of a CSV file with a monotone table or polynomial. Units: none.",
                     WordOrFile("none|closest|C9|B19"));
-  prm.add_parameter("Compression", compression,
+  prm.add_parameter("Compression", numbers.compression,
                     "What the local stiffness goes by: the mean compression of each cell, or that of each contact, whose force is then"
-                    " the slope of an energy. Units: none.",
-                    Selection("cell|contact"));
+                    " the slope of an energy. Units: none.");
   prm.add_parameter("Normal friction", numbers.friction.normal, "Friction between two cells that move along the line of their centres: force over velocity and area of contact. Units: N s/m^3.",
                     Double(0., 1e20));
   prm.add_parameter("Tangential friction", numbers.friction.tangential,
@@ -67,11 +70,15 @@ void CultureEntries::declare(InputEntries &prm)
   prm.add_parameter("Medium friction", numbers.medium_friction, "Friction of a cell with the medium or matrix around it: force over velocity and surface 4 pi R^2. Units: N s/m^3.",
                     Double(1e-3, 1e20));
   prm.leave_subsection();
+}
 
+void CultureEntries::declare_growth(InputEntries &prm)
+{
+  using namespace Patterns;
+  CellLifeParameters &life = numbers.life;
   prm.enter_subsection("Growth");
-  prm.add_parameter("Rate", rate, "How the volume of an uncompressed cell grows over its cycle: constant, by the same volume every second, or exponential (C.5). Units: none.", Selection("constant|exponential"));
-  prm.add_parameter("Inhibition", inhibition, "How compression slows growth down, by the volumetric strain log(V_ref/V): none, hill (5.2) or linear (5.4.2). Units: none.",
-                    Selection("none|hill|linear"));
+  prm.add_parameter("Rate", life.growth.exponential, "How the volume of an uncompressed cell grows over its cycle: constant, by the same volume every second, or exponential (C.5). Units: none.", Selection("constant|exponential"));
+  prm.add_parameter("Inhibition", life.growth.inhibition, "How compression slows growth down, by the volumetric strain log(V_ref/V): none, hill (5.2) or linear (5.4.2). Units: none.");
   prm.add_parameter("Threshold", life.growth.threshold, "Volumetric strain log(V_ref/V), positive when compressed, at which Inhibition leaves half of the free growth. Units: none.", Double(1e-6, 1e6));
   prm.add_parameter("Exponent", life.growth.exponent, "Exponent n of Inhibition = hill: the larger, the sharper the threshold. Units: none.", Double(0.1, 1e4));
   prm.add_parameter("Quiescence below", life.cycle.quiescence_below,
@@ -79,36 +86,47 @@ void CultureEntries::declare(InputEntries &prm)
                     Double(0., 1.));
   prm.add_parameter("Reversible rest", life.cycle.reversible, "Whether resting cells go on with their cycle when they are less compressed; else they rest for good. Units: true or false.", Bool());
   prm.add_parameter("Restriction point", life.cycle.restriction, "Phase of the cycle (0 newborn, 1 divides) from which on a cell does not go to rest any more. Units: none.", Double(0., 1.));
-  prm.add_parameter("Division at", division_at, "When a cell divides: at twice its volume at birth (size) or after its cycle time (time). Units: none.",
+  prm.add_parameter("Division at", life.cycle.timer, "When a cell divides: at twice its volume at birth (size) or after its cycle time (time). Units: none.",
                     Selection("size|time"));
   prm.add_parameter("Mitosis time", life.cycle.mitosis, "Time after birth in which cells do not grow. Units: s.", Double(0., 1e12));
   prm.leave_subsection();
+}
 
+void CultureEntries::declare_division(InputEntries &prm)
+{
+  using namespace Patterns;
+  CellDivision &division = numbers.life.division;
   prm.enter_subsection("Division");
-  prm.add_parameter("Direction", direction, "Line on which daughters lie: random, random_in_plane (z = 0), least_stress (where the mother is pressed least) or given (Axis). Units: none.",
-                    Selection("random|random_in_plane|least_stress|given"));
+  prm.add_parameter("Direction", division.direction, "Line on which daughters lie: random, random_in_plane (z = 0), least_stress (where the mother is pressed least) or given (Axis). Units: none.");
   prm.add_parameter("Axis", axis, "Line on which daughters lie with Direction = given, of any length: x, y, z. Units: none.", List(Double(-1e6, 1e6), 3, 3, ","));
-  prm.add_parameter("Distance", distance, "How far apart daughters are laid: inside the mother's sphere, or where their contact has least_energy. Units: none.",
+  prm.add_parameter("Distance", division.least_energy, "How far apart daughters are laid: inside the mother's sphere, or where their contact has least_energy. Units: none.",
                     Selection("inside|least_energy"));
   prm.leave_subsection();
+}
 
+void CultureEntries::declare_death(InputEntries &prm)
+{
+  using namespace Patterns;
+  CellLifeParameters &life = numbers.life;
   prm.enter_subsection("Death");
-  prm.add_parameter("Rim", rim, "What happens below the viable rim: none, quiescent (Model II) or necrotic (Model I). Units: none.",
-                    Selection("none|quiescent|necrotic"));
+  prm.add_parameter("Rim", life.death.rim, "What happens below the viable rim: none, quiescent (Model II) or necrotic (Model I). Units: none.");
   prm.add_parameter("Rim thickness", life.death.rim_thickness, "Depth lambda (counted as Rim from says) to which nutrients reach: what is deeper rests or dies; with Rim = none without effect. Units: m.", Double(0., 1.));
-  prm.add_parameter("Rim from", rim_from,
+  prm.add_parameter("Rim from", life.death.from,
                     "What the depth of a cell in the rim counts from: surface (the nearest outer cell or wall) or edge (the thesis's mean edge of the whole"
-                    " spheroid, under which whatever stands out runs ahead). Units: none.",
-                    Selection("surface|edge"));
+                    " spheroid, under which whatever stands out runs ahead). Units: none.");
   prm.add_parameter("Necrosis pressure", life.death.necrosis_pressure, "Mean of the pressure p_th above which a cell deeper than the rim dies, with Rim = necrotic. Units: Pa.", Double(0., 1e12));
   prm.add_parameter("Lysis time", life.death.lysis_time, "Mean of the time T_lys in which a dead cell's fluid drains. Units: s.", Double(1., 1e12));
   prm.add_parameter("Solid fraction", life.death.solid_fraction, "Share phi of a cell's volume at death that is solid and does not drain. Units: none.", Double(0.01, 1.));
-  prm.add_parameter("Lysis", lysis, "How a dead cell's volume falls to its solid part: delayed, exponentially (C.1.3), or linear in time (2.12). Units: none.", Selection("delayed|linear"));
+  prm.add_parameter("Lysis", life.death.linear, "How a dead cell's volume falls to its solid part: delayed, exponentially (C.1.3), or linear in time (2.12). Units: none.", Selection("delayed|linear"));
   prm.add_parameter("Remove lysed", life.death.remove, "Whether the remains of lysed cells are taken away (as in a living body); else they stay (in vitro). Units: true or false.", Bool());
   prm.leave_subsection();
+}
 
+void CultureEntries::declare_motion(InputEntries &prm)
+{
+  using namespace Patterns;
   prm.enter_subsection("Motion");
-  prm.add_parameter("Method", method, "Steps of the cells' motion: euler (explicit, first order), heun (explicit, second order) or implicit (first order, long steps). Units: none.", Selection("euler|heun|implicit"));
+  prm.add_parameter("Method", numbers.motion.method, "Steps of the cells' motion: euler (explicit, first order), heun (explicit, second order) or implicit (first order, long steps). Units: none.");
   prm.add_parameter("Tolerance", numbers.motion.tolerance, "Allowed error of a cell's place in one step over the mean radius; decides the length of steps. Units: none.", Double(1e-9, 1.));
   prm.add_parameter("Motility", numbers.motility, "Diffusion coefficient D of a lone cell's random motion in the medium; 0: none. Units: m^2/s.", Double(0., 1.));
   prm.add_parameter("Migration force", numbers.migration.force,
@@ -123,6 +141,16 @@ void CultureEntries::declare(InputEntries &prm)
   prm.add_parameter("Solver tolerance", numbers.solve.tolerance, "Allowed residual of the equations for the velocities, over the norm of the forces. Units: none.",
                     Double(1e-14, 0.1));
   prm.leave_subsection();
+}
+
+void CultureEntries::declare(InputEntries &prm)
+{
+  declare_cell(prm);
+  declare_contact(prm);
+  declare_growth(prm);
+  declare_division(prm);
+  declare_death(prm);
+  declare_motion(prm);
 }
 
 void CultureEntries::check() const
@@ -149,7 +177,7 @@ void CultureEntries::check() const
     throw InputError("Cell/Seed is " + number_text(seed) + ", but has to be a whole number.");
   if (in_plane && parameters().migration.preferred[2] != 0.)
     throw InputError("Motion/Preferred direction is " + preferred + ", but cells of a monolayer crawl in its plane: x, y, 0.");
-  if (direction == "given" && !(parameters().life.division.axis.norm() > 0.))
+  if (life.division.direction == DivisionDirection::given && !(parameters().life.division.axis.norm() > 0.))
     throw InputError("Division/Axis is " + axis + ", but Direction = given needs one that is not zero.");
 }
 
@@ -157,21 +185,10 @@ CultureParameters CultureEntries::parameters() const
 {
   CultureParameters result = numbers;
   CellLifeParameters &life = result.life;
-  life.growth.exponential = rate == "exponential";
-  life.growth.inhibition = inhibition == "none" ? Inhibition::none : inhibition == "hill" ? Inhibition::hill : Inhibition::linear;
-  life.cycle.timer = division_at == "time";
-  life.division.direction = direction == "random"          ? DivisionDirection::random :
-                            direction == "random_in_plane" ? DivisionDirection::random_in_plane :
-                            direction == "given"           ? DivisionDirection::given :
-                                                             DivisionDirection::least_stress;
   life.division.axis = vector_of(axis, "Division/Axis");
   result.migration.preferred = vector_of(preferred, "Motion/Preferred direction");
   result.in_plane = in_plane;
-  life.division.least_energy = distance == "least_energy";
   life.division.seed = life.variability.seed = std::uint64_t(seed);
-  life.death.rim = rim == "none" ? Rim::none : rim == "quiescent" ? Rim::quiescent : Rim::necrotic;
-  life.death.from = rim_from == "edge" ? RimFrom::edge : RimFrom::surface;
-  life.death.linear = lysis == "linear";
   if (stiffness == "C9")
     result.stiffness = LocalStiffness::repaired_C9();
   else if (stiffness == "B19")
@@ -180,8 +197,6 @@ CultureParameters CultureEntries::parameters() const
     result.stiffness = LocalStiffness::closest_packing(life.modulus, life.poisson, life.bulk_modulus, life.volume.hardening);
   else if (stiffness != "none")
     result.stiffness = LocalStiffness::from_file(stiffness);
-  result.compression = compression == "contact" ? CompressionOf::contact : CompressionOf::cell;
-  result.motion.method = method == "euler" ? OverdampedMethod::euler : method == "heun" ? OverdampedMethod::heun : OverdampedMethod::implicit;
   return result;
 }
 } // namespace turgor

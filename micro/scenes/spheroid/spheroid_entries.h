@@ -8,14 +8,11 @@
 namespace turgor
 {
 class InputEntries;
-/// What the entries say, words not yet turned into laws.
+/// What the entries say; texts not yet turned into vectors and tables.
 struct CultureEntries
 {
   CultureParameters numbers;
-  std::string rate = "constant", inhibition = "hill", division_at = "size", direction = "least_stress", axis = "0, 0, 1",
-              distance = "least_energy", rim = "none", rim_from = "surface", lysis = "delayed", method = "heun",
-              stiffness = "none", compression = "cell";
-  std::string preferred = "0, 0, 0";
+  std::string axis = "0, 0, 1", stiffness = "none", preferred = "0, 0, 0";
   double seed = 1.;
   CultureEntries() { numbers.life.poisson = 0.485; }
   /// Implicit steps for crowded cells, as long as the root mean square of all their errors allows (spheroid_scene.h's studies use them).
@@ -26,5 +23,13 @@ struct CultureEntries
   /// Throws InputError.
   void check() const;
   CultureParameters parameters() const;
+
+private:
+  void declare_cell(InputEntries &prm);
+  void declare_contact(InputEntries &prm);
+  void declare_growth(InputEntries &prm);
+  void declare_division(InputEntries &prm);
+  void declare_death(InputEntries &prm);
+  void declare_motion(InputEntries &prm);
 };
 } // namespace turgor

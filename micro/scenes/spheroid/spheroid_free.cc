@@ -33,7 +33,7 @@ SpheroidFree::SpheroidFree()
   duration = 9. * 61200.; // cycles
   samples = 400;
   frames = 9;
-  entries.inhibition = "none";
+  entries.numbers.life.growth.inhibition = Inhibition::none;
   entries.numbers.motion.tolerance = 2e-3;
   entries.numbers.motility = 1e-16;
 }
@@ -66,7 +66,7 @@ void SpheroidFree::report(RunContext &context, const GrowthTable &table, CellCul
           worst = std::max(worst, std::abs(std::expm1(std::log(cells[k]) - rate * (time[k] - from) - mean / count)));
       context.result("deviation_from_exponential", worst, "1");
     }
-  if (entries.rim != "none" && end > T)
+  if (entries.numbers.life.death.rim != Rim::none && end > T)
     {
       const double l = entries.numbers.life.death.rim_thickness, rate = std::numbers::ln2 / expected;
       const double R = 0.5 * (radius.back() + radius[radius.size() / 2]);
@@ -86,7 +86,7 @@ void SpheroidFree::report(RunContext &context, const GrowthTable &table, CellCul
         }
       const std::vector<double> volume = table.column("volume");
       const double growing = time_integral(time, table.column("proliferating_volume"), time[first]);
-      if (entries.rim == "quiescent" && growing > 0.)
+      if (entries.numbers.life.death.rim == Rim::quiescent && growing > 0.)
         context.result("rim_production_error", (volume.back() - volume[first]) / (rate * growing) - 1., "1");
     }
 }

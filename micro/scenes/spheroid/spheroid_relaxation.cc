@@ -12,7 +12,7 @@ namespace turgor
 SpheroidRelaxation::SpheroidRelaxation()
 {
   first_cells = 300;
-  phases = "spread";
+  phases = FirstPhases::spread;
   duration = 86400.;
   samples = 400;
   frames = 4;

@@ -16,8 +16,7 @@ void SpheroidScene::declare_parameters(InputEntries &prm)
   using namespace Patterns;
   prm.add_parameter("First cells", first_cells, "Number of cells in the cluster at the start. Units: none.", Integer(1, 10000000));
   prm.add_parameter("First phases", phases,
-                    "Phases of the first cells in their cycle: synchronous (all newborn) or spread (ages of exponential growth). Units: none.",
-                    Selection("synchronous|spread"));
+                    "Phases of the first cells in their cycle: synchronous (all newborn) or spread (ages of exponential growth). Units: none.");
   prm.add_parameter("End time", duration, end_of_run("Simulated time after which the run ends, unless something else ends it before. Units: s."), Double(0., 1e12));
   prm.rename("Duration", "End time");
   prm.add_parameter("Most cells", most_cells, "The run ends when there are so many cells, if that is before End time; 0: no limit. Units: none.", Double(0., 1e9));
@@ -41,14 +40,14 @@ void SpheroidScene::check() const
 
 double SpheroidScene::first_phase(const std::size_t i) const
 {
-  if (phases == "synchronous")
+  if (phases == FirstPhases::synchronous)
     return 0.;
   return -std::log2(1. - 0.5 * random_uniform(mix_bits(std::uint64_t(entries.seed) ^ 0x7068617365ull), i));
 }
 
 double SpheroidScene::first_spacing() const
 {
-  return 1.8 * entries.numbers.life.birth_radius * (phases == "spread" ? std::cbrt(2.) : 1.);
+  return 1.8 * entries.numbers.life.birth_radius * (phases == FirstPhases::spread ? std::cbrt(2.) : 1.);
 }
 
 void SpheroidScene::seed(CellCulture &culture) const

@@ -19,6 +19,14 @@
 
 namespace turgor
 {
+/// Of the first cells in their cycle.
+enum class FirstPhases
+{
+  synchronous, ///< all newborn
+  spread       ///< ages of exponential growth
+};
+constexpr const char *words_of(FirstPhases) { return "synchronous|spread"; }
+
 class SpheroidScene : public Scenario
 {
 public:
@@ -45,7 +53,7 @@ protected:
 
   CultureEntries entries;
   unsigned int first_cells = 10;
-  std::string phases = "synchronous"; ///< or spread
+  FirstPhases phases = FirstPhases::synchronous;
   double duration = 6. * 86400.;      ///< s
   double most_cells = 0.;             ///< the run ends there; 0: none
   unsigned int samples = 200, frames = 10, checkpoints = 8;
