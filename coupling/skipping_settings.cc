@@ -27,8 +27,8 @@ void SkippingSettings::check(const RveParameters &rve) const
 {
   if (!active())
     return;
-  if (rve.fluid != "hydrostatic")
-    throw InputError("Skipping/Skipping is certified, but the stress of RVE/Fluid = " + rve.fluid +
+  if (rve.fluid != RveFluid::hydrostatic)
+    throw InputError("Skipping/Skipping is certified, but the stress of RVE/Fluid = " + word_of(rve.fluid) +
                      " depends on rates and on the past of its particles; skipping needs 'Fluid = hydrostatic', or take 'Skipping = none'.");
   if (with(rve).tolerance <= 0.)
     throw InputError("Skipping/Tolerance is 0 and so is Cell/Turgor; allowed is more than 0 Pa for one of them.");

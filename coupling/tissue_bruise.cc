@@ -18,7 +18,7 @@ TissueBruise::TissueBruise()
   settings.tissue.tool.radius = 1.5e-3;
   settings.tissue.tool.depth = 0.35e-3;
   rve_parameters.cell.fluid_viscosity = 1.;
-  rve_parameters.yielding = "plastic";
+  rve_parameters.yielding = Yielding::plastic;
   rve_parameters.walls.critical_stretch = 1.25;
   rve_parameters.walls.leak_time = 1e-4;
 }
@@ -46,9 +46,9 @@ void TissueBruise::run(RunContext &context)
   settings.law.threads = context.threads();
   settings.law.skipping = settings.law.skipping.with(rve_parameters);
   context.result("density", rve->density(), "kg/m^3");
-  context.note("rve", rve_parameters.rule + ", " + rve_parameters.fluid + " fluid, " +
+  context.note("rve", word_of(rve_parameters.rule) + ", " + word_of(rve_parameters.fluid) + " fluid, " +
                         number_text(rve_parameters.columns) + " x " + number_text(rve_parameters.rows) + " cells, yielding " +
-                        rve_parameters.yielding);
+                        word_of(rve_parameters.yielding));
   const ToolParameters &tool = settings.tissue.tool;
   context.note("tool", word_of(tool.shape) + ", " + word_of(tool.motion));
   if (tool.shape == ToolShape::cylinder)

@@ -51,10 +51,10 @@ void TissueGravity::run(RunContext &context)
   context.result("width", width, "m");
   context.result("density", rve->density(), "kg/m^3");
   context.result("body_force", settings.tissue.body_force.norm(), "m/s^2");
-  context.note("rve", rve_parameters.rule + ", " + rve_parameters.fluid + " fluid, " +
+  context.note("rve", word_of(rve_parameters.rule) + ", " + word_of(rve_parameters.fluid) + " fluid, " +
                         number_text(rve_parameters.columns) + " x " + number_text(rve_parameters.rows) + " cells");
   if (const double left = rve_parameters.equilibrium_tolerance() * rve_parameters.cell.turgor;
-      rve_parameters.rule == "elastic_equilibrium" && rve_parameters.fluid == "hydrostatic" && load > 0. && left > 1e-3 * load)
+      rve_parameters.rule == RveRule::elastic_equilibrium && rve_parameters.fluid == RveFluid::hydrostatic && load > 0. && left > 1e-3 * load)
     remarked(context, "tolerance", "RVE/Tolerance leaves up to " + number_text(left) + " Pa out of balance inside the cells, more than a thousandth of the load of " +
              number_text(load) + " Pa: they may not feel it. Take a smaller tolerance or a larger load.");
   run_tissue(context, settings, rve);

@@ -70,8 +70,8 @@ TissueParameters<2> TissueStatics::piece() const
 
 void TissueStatics::check() const
 {
-  if (rve_parameters.fluid != "hydrostatic" || rve_parameters.rule == "constrained_runs")
-    throw InputError("RVE/Fluid = " + rve_parameters.fluid + " with RVE/Rule = " + rve_parameters.rule +
+  if (rve_parameters.fluid != RveFluid::hydrostatic || rve_parameters.rule == RveRule::constrained_runs)
+    throw InputError("RVE/Fluid = " + word_of(rve_parameters.fluid) + " with RVE/Rule = " + word_of(rve_parameters.rule) +
                      " gives no tangents; a static state needs 'Fluid = hydrostatic' with 'Rule = elastic_equilibrium' or "
                      "'cauchy_born'.");
   const TissueParameters<2> whole = piece();
@@ -91,7 +91,7 @@ void TissueStatics::run(RunContext &context)
 {
   const auto started = std::chrono::steady_clock::now();
   RveParameters cells_inside = rve_parameters;
-  if (rve_parameters.rule == "elastic_equilibrium")
+  if (rve_parameters.rule == RveRule::elastic_equilibrium)
     cells_inside.tolerance = std::clamp(std::abs(load) / std::max(rve_parameters.cell.turgor, 1e-300) * most_share_of_load,
                                         RveParameters::least_tolerance, rve_parameters.equilibrium_tolerance());
   if (cells_inside.equilibrium_tolerance() < rve_parameters.equilibrium_tolerance())

@@ -79,7 +79,7 @@ void ClosedFormComparison::remarks(RunContext &context) const
   if (largest_pressure_deviation > noted * rve.cell.turgor)
     remarked(context, "max_pressure_deviation_over_turgor", "the fluid's pressure is off that of flat walls by up to " + number_text(largest_pressure_deviation, 3) + " Pa, "
              + number_text(100. * largest_pressure_deviation / rve.cell.turgor, 3) + " % of turgor" +
-             (rve.fluid == "hydrostatic" ? ": the middle lamella gives, and the little area this makes counts for a fluid that is hardly compressible "
+             (rve.fluid == RveFluid::hydrostatic ? ": the middle lamella gives, and the little area this makes counts for a fluid that is hardly compressible "
                                            "(more Cell/Nodes per side or a larger Cell/Lamella ratio makes it less)." : "."));
 }
 

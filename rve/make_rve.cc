@@ -31,7 +31,7 @@ std::vector<Tensor2<2>> symmetries(const RveParameters &p)
 HydrostaticRveSettings hydrostatic_settings(const RveParameters &p)
 {
   HydrostaticRveSettings settings;
-  settings.rule = p.rule == "cauchy_born" ? HydrostaticRule::cauchy_born : HydrostaticRule::elastic_equilibrium;
+  settings.rule = p.rule == RveRule::cauchy_born ? HydrostaticRule::cauchy_born : HydrostaticRule::elastic_equilibrium;
   settings.columns = p.columns;
   settings.rows = p.rows;
   settings.equilibrium = {p.equilibrium_tolerance(), p.max_iterations};
@@ -43,8 +43,8 @@ HydrostaticRveSettings hydrostatic_settings(const RveParameters &p)
 SphRveSettings sph_settings(const RveParameters &p)
 {
   SphRveSettings settings;
-  settings.rule = p.rule == "cauchy_born"         ? SphRule::cauchy_born :
-                  p.rule == "elastic_equilibrium" ? SphRule::elastic_equilibrium :
+  settings.rule = p.rule == RveRule::cauchy_born         ? SphRule::cauchy_born :
+                  p.rule == RveRule::elastic_equilibrium ? SphRule::elastic_equilibrium :
                                                     SphRule::constrained_runs;
   settings.columns = p.columns;
   settings.rows = p.rows;
@@ -77,7 +77,7 @@ auto of_entries(const RveParameters &p, const Build &build)
 std::unique_ptr<Rve<2>> make_rve(const RveParameters &p)
 {
   return of_entries(p, [&]() -> std::unique_ptr<Rve<2>> {
-    if (p.fluid == "hydrostatic")
+    if (p.fluid == RveFluid::hydrostatic)
       return std::make_unique<HydrostaticRve>(turgid_tissue(p.structure, p.yielding_cell(), p.columns, p.rows), hydrostatic_settings(p));
     return std::make_unique<SphRve>(p.cell, sph_settings(p));
   });
@@ -87,15 +87,15 @@ std::size_t state_size(const RveParameters &p)
 {
   return of_entries(p, [&]() -> std::size_t {
     const std::size_t cells = std::size_t(p.columns) * p.rows;
-    if (p.fluid == "hydrostatic")
+    if (p.fluid == RveFluid::hydrostatic)
       {
         const std::size_t nodes =
           p.structure.square() ? cells * 4 * p.cell.nodes_per_side : laid_tissue(p.structure, p.yielding_cell(), p.columns, p.rows).nodes.size();
         return 2 * nodes + WallHistory::packed_size(p.wall_limits(), nodes, cells);
       }
-    if (p.rule == "cauchy_born")
+    if (p.rule == RveRule::cauchy_born)
       return 0;
-    return cells * particles_of_square_cell(p.cell, p.sph) * (p.sph.formulation == "thesis" ? 5 : 4);
+    return cells * particles_of_square_cell(p.cell, p.sph) * (p.sph.formulation == SphFormulation::thesis ? 5 : 4);
   });
 }
 } // namespace turgor

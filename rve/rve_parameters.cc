@@ -18,7 +18,7 @@ constexpr double hydrostatic_tolerance = 1e-9, sph_tolerance = 1e-3;
 double RveParameters::equilibrium_tolerance() const
 {
   if (tolerance == 0.)
-    return fluid == "sph" ? sph_tolerance : hydrostatic_tolerance;
+    return fluid == RveFluid::sph ? sph_tolerance : hydrostatic_tolerance;
   if (tolerance < least_tolerance)
     {
       std::ostringstream text;
@@ -32,7 +32,7 @@ double RveParameters::equilibrium_tolerance() const
 ParenchymaParameters RveParameters::yielding_cell() const
 {
   ParenchymaParameters c = cell;
-  if (yielding != "none")
+  if (yielding != Yielding::none)
     c.wall_yield = yield;
   return c;
 }
@@ -40,8 +40,35 @@ ParenchymaParameters RveParameters::yielding_cell() const
 WallLimits RveParameters::wall_limits() const
 {
   WallLimits limits = walls;
-  limits.plastic = yielding == "plastic";
+  limits.plastic = yielding == Yielding::plastic;
   return limits;
+}
+
+void RveParameters::declare_walls(InputEntries &prm)
+{
+  using namespace Patterns;
+  prm.enter_subsection("Wall");
+  prm.add_parameter("Yielding", yielding,
+                    "Whether walls soften when they are stretched (thesis Eq. 3.8): none; reversible, along the same curve back; "
+                    "plastic, elastic on the way back, so that a stretch stays. Units: none.");
+  declare_yield(prm, yield);
+  prm.rename("Yield sharpness A", "Yield sharpness");
+  prm.rename("Yield drop B", "Yield drop");
+  prm.add_parameter("Critical stretch", walls.critical_stretch,
+                    "Length over length at rest (before inflation and flow) at which a bond of the wall breaks, for good; its cell "
+                    "has failed and loses its fluid. 0: walls do not break. Units: 1.",
+                    Double(0., 100.));
+  prm.add_parameter("Leak time", walls.leak_time,
+                    "Time in which the pressure of a failed cell falls to 1/e at constant volume. 0: at once. Units: s.",
+                    Double(0., 1e6));
+  prm.add_parameter("Residue", walls.residue,
+                    "Share of its fluid that cannot leave a failed cell and resists when the cell is pressed below that volume. "
+                    "Units: 1.",
+                    Double(0., 0.99));
+  prm.add_parameter("Broken bond stiffness", walls.broken_share,
+                    "Share of its stiffness that a broken bond keeps, so that loose ends of wall stay in place. Units: 1.",
+                    Double(1e-8, 0.1));
+  prm.leave_subsection();
 }
 
 void RveParameters::add_parameters(InputEntries &prm)
@@ -50,12 +77,10 @@ void RveParameters::add_parameters(InputEntries &prm)
   prm.enter_subsection("RVE");
   prm.add_parameter("Rule", rule,
                     "How the cells follow F (thesis 3.4.2): cauchy_born moves them affinely, elastic_equilibrium "
-                    "relaxes them, constrained_runs lets them move for a burst and rescales. Units: none.",
-                    Selection("cauchy_born|elastic_equilibrium|constrained_runs"));
+                    "relaxes them, constrained_runs lets them move for a burst and rescales. Units: none.");
   prm.add_parameter("Fluid", fluid,
                     "Cell fluid: hydrostatic (one pressure per cell plus the viscous stress of F_dot) or sph "
-                    "(particles). Units: none.",
-                    Selection("hydrostatic|sph"));
+                    "(particles). Units: none.");
   prm.add_parameter("Columns", columns, "Number of cells of the RVE along x (before Structure/Rotation). Units: 1.", Integer(1, 100));
   prm.add_parameter("Rows", rows, "Number of cells of the RVE along y (before Structure/Rotation). Units: 1.", Integer(1, 100));
   prm.add_parameter("Tolerance", tolerance,
@@ -92,29 +117,7 @@ void RveParameters::add_parameters(InputEntries &prm)
   prm.enter_subsection("SPH");
   sph.add_parameters(prm);
   prm.leave_subsection();
-  prm.enter_subsection("Wall");
-  prm.add_parameter("Yielding", yielding,
-                    "Whether walls soften when they are stretched (thesis Eq. 3.8): none; reversible, along the same curve back; "
-                    "plastic, elastic on the way back, so that a stretch stays. Units: none.",
-                    Selection("none|reversible|plastic"));
-  declare_yield(prm, yield);
-  prm.rename("Yield sharpness A", "Yield sharpness");
-  prm.rename("Yield drop B", "Yield drop");
-  prm.add_parameter("Critical stretch", walls.critical_stretch,
-                    "Length over length at rest (before inflation and flow) at which a bond of the wall breaks, for good; its cell "
-                    "has failed and loses its fluid. 0: walls do not break. Units: 1.",
-                    Double(0., 100.));
-  prm.add_parameter("Leak time", walls.leak_time,
-                    "Time in which the pressure of a failed cell falls to 1/e at constant volume. 0: at once. Units: s.",
-                    Double(0., 1e6));
-  prm.add_parameter("Residue", walls.residue,
-                    "Share of its fluid that cannot leave a failed cell and resists when the cell is pressed below that volume. "
-                    "Units: 1.",
-                    Double(0., 0.99));
-  prm.add_parameter("Broken bond stiffness", walls.broken_share,
-                    "Share of its stiffness that a broken bond keeps, so that loose ends of wall stay in place. Units: 1.",
-                    Double(1e-8, 0.1));
-  prm.leave_subsection();
+  declare_walls(prm);
   prm.enter_subsection("Cell");
   cell.add_parameters(prm);
   prm.leave_subsection();
@@ -126,22 +129,22 @@ void RveParameters::check() const
   structure.check();
   if (structure.measured())
     structure.given(); // for what is wrong with its file
-  if (fluid != "hydrostatic" && (!structure.square() || structure.rotation != 0.))
-    throw std::invalid_argument("Structure/Structure = " + structure.kind + " and Structure/Rotation need 'RVE/Fluid = hydrostatic' (it is " + fluid
+  if (fluid != RveFluid::hydrostatic && (!structure.square() || structure.rotation != 0.))
+    throw std::invalid_argument("Structure/Structure = " + word_of(structure.kind) + " and Structure/Rotation need 'RVE/Fluid = hydrostatic' (it is " + word_of(fluid)
                                 + "): RVEs with particles have square cells as they lie.");
   make_parenchyma(yielding_cell(), columns, rows, true, true);
-  if (fluid == "hydrostatic" && rule == "constrained_runs")
-    throw std::invalid_argument("RVE/Rule is " + rule + ", which needs a fluid that flows. With RVE/Fluid = hydrostatic use cauchy_born or "
+  if (fluid == RveFluid::hydrostatic && rule == RveRule::constrained_runs)
+    throw std::invalid_argument("RVE/Rule is " + word_of(rule) + ", which needs a fluid that flows. With RVE/Fluid = hydrostatic use cauchy_born or "
                                 "elastic_equilibrium.");
   const WallLimits limits = wall_limits();
   limits.check(yield);
-  if (limits.failure() || yielding != "none")
+  if (limits.failure() || yielding != Yielding::none)
     {
-      if (fluid != "hydrostatic")
-        throw std::invalid_argument("Wall/Yielding = " + yielding + " and Wall/Critical stretch need 'RVE/Fluid = hydrostatic' "
-                                    "(it is " + fluid + ").");
-      if (limits.history() && rule != "elastic_equilibrium")
-        throw std::invalid_argument("RVE/Rule is " + rule + ", but walls that flow or break need elastic_equilibrium.");
+      if (fluid != RveFluid::hydrostatic)
+        throw std::invalid_argument("Wall/Yielding = " + word_of(yielding) + " and Wall/Critical stretch need 'RVE/Fluid = hydrostatic' "
+                                    "(it is " + word_of(fluid) + ").");
+      if (limits.history() && rule != RveRule::elastic_equilibrium)
+        throw std::invalid_argument("RVE/Rule is " + word_of(rule) + ", but walls that flow or break need elastic_equilibrium.");
       const double lambda_0 = turgid_wall_stretch(yielding_cell());
       if (limits.failure() && limits.critical_stretch <= lambda_0)
         {
@@ -151,7 +154,7 @@ void RveParameters::check() const
           throw std::invalid_argument(text.str());
         }
     }
-  if (fluid == "sph")
+  if (fluid == RveFluid::sph)
     check_sph_cell(cell, sph);
   else
     sph.check();

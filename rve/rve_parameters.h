@@ -5,16 +5,34 @@
 #include "micro/cells/sph_parenchyma.h"
 #include "micro/cells/tissue_structure.h"
 #include "micro/cells/wall_history.h"
+#include "micro/laws/yielding.h"
+#include "run/choice.h"
 
 #include <string>
 
 namespace turgor
 {
 class InputEntries;
+/// How the cells follow F (thesis 3.4.2).
+enum class RveRule
+{
+  cauchy_born, ///< cells move affinely
+  elastic_equilibrium, ///< they relax
+  constrained_runs ///< they move for a burst
+};
+constexpr const char *words_of(RveRule) { return "cauchy_born|elastic_equilibrium|constrained_runs"; }
+
+enum class RveFluid
+{
+  hydrostatic, ///< one pressure per cell
+  sph ///< particles
+};
+constexpr const char *words_of(RveFluid) { return "hydrostatic|sph"; }
+
 struct RveParameters
 {
-  std::string rule = "elastic_equilibrium"; ///< cauchy_born | elastic_equilibrium | constrained_runs
-  std::string fluid = "hydrostatic";        ///< hydrostatic | sph
+  RveRule rule = RveRule::elastic_equilibrium;
+  RveFluid fluid = RveFluid::hydrostatic;
   unsigned int columns = 1, rows = 1;       ///< cells in the RVE
   TissueStructure structure;                ///< how they lie
   double tolerance = 0.;                    ///< as entered, 0: what suits the fluid; see equilibrium_tolerance()
@@ -24,7 +42,7 @@ struct RveParameters
   unsigned int bursts = 1;                  ///< bursts per call
   double step_fraction = 0.9;               ///< micro step over its stable limit
   unsigned int relax_steps = 2000;          ///< elastic_equilibrium with particles: damped steps of one call
-  std::string yielding = "none";            ///< none | reversible | plastic
+  Yielding yielding = Yielding::none;
   WallYield yield = {15., 0.9};             ///< A, B of Eq. 3.8, where walls yield
   WallLimits walls;                         ///< plastic is set by yielding
   SphParameters sph;                        ///< used with fluid = sph only
@@ -44,5 +62,8 @@ struct RveParameters
   void add_parameters(InputEntries &prm);
   /// Throws std::invalid_argument, entry and allowed range in one sentence.
   void check() const;
+
+private:
+  void declare_walls(InputEntries &prm);
 };
 } // namespace turgor

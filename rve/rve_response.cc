@@ -126,8 +126,8 @@ void RveResponse::check() const
     }
   else if (!(parse_tensor(F_by_hand, "Path/F").determinant() > 0.))
     throw InputError("Path/F is '" + F_by_hand + "', but its determinant has to be positive.");
-  if (free_component != FreeComponent::none && rve.fluid != "hydrostatic")
-    throw InputError("Path/Free component is " + word_of(free_component) + ", but it needs 'RVE/Fluid = hydrostatic' (it is " + rve.fluid + ").");
+  if (free_component != FreeComponent::none && rve.fluid != RveFluid::hydrostatic)
+    throw InputError("Path/Free component is " + word_of(free_component) + ", but it needs 'RVE/Fluid = hydrostatic' (it is " + word_of(rve.fluid) + ").");
   rve.check();
 }
 
@@ -182,8 +182,8 @@ void RveResponse::run(RunContext &context)
   const std::unique_ptr<Rve<2>::Workspace> workspace = cells->make_workspace();
   std::vector<Asked> todo = all_asked();
   context.active({"neo_hookean_wall", "wall_bending", "lamella_tie",
-                  rve.fluid == "hydrostatic"        ? "hydrostatic_pressure" :
-                  rve.sph.formulation == "thesis" ? "thesis_fluid+lennard_jones_wall" :
+                  rve.fluid == RveFluid::hydrostatic        ? "hydrostatic_pressure" :
+                  rve.sph.formulation == SphFormulation::thesis ? "thesis_fluid+lennard_jones_wall" :
                                                     "sph_fluid"},
                  {});
   const std::unique_ptr<Series> table = context.series("stress", stress_columns());

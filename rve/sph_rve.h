@@ -46,7 +46,7 @@ public:
   Tensor2<2> lattice() const override { return layout.lattice; }
   std::vector<std::vector<Vector<2>>> outlines(const RveState<2> &state) const override;
 
-  bool knows_heating() const override { return settings.sph.formulation == "variational"; }
+  bool knows_heating() const override { return settings.sph.formulation == SphFormulation::variational; }
   double micro_step() const override { return dt; }
   double burst() const override;
 

@@ -81,7 +81,7 @@ AnnealedCells anneal(const CellLayout &layout_, const SphParameters &sph, const 
     if (!std::isfinite(mean))
       throw std::runtime_error("the cell fluid did not come to rest while annealing (stress is not finite at step " + number_text(s)
                                + "): use a larger Fluid modulus or a softer wall"
-                               + (sph.formulation == "thesis" ? ", or SPH/Formulation = variational" : ""));
+                               + (sph.formulation == SphFormulation::thesis ? ", or SPH/Formulation = variational" : ""));
     take_up(0.05 * mean / bulk);
   };
   // Mass so that the mean stress is zero exactly, positions held; a fluid that still moves would shake the tissue by itself.

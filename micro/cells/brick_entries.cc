@@ -32,8 +32,7 @@ void BrickParameters::add_parameters(InputEntries &prm)
                     Double(1e-3, 100.));
   prm.add_parameter("Yielding", yielding,
                     "Wall yielding, thesis Eq. 3.8: none; reversible: force g(lambda) F(lambda) on the way out and back; plastic: "
-                    "what goes beyond that curve stays longer. Units: none.",
-                    Selection("none|reversible|plastic"));
+                    "what goes beyond that curve stays longer. Units: none.");
   declare_yield(prm, yield);
   prm.add_parameter("Critical stretch", critical_stretch,
                     "Length over rest length at which a wall bond breaks and its cell has failed; 0: never. Units: none.",
@@ -47,7 +46,7 @@ void BrickParameters::add_parameters(InputEntries &prm)
 NeoHookeanWall BrickParameters::wall_law(const ParenchymaParameters &cell) const
 {
   ParenchymaParameters yielding_cell = cell;
-  yielding_cell.wall_yield = yielding == "none" ? WallYield{} : yield;
+  yielding_cell.wall_yield = yielding == Yielding::none ? WallYield{} : yield;
   return yielding_cell.wall_law();
 }
 
@@ -68,13 +67,13 @@ void BrickParameters::check(const ParenchymaParameters &cell, const SphParameter
   const TurgidLimit limit = turgid_limit(wall_law(cell), round_cell, 4. * cell.period, cell.depth);
   if (!(cell.turgor < limit.pressure))
     refuse("Cell/Turgor is ", cell.turgor, " Pa, but a round cell with walls of Cell/Wall stiffness = ", cell.wall_stiffness,
-           " N/m and a perimeter of four Cell/Period (", cell.period, " m) at rest", yielding == "none" ? "" : ", with Yielding,",
+           " N/m and a perimeter of four Cell/Period (", cell.period, " m) at rest", yielding == Yielding::none ? "" : ", with Yielding,",
            " holds at most ", limit.pressure, " Pa: beyond it walls stretch without end. Use less turgor, stiffer walls",
-           yielding == "none" ? "" : ", a smaller Yield drop", " or smaller cells.");
+           yielding == Yielding::none ? "" : ", a smaller Yield drop", " or smaller cells.");
   if (cell.nodes_per_side % 2 != 0)
     refuse("Cell/Nodes per side is ", cell.nodes_per_side, ", but bricks need an even number: the row below meets a side in its middle.");
-  if (sph.formulation != "variational")
-    refuse("SPH/Formulation is ", sph.formulation, ", but tissue of bricks has only the variational fluid: use variational.");
+  if (sph.formulation != SphFormulation::variational)
+    refuse("SPH/Formulation is ", word_of(sph.formulation), ", but tissue of bricks has only the variational fluid: use variational.");
   if (!(gap < 0.25 * cell.period))
     refuse("Gap is ", gap, " m, but it has to be less than a quarter of Cell/Period (", 0.25 * cell.period,
            " m): nothing would tie the cells of neighbouring rows.");

@@ -121,7 +121,7 @@ std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, co
   if (!layout.ties.empty())
     tissue->ties = &system.add(std::make_unique<LamellaTies>(ties_of_particles(*tissue, inside), tissue->lightest_node,
                                                              brick.lamella_strength * tissue->spacing * p.depth));
-  if (filled && brick.yielding == "plastic")
+  if (filled && brick.yielding == Yielding::plastic)
     tissue->flow = std::make_shared<WallFlow>(cells, ring_nodes);
   tissue->contact = &system.add(std::make_unique<CellContact>(contact_of(*tissue, brick), tissue->damage));
   return tissue;

@@ -11,6 +11,7 @@
 #include "micro/terms/enclosed_fluid.h"
 #include "micro/terms/lamella_ties.h"
 #include "micro/terms/ring_wall.h"
+#include "micro/laws/yielding.h"
 
 #include <memory>
 #include <string>
@@ -25,7 +26,7 @@ struct BrickParameters
   double gap = 0.;           ///< m, length without ties at either end of a shared wall; 0: dense
   unsigned int seed = 1;     ///< of the jitter
   double contact_ratio = 0.5; ///< contact stiffness / tangent stiffness of one wall spring at rest
-  std::string yielding = "none"; ///< none | reversible | plastic
+  Yielding yielding = Yielding::none;
   WallYield yield{15., 0.9};
   double critical_stretch = 0.; ///< of a wall bond; 0: does not break
   double rest_residual = 5e-3;      ///< tissue_inflation.h

@@ -34,19 +34,6 @@ std::vector<std::uint32_t> middle_of(const CellLayout &laid, const std::vector<s
 }
 } // namespace
 
-Surfaces surfaces_from(const std::string &name)
-{
-  if (name == "frozen")
-    return Surfaces::frozen;
-  if (name == "free")
-    return Surfaces::free;
-  if (name == "osmosis")
-    return Surfaces::osmosis;
-  if (name == "slab")
-    return Surfaces::slab;
-  throw std::invalid_argument("Surfaces is '" + name + "', but it has to be frozen, free, osmosis or slab.");
-}
-
 std::vector<CutBlock::Pull> CutBlock::pulls(const std::function<Vector<2>(std::uint32_t)> &place) const
 {
   std::vector<Pull> all;

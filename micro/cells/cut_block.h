@@ -28,9 +28,7 @@ enum class Surfaces
   osmosis, ///< as free, but water flows until every cell has its turgor again
   slab     ///< periodic in y, frozen at the right side
 };
-
-/// Throws std::invalid_argument for another name.
-Surfaces surfaces_from(const std::string &name);
+constexpr const char *words_of(Surfaces) { return "frozen|free|osmosis|slab"; }
 
 struct CutBlock
 {

@@ -60,7 +60,7 @@ void add_sph_fluid(RoundCell<dim> &cell, const EquationOfState &eos, const doubl
   fluid.depth = p.depth;
   fluid.viscosity = p.fluid_viscosity;
   fluid.ordering = p.ordering * p.fluid_modulus;
-  fluid.fourth_order = p.kernel == "fourth_order";
+  fluid.fourth_order = p.fourth_order;
   if (!fluid.fourth_order)
     fluid.layer = wall_layer<dim>(p.support_ratio);
   fluid.barrier = cell.damage ? p.fluid_modulus : 0.; // or an opened cell leaks through what is left of its wall
@@ -149,12 +149,12 @@ void fill(RoundCell<dim> &cell)
             particles.x[d][nw + i] = points[i][d];
           particles.inverse_mass[nw + i] = 1. / mass;
         }
-      if (p.fluid == "thesis")
+      if (p.fluid == CellFilling::thesis)
         add_thesis_fluid(cell, eos, spacing, mass);
       else
         add_sph_fluid(cell, eos, spacing, mass);
     }
-  else if (p.fluid == "pressure")
+  else if (p.fluid == CellFilling::pressure)
     cell.enclosed =
       &cell.system.add(std::make_unique<EnclosedFluid<dim>>(eos, std::vector<double>(1, content), p.depth, cell.mesh));
 }
@@ -163,7 +163,7 @@ void fill(RoundCell<dim> &cell)
 template <int dim>
 std::unique_ptr<RoundCell<dim>> make_round_cell(const RoundCellParameters &p, const bool can_fail)
 {
-  if (can_fail && p.fluid == "thesis")
+  if (can_fail && p.fluid == CellFilling::thesis)
     throw std::invalid_argument("Cell/Fluid is thesis, whose wall cannot open; a wall that fails needs Cell/Fluid = sph or pressure.");
   auto cell = std::make_unique<RoundCell<dim>>(p, round_layout<dim>(p));
   lay_wall(*cell, p.has_particles() ? p.fluid_particles : 0);

@@ -23,10 +23,9 @@ void RoundCellParameters::add_parameters(InputEntries &prm)
   prm.add_parameter("Fluid", fluid,
                     "What fills the cell. sph: particles; thesis: particles by the thesis's scheme (density by continuity, Lennard-Jones wall, Eq. 3.7), the "
                     "baseline, intact walls only; pressure: one pressure for the whole cell (nothing flows, quasi-static loading only); "
-                    "none: an empty shell. Units: none.",
-                    Selection("sph|thesis|pressure|none"));
+                    "none: an empty shell. Units: none.");
   prm.add_parameter("Fluid particles", fluid_particles, "Number of particles of the fluid, with Fluid = sph or thesis. Units: none.", Integer(20, 60000));
-  prm.add_parameter("Kernel", kernel,
+  prm.add_parameter("Kernel", fourth_order,
                     "Kernel of the fluid's sums. fourth_order has no second moment: sound waves and pressure gradients are smoothed to "
                     "fourth order in the support, at shorter steps; walls that do not fail only. Units: none.",
                     Selection("wendland|fourth_order"));
@@ -58,17 +57,17 @@ void RoundCellParameters::check(const int dim) const
   check_fluid();
   if (!(wall_thickness < 0.2 * radius))
     fail("Wall thickness", wall_thickness, "thinner than a fifth of the radius (m): the wall is a membrane");
-  if (fluid == "none" && turgor > 0.)
+  if (fluid == CellFilling::none && turgor > 0.)
     fail("Turgor", turgor, "0 (Pa) with Fluid = none: an empty shell holds no pressure");
   if (dim == 3 && !(turgor * radius < 2. * wall_stiffness))
     fail("Turgor", turgor, "below 2 G t0/Radius (Pa): tension grows no further than G t0 (Eq. 3.6), the cell would burst");
   if (dim == 3 && wall_yield.drop > 0.)
     fail("Yield drop", wall_yield.drop, "0 with Dimension = 3 (only the 2D wall yields by Eq. 3.8)");
   const double most = dim == 3 ? std::cbrt(4. / 3. * std::numbers::pi / fluid_particles) : std::sqrt(std::numbers::pi / fluid_particles);
-  if (fluid == "thesis" && !(turgor > 0.))
+  if (fluid == CellFilling::thesis && !(turgor > 0.))
     fail("Turgor", turgor, "positive (Pa) with Fluid = thesis: the repulsion of the wall's nodes is chosen by the pressure it holds");
-  if (fluid == "thesis" && kernel != "wendland")
-    throw std::invalid_argument("Cell/Kernel is " + kernel + ", which only Cell/Fluid = sph has; with Fluid = thesis it has to be wendland.");
+  if (fluid == CellFilling::thesis && fourth_order)
+    throw std::invalid_argument("Cell/Kernel is fourth_order, which only Cell/Fluid = sph has; with Fluid = thesis it has to be wendland.");
   if (has_particles() && !(support_ratio * most < 1.))
     fail("Fluid particles", fluid_particles, "so many that the kernel's radius is smaller than the cell's");
   turgid_stretch(dim);

@@ -9,12 +9,23 @@
 
 #include "micro/cells/fluid_parameters.h"
 #include "micro/cells/wall_parameters.h"
+#include "run/choice.h"
 
 #include <string>
 
 namespace turgor
 {
 class InputEntries;
+/// What fills a cell.
+enum class CellFilling
+{
+  sph, ///< particles
+  thesis, ///< particles by the thesis's scheme
+  pressure, ///< one pressure for the whole cell
+  none ///< an empty shell
+};
+constexpr const char *words_of(CellFilling) { return "sph|thesis|pressure|none"; }
+
 struct RoundCellParameters : WallParameters, FluidParameters
 {
   RoundCellParameters() { wall_thickness = 126e-9; }
@@ -23,9 +34,9 @@ struct RoundCellParameters : WallParameters, FluidParameters
   double depth = 50e-6;          ///< m, slab depth (2D)
   unsigned int ring_nodes = 100; ///< wall nodes (2D)
   unsigned int frequency = 14;   ///< of the geodesic sphere: 10 nu^2 + 2 wall nodes (3D)
-  std::string fluid = "sph";     ///< sph | thesis | pressure | none
+  CellFilling fluid = CellFilling::sph;
   unsigned int fluid_particles = 5000;
-  std::string kernel = "wendland"; ///< wendland | fourth_order
+  bool fourth_order = false; ///< kernel; else Wendland's
   double support_ratio = 2.6, skin_ratio = 0.2, ordering = 0.01;
   unsigned int seed = 1;
   unsigned int settle_steps = 0, anneal_steps = 8000, rest_steps = 10000; ///< bring_to_turgor.h
@@ -35,7 +46,7 @@ struct RoundCellParameters : WallParameters, FluidParameters
   void add_parameters(InputEntries &prm);
   /// Throws std::invalid_argument: entry, value, allowed range.
   void check(int dim) const;
-  bool has_particles() const { return fluid == "sph" || fluid == "thesis"; }
+  bool has_particles() const { return fluid == CellFilling::sph || fluid == CellFilling::thesis; }
   /// lambda_0.
   double turgid_stretch(int dim) const;
 };

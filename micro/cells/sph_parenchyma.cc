@@ -33,9 +33,8 @@ void SphParameters::add_parameters(InputEntries &prm)
                     Integer(100, 10000000));
   prm.add_parameter("Formulation", formulation,
                     "variational: one energy, density corrected for the wall; thesis: density by continuity and "
-                    "Lennard-Jones walls (thesis 2.3.1, 3.2), the baseline. Units: none.",
-                    Selection("variational|thesis"));
-  prm.add_parameter("Volume", volume,
+                    "Lennard-Jones walls (thesis 2.3.1, 3.2), the baseline. Units: none.");
+  prm.add_parameter("Volume", summed,
                     "Formulation = variational: exact: the particles' volumes are scaled to fill their cell exactly, so that "
                     "their packing does not decide the pressure; summed: densities as the kernel sums give them. Units: none.",
                     Selection("exact|summed"));
@@ -45,8 +44,7 @@ void SphParameters::add_parameters(InputEntries &prm)
                     Double(0., 1.));
   prm.add_parameter("Viscosity law", viscosity_law,
                     "Formulation = thesis: monaghan: Eq. 2.25; morris: Eq. 2.24. The variational one has Newton's law of a velocity gradient per "
-                    "particle. Units: none.",
-                    Selection("monaghan|morris"));
+                    "particle. Units: none.");
   prm.add_parameter("Wall range ratio", wall_range_ratio,
                     "Formulation = thesis: range r_0 of the wall's repulsion (Eq. 3.7) over particle spacing. Units: none.",
                     Double(0.6, 4.));
@@ -58,7 +56,7 @@ void SphParameters::add_parameters(InputEntries &prm)
 
 void SphParameters::check() const
 {
-  if (viscosity_law == "morris" && formulation != "thesis")
+  if (viscosity_law == ViscosityLaw::morris && formulation != SphFormulation::thesis)
     throw std::invalid_argument("SPH/Viscosity law is morris, which only SPH/Formulation = thesis has; with "
                                 "SPH/Formulation = variational leave monaghan.");
 }
@@ -168,14 +166,14 @@ std::unique_ptr<CellFluid<2>> make_cell_fluid(const ParenchymaParameters &p, con
 {
   const EquationOfState eos = p.equation_of_state();
   const double dx = p.period / sph.particles_per_side;
-  if (sph.formulation == "thesis")
+  if (sph.formulation == SphFormulation::thesis)
     {
       ThesisFluidParameters fluid;
       fluid.support = sph.support_ratio * dx;
       fluid.skin = sph.skin_ratio * dx;
       fluid.depth = p.depth;
       fluid.viscosity = p.fluid_viscosity;
-      fluid.law = sph.viscosity_law == "morris" ? ViscosityLaw::morris : ViscosityLaw::monaghan;
+      fluid.law = sph.viscosity_law;
       fluid.initial_density = eos.density_at(p.turgor);
       fluid.holding_force = p.turgor * dx * p.depth;
       const LennardJonesWall wall = LennardJonesWall::holding(p.turgor, dx, wall_spacing, p.depth,
@@ -188,7 +186,7 @@ std::unique_ptr<CellFluid<2>> make_cell_fluid(const ParenchymaParameters &p, con
   fluid.depth = p.depth;
   fluid.viscosity = p.fluid_viscosity;
   fluid.layer = wall_layer<2>(sph.support_ratio);
-  fluid.exact_volume = sph.volume == "exact";
+  fluid.exact_volume = !sph.summed;
   fluid.ordering = ordering_pressure(p, sph);
   fluid.barrier = damage ? p.fluid_modulus : 0.; // an opened cell must not leak through what is left of its wall
   return std::make_unique<SphFluid<2>>(fluid, eos, mass, std::move(damage));

@@ -6,9 +6,11 @@
 
 #include "micro/cells/parenchyma.h"
 #include "micro/engine/particle_system.h"
+#include "micro/laws/viscosity_law.h"
 #include "micro/terms/cell_fluid.h"
 #include "micro/terms/ring_wall.h"
 #include "micro/terms/wall_damage.h"
+#include "run/choice.h"
 
 #include <cstdint>
 #include <memory>
@@ -17,6 +19,13 @@
 
 namespace turgor
 {
+enum class SphFormulation
+{
+  variational, ///< sph_fluid.h
+  thesis ///< thesis_fluid.h
+};
+constexpr const char *words_of(SphFormulation) { return "variational|thesis"; }
+
 struct SphParameters
 {
   unsigned int particles_per_side = 22; ///< fluid particles along a cell side (its square in a cell)
@@ -24,10 +33,10 @@ struct SphParameters
   double skin_ratio = 0.1;              ///< list skin / particle spacing
   unsigned int seed = 1;                ///< of the initial disorder
   unsigned int anneal_steps = 20000;    ///< steps of damped motion before the reference
-  std::string formulation = "variational"; ///< variational (sph_fluid.h) | thesis (thesis_fluid.h)
-  std::string volume = "exact";            ///< exact | summed (variational formulation only)
+  SphFormulation formulation = SphFormulation::variational;
+  bool summed = false;                     ///< volumes; else exact (variational formulation only)
   double ordering = 0.01;                  ///< p_0 / fluid modulus (volume = exact)
-  std::string viscosity_law = "monaghan";  ///< thesis: monaghan | morris
+  ViscosityLaw viscosity_law = ViscosityLaw::monaghan; ///< of the thesis's formulation
   double wall_range_ratio = 1.5;           ///< thesis: r_0 of the wall's repulsion / particle spacing
   double wall_strength = 4.;               ///< thesis: f_0 over the estimate of lennard_jones_wall.h
 

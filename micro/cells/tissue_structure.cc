@@ -79,8 +79,7 @@ void TissueStructure::add_parameters(InputEntries &prm)
                     "turgor stretches the walls, regular hexagon cells, brick (square cells whose rows are moved by half a cell, thesis 3.3.2), "
                     "voronoi (a random Laguerre tessellation), or voronoi cells as large, and as different in size, as those of Tissue file: "
                     "polygons (a table) or image (a segmented picture); Cell/Period then counts for nothing. Other than square they find their periods at turgor themselves, free of stress. "
-                    "Units: none.",
-                    Selection("square|hexagon|brick|voronoi|polygons|image"));
+                    "Units: none.");
   prm.add_parameter("Structure seed", seed, "Seed of what is random in the tissue: Corner jitter, places and areas of voronoi cells. Units: none.", Integer(0));
   prm.add_parameter("Rotation", rotation, "Angle by which the tissue is turned, counter-clockwise. Units: degrees.", Double(-360., 360.));
   prm.add_parameter("Corner jitter", jitter,
@@ -106,7 +105,7 @@ Tiling TissueStructure::given() const
   check();
   try
     {
-      if (kind == "polygons")
+      if (kind == StructureKind::polygons)
         return polygons_of(file);
       LabelImage image = read_label_image(file);
       close_lines(image, int(line_width));
@@ -121,18 +120,18 @@ Tiling TissueStructure::given() const
 void TissueStructure::check() const
 {
   if (measured() != (file != "none"))
-    throw std::invalid_argument("Structure/Tissue file is " + file + ", but Structure = " + kind + (measured() ? " needs one." : " has none: use none, or polygons or image."));
-  if (jitter > 0. && kind != "hexagon" && kind != "brick")
-    throw std::invalid_argument("Structure/Corner jitter is " + number_text(jitter) + ", but with Structure = " + kind
+    throw std::invalid_argument("Structure/Tissue file is " + file + ", but Structure = " + word_of(kind) + (measured() ? " needs one." : " has none: use none, or polygons or image."));
+  if (jitter > 0. && kind != StructureKind::hexagon && kind != StructureKind::brick)
+    throw std::invalid_argument("Structure/Corner jitter is " + number_text(jitter) + ", but with Structure = " + word_of(kind)
                                 + " corners are not displaced: use 0, or hexagon or brick.");
 }
 
 Tiling TissueStructure::tiling(const double side, const unsigned int columns, const unsigned int rows, const double shortest) const
 {
   check();
-  if (kind == "voronoi")
+  if (kind == StructureKind::voronoi)
     return without_short_sides(random_laguerre(*this, side, columns, rows), shortest);
-  Tiling tiling = replicated(kind == "hexagon" ? hexagon_tiling(side) : kind == "brick" ? brick_tiling(side) : square_tiling(side), columns, rows);
+  Tiling tiling = replicated(kind == StructureKind::hexagon ? hexagon_tiling(side) : kind == StructureKind::brick ? brick_tiling(side) : square_tiling(side), columns, rows);
   for (std::size_t v = 0; v < tiling.vertices.size(); ++v)
     for (std::size_t d = 0; d < 2; ++d)
       tiling.vertices[v][d] += jitter * side * (2. * random_uniform(seed, 2 * v + d) - 1.);
@@ -148,7 +147,7 @@ CellLayout laid_tissue(const TissueStructure &structure, ParenchymaParameters ce
   if (structure.measured())
     {
       const TilingMeasures found(structure.given());
-      laid.kind = "voronoi";
+      laid.kind = StructureKind::voronoi;
       laid.file = "none";
       laid.area_scatter = found.area_scatter();
       cell.period = std::sqrt(found.mean_area());

@@ -16,15 +16,27 @@
 
 #include "micro/cells/cell_layout.h"
 #include "micro/geometry/tiling.h"
+#include "run/choice.h"
 
 #include <string>
 
 namespace turgor
 {
 class InputEntries;
+enum class StructureKind
+{
+  square,
+  hexagon,
+  brick,
+  voronoi,
+  polygons,
+  image
+};
+constexpr const char *words_of(StructureKind) { return "square|hexagon|brick|voronoi|polygons|image"; }
+
 struct TissueStructure
 {
-  std::string kind = "square"; ///< square | hexagon | brick | voronoi | polygons | image
+  StructureKind kind = StructureKind::square;
   unsigned int seed = 1;
   double rotation = 0.;        ///< degrees, counter-clockwise
   double jitter = 0.;          ///< of hexagons' and bricks' corners, over Cell/Period
@@ -35,11 +47,11 @@ struct TissueStructure
   double pixel = 1e-6;         ///< m
   unsigned int line_width = 2; ///< pixels, of the lines without label between cells
 
-  bool measured() const { return kind == "polygons" || kind == "image"; }
+  bool measured() const { return kind == StructureKind::polygons || kind == StructureKind::image; }
   /// The tissue of the file, bounded. Throws InputError where it is none.
   Tiling given() const;
 
-  bool square() const { return kind == "square"; }
+  bool square() const { return kind == StructureKind::square; }
 
   /// Declares the entries above in the current subsection of prm.
   void add_parameters(InputEntries &prm);

@@ -56,6 +56,22 @@ void settle_fluid(RoundCell<dim> &cell, const std::function<void(unsigned int, u
   halt(particles);
 }
 
+namespace
+{
+/// The reference does not depend on the wall's mass: a node as heavy as half a fluid particle allows steps several times as long.
+template <int dim>
+void weigh_down(RoundCell<dim> &cell)
+{
+  const RoundCellParameters &p = cell.parameters;
+  const std::uint32_t nw = cell.group().wall_count();
+  std::vector<double> &inverse_mass = cell.system.particles.inverse_mass;
+  const double heavy =
+    0.5 * p.fluid_density * cell.volume() / (p.has_particles() ? double(p.fluid_particles) : 2. * double(nw));
+  for (std::uint32_t i = 0; i < nw; ++i)
+    inverse_mass[i] = std::min(inverse_mass[i], 1. / heavy);
+}
+} // namespace
+
 template <int dim>
 double bring_to_turgor(RoundCell<dim> &cell, const std::function<void(unsigned int, unsigned int, double)> &watch)
 {
@@ -63,17 +79,11 @@ double bring_to_turgor(RoundCell<dim> &cell, const std::function<void(unsigned i
   if (cell.sph)
     cell.sph->set_viscosity(0.); // the reference does not depend on it; damping brings the fluid to rest
   settle_fluid(cell, {});
-  // Neither does it depend on the wall's mass: a node as heavy as half a fluid particle allows steps several times as long.
   std::vector<double> &inverse_mass = cell.system.particles.inverse_mass;
   const std::uint32_t nw = cell.group().wall_count();
   const std::vector<double> own(inverse_mass.begin(), inverse_mass.begin() + nw);
-  if (p.fluid != "none")
-    {
-      const double heavy =
-        0.5 * p.fluid_density * cell.volume() / (p.has_particles() ? double(p.fluid_particles) : 2. * double(nw));
-      for (std::uint32_t i = 0; i < nw; ++i)
-        inverse_mass[i] = std::min(inverse_mass[i], 1. / heavy);
-    }
+  if (p.fluid != CellFilling::none)
+    weigh_down(cell);
   const double dt = 0.8 * cell.system.stable_time_step(), bulk = 7. * p.fluid_modulus;
   const double crossing = 2. * p.radius / std::sqrt(bulk / p.fluid_density);
   // The wall gives way while the cell fills, so that pressure follows several times as slowly as at constant volume.
@@ -93,7 +103,7 @@ double bring_to_turgor(RoundCell<dim> &cell, const std::function<void(unsigned i
   const bool settled = p.settle_steps > 0 && p.turgor == 0.; // all that is left is what the wall stirs up when it is let go
   KickDriftKick<dim> integrator(cell.system);
   cell.system.compute_forces();
-  const unsigned int steps = p.fluid == "none" ? 0 : p.anneal_steps;
+  const unsigned int steps = p.fluid == CellFilling::none ? 0 : p.anneal_steps;
   for (unsigned int s = 0; s < steps; ++s)
     {
       const double through = double(s) / steps;

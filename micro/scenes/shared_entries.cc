@@ -17,12 +17,11 @@ void declare_block(InputEntries &prm, unsigned int &columns, unsigned int &rows,
                     Patterns::Double(-1e8, 1e8));
 }
 
-void declare_surfaces(InputEntries &prm, std::string &surfaces)
+void declare_surfaces(InputEntries &prm, Surfaces &surfaces)
 {
   prm.add_parameter("Surfaces", surfaces,
                     "frozen: the missing neighbours' reference forces stay; free: turgid cells bulge, fixed mass; "
-                    "osmosis: free, turgor restored; slab: periodic in y. Units: none.",
-                    Patterns::Selection("frozen|free|osmosis|slab"));
+                    "osmosis: free, turgor restored; slab: periodic in y. Units: none.");
 }
 
 void declare_step_fraction(InputEntries &prm, double &step_fraction)
@@ -40,7 +39,7 @@ void declare_substeps(InputEntries &prm, unsigned int &substeps)
 
 void check_substeps(const unsigned int substeps, const SphParameters &sph)
 {
-  if (substeps > 1 && sph.formulation == "thesis")
+  if (substeps > 1 && sph.formulation == SphFormulation::thesis)
     throw InputError("Substeps is " + number_text(substeps) + ", but SPH/Formulation = thesis carries its density along with "
                      "every move of a particle; it has to be 1.");
 }

@@ -2,6 +2,8 @@
 // current subsection of prm.
 #pragma once
 
+#include "micro/cells/cut_block.h"
+
 #include <string>
 
 namespace turgor
@@ -13,7 +15,7 @@ struct SphParameters;
 void declare_block(InputEntries &prm, unsigned int &columns, unsigned int &rows, double &load);
 
 /// frozen | free | osmosis | slab, as in cut_block.h
-void declare_surfaces(InputEntries &prm, std::string &surfaces);
+void declare_surfaces(InputEntries &prm, Surfaces &surfaces);
 
 void declare_step_fraction(InputEntries &prm, double &step_fraction);
 

@@ -22,6 +22,7 @@
 #include "micro/laws/lennard_jones_wall.h"
 #include "micro/terms/thesis_pairs.h"
 #include "micro/laws/sph_kernel.h"
+#include "micro/laws/viscosity_law.h"
 
 #include <array>
 #include <cmath>
@@ -29,12 +30,6 @@
 
 namespace turgor
 {
-enum class ViscosityLaw
-{
-  monaghan,
-  morris
-};
-
 struct ThesisFluidParameters
 {
   double support = 0.;         ///< m, radius of the kernel (2 h)

@@ -17,7 +17,7 @@ BOOST_AUTO_TEST_CASE(pressure_approaches_turgor_as_its_closed_form)
   // Eq. 2.22, P + K = K (rho/rho_0)^7, the law (1/m) dm/dt = r (T - P)/(7 K) becomes, for y = 1 + P/K and z = 1 + T/K,
   //   dy/dt = r y (z - y),   y(t) = z / (1 + (z/y_0 - 1) exp(-r z t))
   // The process takes explicit Euler steps, so the error is of first order in dt.
-  sph.formulation = "thesis"; // its density follows the water alone while nothing moves
+  sph.formulation = SphFormulation::thesis; // its density follows the water alone while nothing moves
   const double K = cell.fluid_modulus, rate = 1e5, span = 1.5 / rate;
   for (const double target : {1.5 * cell.turgor, 0.3 * cell.turgor, 5. * K})
     {
@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(a_cell_shares_its_water_evenly_among_its_particles)
   const double rate = 1e5, dt = 1e-7, bulk_modulus = 7. * cell.fluid_modulus, target = 2. * cell.turgor;
   for (const char *formulation : {"variational", "thesis"})
     {
-      sph.formulation = formulation;
+      sph.formulation = choice_of<SphFormulation>(formulation);
       auto patch = disturbed(2, 1);
       ParticleSystem<2> &system = patch->system;
       // cells at different pressures

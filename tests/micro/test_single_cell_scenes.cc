@@ -41,7 +41,7 @@ void run(Scenario &scene, MemoryContext &context, const Entries &entries)
 RoundCellParameters one_pressure()
 {
   RoundCellParameters p;
-  p.fluid = "pressure";
+  p.fluid = CellFilling::pressure;
   p.frequency = 6;
   p.wall_density = 32500.;
   p.anneal_steps = 3000;
@@ -180,7 +180,7 @@ BOOST_AUTO_TEST_CASE(laplace_scene_in_2D)
 BOOST_AUTO_TEST_CASE(closed_forms_of_a_filled_shell)
 {
   RoundCellParameters p;
-  p.fluid = "sph";
+  p.fluid = CellFilling::sph;
   p.wall_thickness = 1e-6;
   const double R = 30e-6, c = 50.;
   // By hand: the equation itself at the roots, with boost's or std's Bessel functions written out.
@@ -196,7 +196,7 @@ BOOST_AUTO_TEST_CASE(closed_forms_of_a_filled_shell)
   const auto rigid = ShellOscillation::closed_form(p, R, c, 2);
   BOOST_TEST(rigid[0] * R / c == 4.493409, boost::test_tools::tolerance(1e-4));
   BOOST_TEST(rigid[1] * R / c == 7.725252, boost::test_tools::tolerance(1e-4));
-  p.fluid = "none";
+  p.fluid = CellFilling::none;
   p.wall_stiffness = 100.;
   BOOST_TEST(ShellOscillation::closed_form(p, R, c, 2)[0] == std::sqrt(4. * 300. / 1.3e-3) / R,
              boost::test_tools::tolerance(1e-12));
@@ -348,7 +348,7 @@ BOOST_AUTO_TEST_CASE(a_light_plate_leaves_the_cells_rest_alone)
 BOOST_AUTO_TEST_CASE(the_thesis_scheme_fills_a_round_cell)
 {
   RoundCellParameters p;
-  p.fluid = "thesis";
+  p.fluid = CellFilling::thesis;
   p.radius = 50e-6;
   p.wall_thickness = 1e-6;
   p.ring_nodes = 48;

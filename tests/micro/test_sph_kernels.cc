@@ -18,7 +18,7 @@ namespace
 RoundCellParameters round_cell(const std::string &kernel)
 {
   RoundCellParameters p;
-  p.kernel = kernel;
+  p.fourth_order = kernel == "fourth_order";
   p.ring_nodes = 40;
   p.frequency = 4;
   p.fluid_particles = 200;

@@ -19,7 +19,7 @@ namespace
 {
 struct Fixture : test::SmallPatch
 {
-  Fixture() { sph.formulation = "thesis"; }
+  Fixture() { sph.formulation = SphFormulation::thesis; }
 };
 /// Sum of weight(x, y) W'/r over a square lattice of spacing 1 about one of its points; support over spacing.
 template <typename Weight>
@@ -138,7 +138,7 @@ BOOST_AUTO_TEST_CASE(momentum_is_conserved_to_round_off)
   cell.fluid_viscosity = 1.;
   for (const char *law : {"monaghan", "morris"})
     {
-      sph.viscosity_law = law;
+      sph.viscosity_law = choice_of<ViscosityLaw>(law);
       auto patch = disturbed(2, 2);
       patch->system.compute_forces();
       const Particles<2> &p = patch->system.particles;
@@ -260,7 +260,7 @@ BOOST_AUTO_TEST_CASE(both_viscosities_have_the_newtonian_limit)
     for (const char *law : {"monaghan", "morris"})
       {
         sph.support_ratio = support;
-        sph.viscosity_law = law;
+        sph.viscosity_law = choice_of<ViscosityLaw>(law);
         cell.fluid_viscosity = 0.;
         auto still = lattice();
         cell.fluid_viscosity = 1.;
@@ -273,7 +273,7 @@ BOOST_AUTO_TEST_CASE(both_viscosities_have_the_newtonian_limit)
         still->system.compute_forces();
         const std::uint32_t i = middle(*moving);
         const double volume = 1. / p.inverse_mass[i] / p.field("density")[i];
-        const double moment = sph.viscosity_law == "morris" ? dilation_moment(support) : central_shear_moment(support);
+        const double moment = sph.viscosity_law == ViscosityLaw::morris ? dilation_moment(support) : central_shear_moment(support);
         BOOST_TEST_MESSAGE(law << ", moment at support " << support << ": " << moment);
         BOOST_TEST((p.f[0][i] - still->system.particles.f[0][i]) == 2. * c * volume * moment,
                    boost::test_tools::tolerance(1e-9)); // round-off
@@ -284,7 +284,7 @@ BOOST_AUTO_TEST_CASE(only_monaghan_leaves_a_rigid_rotation_alone)
 {
   for (const char *law : {"monaghan", "morris"})
     {
-      sph.viscosity_law = law;
+      sph.viscosity_law = choice_of<ViscosityLaw>(law);
       cell.fluid_viscosity = 0.;
       auto still = disturbed(1, 1);
       cell.fluid_viscosity = 1.;
@@ -307,8 +307,8 @@ BOOST_AUTO_TEST_CASE(only_monaghan_leaves_a_rigid_rotation_alone)
       // round-off is that of the pressure forces that were subtracted
       const double noise = 1e-12 * largest_force(p);
       BOOST_TEST_MESSAGE(law << ": drag " << force << " N, torque " << torque << " N m");
-      BOOST_TEST((force < 100. * noise) == (sph.viscosity_law == "monaghan"));
-      BOOST_TEST((std::abs(torque) < 1e4 * noise * cell.period) == (sph.viscosity_law == "monaghan"));
+      BOOST_TEST((force < 100. * noise) == (sph.viscosity_law == ViscosityLaw::monaghan));
+      BOOST_TEST((std::abs(torque) < 1e4 * noise * cell.period) == (sph.viscosity_law == ViscosityLaw::monaghan));
     }
 }
 
@@ -386,7 +386,7 @@ BOOST_AUTO_TEST_CASE(the_input_file_selects_it)
     return std::string(e.what()).find("SPH/Viscosity law is morris") != std::string::npos;
   });
   const std::vector<std::string> expected{"density", "pressure"};
-  sph.formulation = "thesis";
+  sph.formulation = SphFormulation::thesis;
   BOOST_TEST(make_sph_patch(patch, sph, unannealed_cell(patch, sph))->system.particles.field_names() == expected,
              boost::test_tools::per_element());
 }

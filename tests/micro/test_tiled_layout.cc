@@ -120,7 +120,7 @@ BOOST_AUTO_TEST_CASE(walls_of_half_a_bond_more_are_cut_alike_everywhere)
 BOOST_AUTO_TEST_CASE(voronoi_walls_face_each_other_node_by_node)
 {
   TissueStructure voronoi;
-  voronoi.kind = "voronoi";
+  voronoi.kind = StructureKind::voronoi;
   for (const unsigned int n : {1u, 2u, 4u})
     for (voronoi.seed = 1; voronoi.seed < 4; ++voronoi.seed)
       {
@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(a_turgid_tissue_carries_no_stress)
   for (const std::string kind : {"hexagon", "brick", "voronoi"})
     for (const unsigned int n : {1u, 3u})
       {
-        structure.kind = kind;
+        structure.kind = choice_of<StructureKind>(kind);
         structure.rotation = n == 3 ? 30. : 0.;
         structure.jitter = kind == "brick" && n == 3 ? 0.06 : 0.;
         const CellLayout layout = turgid_tissue(structure, p, n, n);

@@ -283,7 +283,7 @@ BOOST_AUTO_TEST_CASE(walls_too_soft_are_refused_and_the_advice_helps)
   BOOST_TEST(limit.pressure == std::numbers::pi / 2. * soft.cell.wall_stiffness / soft.cell.period, boost::test_tools::tolerance(1e-6));
   // yielding ones have a maximum
   Small yielding;
-  yielding.brick.yielding = "plastic";
+  yielding.brick.yielding = Yielding::plastic;
   yielding.brick.yield = {30., 0.9};
   BOOST_TEST(refused(yielding));
   yielding.brick.yield.drop = 0.85;

@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(wrong_paths_are_named)
 BOOST_AUTO_TEST_CASE(factory_refuses_what_does_not_exist)
 {
   RveParameters p;
-  p.rule = "constrained_runs";
+  p.rule = RveRule::constrained_runs;
   BOOST_CHECK_EXCEPTION(make_rve(p), InputError, says("RVE/Rule"));
   p = {};
   p.cell.depth = -1.;
@@ -175,23 +175,23 @@ BOOST_AUTO_TEST_CASE(size_of_a_state_is_known_before)
   compare();
   p.walls.critical_stretch = 1.5;
   compare();
-  p.yielding = "plastic";
+  p.yielding = Yielding::plastic;
   compare();
   p.walls.critical_stretch = 0.;
   compare();
-  p.yielding = "none";
-  p.structure.kind = "voronoi";
+  p.yielding = Yielding::none;
+  p.structure.kind = StructureKind::voronoi;
   p.structure.rotation = 20.;
   compare();
   p.walls.critical_stretch = 1.5;
   compare();
   p.walls.critical_stretch = 0.;
   p.structure = {};
-  p.fluid = "sph";
+  p.fluid = RveFluid::sph;
   p.sph.particles_per_side = 9;
   p.sph.anneal_steps = 10000;
   compare();
-  p.rule = "cauchy_born";
+  p.rule = RveRule::cauchy_born;
   compare();
 }
 

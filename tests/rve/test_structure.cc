@@ -28,7 +28,7 @@ ParenchymaParameters cell()
 HydrostaticRve rve_of(const std::string &kind, const unsigned int n, const double rotation = 0.)
 {
   TissueStructure structure;
-  structure.kind = kind;
+  structure.kind = choice_of<StructureKind>(kind);
   structure.rotation = rotation;
   return HydrostaticRve(turgid_tissue(structure, cell(), n, n), {});
 }

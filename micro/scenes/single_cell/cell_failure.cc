@@ -26,7 +26,7 @@ public:
     SqueezedCell::check();
     if (critical_stretch == 0.)
       throw InputError("Critical stretch is 0, but cell_failure needs one above 1 (cell_impact and cell_compression do without).");
-    if (cell.fluid == "pressure")
+    if (cell.fluid == CellFilling::pressure)
       throw InputError("Cell/Fluid is pressure, but an opened cell does not have one pressure; use sph or none.");
   }
 

@@ -97,7 +97,7 @@ RoundCellParameters ShellOscillation::shell() const
 {
   RoundCellParameters p = cell;
   p.turgor = 0.; // closed forms are about a stress-free start
-  p.fluid = filled ? "sph" : "none";
+  p.fluid = filled ? CellFilling::sph : CellFilling::none;
   p.fluid_modulus = p.fluid_density * sound_speed * sound_speed / 7.;
   // The liquid has to carry tension: no cavitation in a linear wave. -K is where Eq. 2.22 ends.
   p.cavitation_pressure = -0.5 * p.fluid_modulus;
@@ -119,7 +119,7 @@ std::vector<double> ShellOscillation::closed_form(const RoundCellParameters &p, 
                                                   const unsigned int count)
 {
   const double E_t = 3. * p.wall_stiffness, shell_mass = p.wall_density * p.wall_thickness; // per area
-  if (p.fluid == "none")
+  if (p.fluid == CellFilling::none)
     return {std::sqrt(4. * E_t / shell_mass) / R};
   // Multiplied by j1(q) q^2, which takes the poles away and keeps the roots: (with s, k of q)
   //   q sin q . q - ...: j0 = sin q/q, j1 = sin q/q^2 - cos q/q
@@ -189,7 +189,7 @@ void ShellOscillation::compare(RunContext &context, const std::vector<Harmonic> 
   const RoundCellParameters p = shell();
   // The roots beyond the last one that is asked for, and the middle between two of them: what lies nearer to a root belongs to it.
   std::vector<double> next = theory;
-  next.push_back(p.fluid == "none" ? 2. * theory.back() : closed_form(p, R, sound_speed, modes + 1).back());
+  next.push_back(p.fluid == CellFilling::none ? 2. * theory.back() : closed_form(p, R, sound_speed, modes + 1).back());
   for (std::size_t m = 0; m < theory.size(); ++m)
     {
       const double below = m == 0 ? 0.5 * theory[0] : 0.5 * (theory[m - 1] + theory[m]);

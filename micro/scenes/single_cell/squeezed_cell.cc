@@ -46,8 +46,8 @@ void SqueezedCell::check() const
     throw InputError("Plate mass is above 0: such a run needs End time > 0 (s), and only the upper plate moves.");
   if (!(plate_mass > 0.) && (plate_force > 0. || end_time > 0.))
     throw InputError("Plate force and End time are for a plate that has mass; a driven one (Plate mass = 0) needs 0 for both.");
-  if (critical_stretch > 0. && cell.has_particles() && cell.kernel != "wendland")
-    throw InputError("Cell/Kernel is " + cell.kernel + ", but a wall that can break (Critical stretch above 0) needs wendland: what the other gives beside a hole is not known.");
+  if (critical_stretch > 0. && cell.has_particles() && cell.fourth_order)
+    throw InputError("Cell/Kernel is fourth_order, but a wall that can break (Critical stretch above 0) needs wendland: what the other gives beside a hole is not known.");
   if (critical_stretch != 0. && !(critical_stretch > cell.turgid_stretch(int(dimension))))
     throw InputError("Critical stretch is " + number_text(critical_stretch)
                      + ", but has to be 0 or larger than the stretch of the turgid wall, "

@@ -37,7 +37,7 @@ SqueezedCell::Run<dim>::Run(SqueezedCell &scene_, RunContext &context_)
   , system(round.system)
   , plates(add_plates(system, scene.plate_stiffness > 0. ? scene.plate_stiffness : 10. * scene.cell.wall_stiffness))
   , integrator(system, scene.step_fraction, 0.02)
-  , conservative(scene.cell.fluid != "thesis")
+  , conservative(scene.cell.fluid != CellFilling::thesis)
 {
   if (round.damage)
     failure.emplace(*round.wall, round.damage, scene.critical_stretch);
@@ -93,7 +93,7 @@ void SqueezedCell::Run<dim>::begin()
     });
   });
   at.radius = round.mean_radius();
-  at.start_pressure = scene.cell.fluid == "none" ? 0. : round.virial_pressure();
+  at.start_pressure = scene.cell.fluid == CellFilling::none ? 0. : round.virial_pressure();
   const PolarFrame<dim> frame(round);
   polar = frame.cosine;
   at.height = frame.high - frame.low;

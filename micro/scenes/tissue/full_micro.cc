@@ -120,7 +120,7 @@ FullMicro::Run::Run(const FullMicro &scene_, RunContext &context_)
   , context(context_)
   , reference(anneal_reference(context, scene.cell, scene.sph))
   , block(make_tissue_block(make_parenchyma(scene.cell, scene.columns, scene.rows, true, true), scene.sph,
-                            std::vector<CellContents>(std::size_t(scene.columns) * scene.rows, reference), surfaces_from(scene.surfaces)))
+                            std::vector<CellContents>(std::size_t(scene.columns) * scene.rows, reference), scene.surfaces))
   , system(block.cells->system)
   , integrator(system, scene.step_fraction, collision_spacings, scene.cell.fluid_viscosity / scene.cell.fluid_density)
   , acceleration(-scene.load / (block.density * block.width))
@@ -171,7 +171,7 @@ void FullMicro::Run::go()
 
 void FullMicro::Run::begin()
 {
-  if (scene.surfaces == "free" || scene.surfaces == "osmosis")
+  if (scene.surfaces == Surfaces::free || scene.surfaces == Surfaces::osmosis)
     {
       relax();
       integrator.begin_here();
@@ -191,7 +191,7 @@ void FullMicro::Run::relax()
   for (unsigned int s = 0; s < scene.relax_steps; ++s)
     {
       damped.step(damped_dt, 1e6 * (s < scene.relax_steps / 2 ? 0.1 : 1.));
-      if (scene.surfaces == "osmosis" && s % 10 == 0)
+      if (scene.surfaces == Surfaces::osmosis && s % 10 == 0)
         osmosis.apply(system, *block.cells->fluid, 10. * damped_dt);
       if (s % 50 == 0)
         {

@@ -28,7 +28,7 @@ private:
   double end_time = 0.47e-3;
   double step_fraction = 0.9;
   double window = 0.; ///< fraction of the steps really run (timing), 0: all
-  std::string surfaces = "frozen";
+  Surfaces surfaces = Surfaces::frozen;
   unsigned int relax_steps = 20000;
   unsigned int samples = 500, frames = 4, checkpoints = 20;
 };

@@ -76,7 +76,7 @@ void StaticLattice::run(RunContext &context)
     if (context.stop_requested())
       throw RunStopped("stopped before the full load was carried");
   };
-  LatticeBlock block(cell, columns, rows, surfaces_from(surfaces));
+  LatticeBlock block(cell, columns, rows, surfaces);
   context.result("setup_time", seconds(), "s");
   context.progress(0.1, "relaxing without load");
   const LatticeEffort relaxing = block.relax(settings);

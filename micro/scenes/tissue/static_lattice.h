@@ -39,7 +39,7 @@ private:
   ParenchymaParameters cell;
   unsigned int columns = 16, rows = 16;
   double load = 20e3;
-  std::string surfaces = "frozen";
+  Surfaces surfaces = Surfaces::frozen;
   EquilibriumSettings equilibrium;
   bool fields = true;
 };
