@@ -102,10 +102,10 @@ void Obstacles<dim>::add_forces_of(Particles<dim> &particles, const Box<dim> &, 
 template <int dim>
 void Obstacles<dim>::collect(MotionMatrix &matrix, const Particles<dim> &particles, const double h)
 {
-  for_touches(particles, [&](const std::size_t i, const Contact &c, const SphereContact &does, const Obstacle<dim> &body, const Vector<dim> &x) {
-    const double tangential = friction() * does.area, normal = tangential + h * std::max(0., does.stiffness);
+  for_touches(particles, [&](const Touch &t) {
+    const double tangential = friction() * t.does.area, normal = tangential + h * std::max(0., t.does.stiffness);
     if (normal > 0.)
-      matrix.link<dim>(std::uint32_t(i), matrix.given<dim>(body.velocity_at(x, c)), c.normal, normal, tangential);
+      matrix.link<dim>(std::uint32_t(t.particle), matrix.given<dim>(t.body.velocity_at(t.x, t.contact)), t.contact.normal, normal, tangential);
   });
 }
 
@@ -132,8 +132,8 @@ double Obstacles<dim>::energy(const Particles<dim> &particles, const Box<dim> &,
 template <int dim>
 void Obstacles<dim>::add_virials(const Particles<dim> &particles, std::vector<Tensor2<dim>> &virial) const
 {
-  for_touches(particles, [&](const std::size_t i, const Contact &c, const SphereContact &does) {
-    virial[i] -= does.force * c.distance * c.normal * c.normal.transpose();
+  for_touches(particles, [&](const Touch &t) {
+    virial[t.particle] -= t.does.force * t.contact.distance * t.contact.normal * t.contact.normal.transpose();
   });
 }
 
@@ -147,7 +147,7 @@ double Obstacles<dim>::friction() const
 template <int dim>
 void Obstacles<dim>::add_friction(const Particles<dim> &particles, std::vector<double> &gamma) const
 {
-  for_touches(particles, [&](const std::size_t i, const Contact &, const SphereContact &does) { gamma[i] += friction() * does.area; });
+  for_touches(particles, [&](const Touch &t) { gamma[t.particle] += friction() * t.does.area; });
 }
 
 template <int dim>

@@ -62,7 +62,15 @@ public:
   Obstacle<dim> &operator[](const std::size_t k) { return *bodies[k]; }
   const Obstacle<dim> &operator[](const std::size_t k) const { return *bodies[k]; }
 
-  /// visit(particle, contact with the body, what the law makes of it[, the body, the particle's place]), body by body, particles in their order.
+  struct Touch
+  {
+    std::size_t particle;
+    const Vector<dim> &x;   ///< m, of the particle
+    const Contact &contact; ///< with the body
+    SphereContact does;     ///< what the law makes of it
+    const Obstacle<dim> &body;
+  };
+  /// visit(touch), body by body, particles in their order.
   template <class Visit>
   void for_touches(const Particles<dim> &particles, const Visit &visit) const
   {
@@ -72,10 +80,7 @@ public:
         const auto view = one.on(particles);
         for (std::size_t k = 0; k < bodies.size(); ++k)
           for_groups(view, particles, k, 0, particles.groups.size(), listed, [&](std::size_t, const std::size_t i, const Vector<dim> &x, const Contact &c) {
-            if constexpr (std::is_invocable_v<Visit, std::size_t, const Contact &, const SphereContact &, const Obstacle<dim> &, const Vector<dim> &>)
-              visit(i, c, view(i, c.distance, c.curvature), *bodies[k], x);
-            else
-              visit(i, c, view(i, c.distance, c.curvature));
+            visit(Touch{i, x, c, view(i, c.distance, c.curvature), *bodies[k]});
           });
       },
       law);

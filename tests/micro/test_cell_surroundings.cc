@@ -209,10 +209,10 @@ BOOST_AUTO_TEST_CASE(plane_wall_by_hand)
   wall.declare(one.particles);
   add_forces(wall, one.particles);
   BOOST_TEST(one.particles.f[2][0] == 8., boost::test_tools::tolerance(1e-14)); // R = 4, E = 3, delta = 1
-  wall.for_touches(one.particles, [&](const std::size_t i, const auto &, const SphereContact &c) {
-    BOOST_TEST(i == 0u);
-    BOOST_TEST(wall.friction() * c.area == 5. * 4. * pi, boost::test_tools::tolerance(1e-14));
-    BOOST_TEST(c.stiffness == 12., boost::test_tools::tolerance(1e-14));
+  wall.for_touches(one.particles, [&](const auto &touch) {
+    BOOST_TEST(touch.particle == 0u);
+    BOOST_TEST(wall.friction() * touch.does.area == 5. * 4. * pi, boost::test_tools::tolerance(1e-14));
+    BOOST_TEST(touch.does.stiffness == 12., boost::test_tools::tolerance(1e-14));
   });
   std::vector<Tensor2<3>> virial(1, Tensor2<3>::Zero());
   wall.add_virials(one.particles, virial);

@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(a_body_that_slides_by_drags_the_cells)
   row.motion.forces(row.p, false);
   row.motion.velocities(row.p, 0.);
   double with_body = 0.;
-  row.bodies->for_touches(row.p, [&](std::size_t, const auto &, const SphereContact &c) { with_body += 40. * c.area; });
+  row.bodies->for_touches(row.p, [&](const auto &touch) { with_body += 40. * touch.does.area; });
   const double between = 30. * row.contacts->contacts()[0].area;
   BOOST_TEST(with_body > 0.);
   BOOST_TEST(between > 0.);

@@ -225,9 +225,9 @@ BOOST_AUTO_TEST_CASE(what_a_moving_body_does)
   motion.forces(p, false);
   motion.velocities(p, h);
   double a = 0., k = 0.;
-  wall.for_touches(p, [&](std::size_t, const auto &, const SphereContact &c) {
-    a = friction * c.area;
-    k = c.stiffness;
+  wall.for_touches(p, [&](const auto &touch) {
+    a = friction * touch.does.area;
+    k = touch.does.stiffness;
   });
   BOOST_TEST(a * k > 0.);
   const double along = a * 0.4 / (medium + a), across = (p.f[2][0] + (a + h * k) * 0.2) / (medium + a + h * k);

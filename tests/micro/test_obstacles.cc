@@ -517,10 +517,10 @@ BOOST_AUTO_TEST_CASE(who_touches_is_asked)
   const Obstacles<3> &floor = system.add(
     std::make_unique<Obstacles<3>>("floor", SphereOnSurface{{.friction = 5.}}, std::make_unique<Plane<3>>(Vector<3>(0., 0., 0.), Vector<3>(0., 0., 1.))));
   std::vector<std::size_t> found;
-  floor.for_touches(system.particles, [&](const std::size_t i, const auto &contact, const SphereContact &does) {
-    found.push_back(i);
-    BOOST_TEST(contact.distance == system.particles.x[2][i], digits(1e-14));
-    BOOST_TEST(does.force > 0.);
+  floor.for_touches(system.particles, [&](const auto &touch) {
+    found.push_back(touch.particle);
+    BOOST_TEST(touch.contact.distance == system.particles.x[2][touch.particle], digits(1e-14));
+    BOOST_TEST(touch.does.force > 0.);
   });
   BOOST_TEST((found == std::vector<std::size_t>{0, 2}));
   BOOST_TEST(floor[0].pressing() == 0.); // nobody has pushed

@@ -27,7 +27,7 @@ BOOST_FIXTURE_TEST_SUITE(sph_fluid, Fixture)
 
 BOOST_DATA_TEST_CASE(force_is_minus_energy_gradient, boost::unit_test::data::make({"exact", "summed"}), volume)
 {
-  sph.summed = volume == "summed";
+  sph.summed = std::string(volume) == "summed";
   auto patch = disturbed(2, 1);
   ParticleSystem<2> &system = patch->system;
   system.compute_forces();

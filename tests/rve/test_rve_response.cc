@@ -203,7 +203,7 @@ BOOST_AUTO_TEST_CASE(default_tolerance_suits_the_fluid)
   for (const std::string fluid : {"hydrostatic", "sph"})
     {
       RveParameters p;
-      p.fluid = fluid;
+      p.fluid = choice_of<RveFluid>(fluid);
       p.cell.nodes_per_side = 10;
       p.cell.fluid_viscosity = 1.;
       p.sph.particles_per_side = 9;

@@ -80,7 +80,7 @@ Surroundings SpheroidCapsule::make_surroundings() const
     *(around.walls = &around.add(std::make_unique<Obstacles<3>>("elastic_capsule", SphereOnSurface{material}, std::move(body))));
   around.values = [&wall, &walls](const Particles<3> &particles) {
     double touching = 0.;
-    walls.for_touches(particles, [&](auto &&...) { touching += 1.; });
+    walls.for_touches(particles, [&](const auto &) { touching += 1.; });
     return std::vector<Surroundings::Value>{
       {"capsule_radius", "m", wall.radius()}, {"capsule_pressure", "Pa", wall.pressure()}, {"cells_on_capsule", "", touching}};
   };
