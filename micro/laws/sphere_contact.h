@@ -14,7 +14,11 @@
 // U (J) is the energy along the branch in contact, dU/d(delta) = F, zero for a = 0; with c = sqrt(2 pi W/E)
 //   U = 8 E a^5/(15 R^2) - 4 E c a^(7/2)/(3 R) + pi W a^2.
 //
-// In: R (m), E (Pa), W (J/m^2), delta (m). Out: force (N), stiffness dF/d(delta) (N/m), area pi a^2 (m^2), energy (J).
+// Where E itself rises with the overlap, the slope of the force has a part more: dE/d(delta) times dF/dE at the same overlap, of which
+// by_modulus is E dF/dE: Hertz's force (adhesion does not grow with E), and for JKR, whose contact shrinks where E grows,
+//   4 E a^3/(3 R) - E c a^(3/2) - k c sqrt(a)/2,   k = dF/d(delta).
+//
+// In: R (m), E (Pa), W (J/m^2), delta (m). Out: force (N), stiffness dF/d(delta) (N/m), area pi a^2 (m^2), energy (J), by_modulus (N).
 #pragma once
 
 #include "micro/laws/lanes.h"
@@ -28,7 +32,7 @@ namespace turgor
 template <class Number>
 struct ContactOf
 {
-  Number force{}, stiffness{}, area{}, energy{};
+  Number force{}, stiffness{}, area{}, energy{}, by_modulus{};
 };
 using SphereContact = ContactOf<double>;
 
@@ -47,7 +51,8 @@ struct HertzContact
   SphereContact operator()(const double R, const double E, const double delta) const
   {
     const double a = std::sqrt(R * delta); // E sqrt(R) delta^(3/2) = E a delta
-    return {4. / 3. * E * a * delta, 2. * E * a, std::numbers::pi * R * delta, 8. / 15. * E * a * delta * delta};
+    const double force = 4. / 3. * E * a * delta;
+    return {force, 2. * E * a, std::numbers::pi * R * delta, 8. / 15. * E * a * delta * delta, force};
   }
 };
 
@@ -124,8 +129,10 @@ struct JkrContact
     const Number a = radius(R, E, delta), sqrt_a = root(a), c = root(2. * std::numbers::pi * W / E), area = std::numbers::pi * a * a, zero{};
     // dF/d(delta) = (dF/da) / (d(delta)/da)
     const Number dF = 4. * E * a * a / R - 3. * E * c * sqrt_a, d_delta = 2. * a / R - 0.5 * c / sqrt_a;
-    return {4. * E * a * a * a / (3. * R) - 2. * E * c * a * sqrt_a, where(d_delta > zero, dF / d_delta, zero + HUGE_VAL), area,
-            8. * E * a * a * a * a * a / (15. * R * R) - 4. * E * c * a * a * a * sqrt_a / (3. * R) + W * area};
+    const Number k = where(d_delta > zero, dF / d_delta, zero + HUGE_VAL);
+    return {4. * E * a * a * a / (3. * R) - 2. * E * c * a * sqrt_a, k, area,
+            8. * E * a * a * a * a * a / (15. * R * R) - 4. * E * c * a * a * a * sqrt_a / (3. * R) + W * area,
+            4. * E * a * a * a / (3. * R) - E * c * a * sqrt_a - 0.5 * k * c * sqrt_a};
   }
 };
 } // namespace turgor

@@ -6,8 +6,7 @@
 //
 // A linearly implicit step, (Gamma + h K) v = F with K = -dF/dx, has the same form: the contact's stiffness k adds h k to the normal friction of
 // the pair, F/d (where it pulls) h to the tangential one. What is left out of K, which only the error of a step of first order has: repulsion
-// turned sideways, F/d where F pushes (K would not be positive definite), and where the modulus E g(d) rises with the compression d
-// (local_stiffness.h), that adhesion does not: K has F g'/(g d_ref) of it, where F pushes, for (F + pi W R) g'/(g d_ref).
+// turned sideways, F/d where F pushes (K would not be positive definite).
 #pragma once
 
 #include "micro/solve/links.h"

@@ -70,15 +70,15 @@ inline void SphereContacts::store(const Touch &t, const SphereContact &s)
   const double id = 1. / t.distance;
   PairContact &c = contact[t.pair];
   c = {{t.way[0] * id, t.way[1] * id, t.way[2] * id}, s.force, s.stiffness, s.area, s.energy, t.distance};
-  if (!stiffness || !(s.force > 0.))
+  if (!stiffness || !(s.by_modulus > 0.)) // what falls is left out of implicit steps, as all that is negative
     return;
   const Cell &i = cells[pairs.pairs()[t.pair].i], &j = cells[pairs.pairs()[t.pair].j];
   if (compression == CompressionOf::contact)
-    c.stiffness += s.force * t.g.slope / (t.g.factor * (i.reference + j.reference));
+    c.stiffness += s.by_modulus * t.g.slope / (t.g.factor * (i.reference + j.reference));
   else
     { // d(1/E) = sum of d(1/E_i): dE = E^2 (dE_i/E_i^2 + dE_j/E_j^2)
       const double a = t.E / i.modulus, b = t.E / j.modulus;
-      c.stiffness += s.force / t.E * (a * a * i.slope + b * b * j.slope) / (i.reference + j.reference);
+      c.stiffness += s.by_modulus / t.E * (a * a * i.slope + b * b * j.slope) / (i.reference + j.reference);
     }
 }
 
@@ -107,7 +107,7 @@ void SphereContacts::compute_pairs(const Law &one, const unsigned int threads, c
             }
           const ContactOf<Four> four = one(R, E, overlap);
           for (std::size_t k = 0; k < count; ++k)
-            store(waiting[k], {four.force[k], four.stiffness[k], four.area[k], four.energy[k]});
+            store(waiting[k], {four.force[k], four.stiffness[k], four.area[k], four.energy[k], four.by_modulus[k]});
         }
       count = 0;
     };

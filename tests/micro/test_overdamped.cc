@@ -133,8 +133,7 @@ BOOST_DATA_TEST_CASE(error_of_a_step_is_what_is_allowed, methods, method)
 }
 
 // (Gamma + h K) v = F: what is left of the forces when gamma v and h times the slope of the forces along v are taken away. Left explicit
-// (sphere_links.h) and added here are repulsion turned sideways, F/d across the line of centres where F pushes, and of the modulus that
-// rises with the compression what adhesion is against: K has F g'/(g reference) of it where F pushes, the slope is (F + pi W R) g'/(g reference).
+// (sphere_links.h) and added here is repulsion turned sideways, F/d across the line of centres where F pushes.
 BOOST_AUTO_TEST_CASE(matrix_of_an_implicit_step_is_the_slope_of_the_forces)
 {
   const std::uint32_t n = 60;
@@ -144,10 +143,6 @@ BOOST_AUTO_TEST_CASE(matrix_of_an_implicit_step_is_the_slope_of_the_forces)
       {
         SphereContacts contacts(adhesion > 0. ? ContactLaw(ExtendedHertzContact{adhesion}) : ContactLaw(HertzContact()), 2e-6,
                                 hardening ? std::optional(harder) : std::nullopt, CompressionOf::contact);
-        const auto hardened = [&](const double compression) { // g'/g
-          const LocalStiffness::Value g = hardening ? harder(compression) : LocalStiffness::Value();
-          return g.slope / g.factor;
-        };
         Particles<3> p;
         p.resize(n);
         p.groups = {{0, 0, n}};
@@ -197,11 +192,8 @@ BOOST_AUTO_TEST_CASE(matrix_of_an_implicit_step_is_the_slope_of_the_forces)
             for (int d = 0; d < 3; ++d)
               {
                 const double sideways = h * std::max(0., c.force) / c.distance * (v[d][i] - v[d][j] - along * c.e[d]);
-                const double adhesive = h * (std::min(0., c.force) + std::numbers::pi * adhesion * in_series(p.field("radius")[i], p.field("radius")[j]))
-                                        * hardened(1. - c.distance / (p.field("radius")[i] + p.field("radius")[j]))
-                                        / (p.field("radius")[i] + p.field("radius")[j]) * along * c.e[d];
-                left[d][i] -= sideways - adhesive; // K of the pushing pair without -F/d across
-                left[d][j] += sideways - adhesive;
+                left[d][i] -= sideways; // K of the pushing pair without -F/d across
+                left[d][j] += sideways;
               }
           }
         const double by = 1e-4 * R / fastest; // s, for the difference

@@ -33,6 +33,8 @@ BOOST_AUTO_TEST_CASE(energy_and_stiffness_are_integral_and_slope_of_the_force)
     // relative: (step/delta)^2 of the third derivative, and eps delta/step of round-off
     BOOST_CHECK_SMALL((high.energy - low.energy) / (2. * step) - here.force, 1e-6 * (std::abs(here.force) + W * R));
     BOOST_CHECK_SMALL((high.force - low.force) / (2. * step) - here.stiffness, 1e-6 * std::abs(here.stiffness));
+    const double stiffer = (law(R, 1.0001 * E, delta).force - law(R, 0.9999 * E, delta).force) / 2e-4;
+    BOOST_CHECK_SMALL(stiffer - here.by_modulus, 1e-6 * (std::abs(here.by_modulus) + W * R));
   };
   for (const double delta : {1e-8, 1e-7, 1e-6, 3e-6})
     {
@@ -144,6 +146,7 @@ BOOST_AUTO_TEST_CASE(four_jkr_pairs_have_the_bits_of_one)
           BOOST_REQUIRE(four.stiffness[k] == one.stiffness);
           BOOST_REQUIRE(four.area[k] == one.area);
           BOOST_REQUIRE(four.energy[k] == one.energy);
+          BOOST_REQUIRE(four.by_modulus[k] == one.by_modulus);
         }
     }
 }
