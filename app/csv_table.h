@@ -6,10 +6,8 @@
 #include <utility>
 #include <vector>
 
-namespace turgor
-{
-struct CsvTable
-{
+namespace turgor {
+struct CsvTable {
   std::vector<std::string> names, units;     ///< units may be empty
   std::vector<std::vector<double>> columns;  ///< columns[c][row]
 
@@ -24,9 +22,10 @@ struct CsvTable
 /// Throws InputError with file, line and column for what is not a number.
 CsvTable read_csv(const std::filesystem::path &file);
 
-/// A CSV text of rows of (column, field); the columns are all that occur, in the order in which they do, empty where a row lacks them.
+/// A CSV text of rows of (column, field); the columns are all that occur, in the order in which they do,
+/// empty where a row lacks them.
 std::string csv_of(const std::vector<std::vector<std::pair<std::string, std::string>>> &rows);
 
 /// Quoted where a CSV needs it.
 std::string csv_field(const std::string &text);
-} // namespace turgor
+}  // namespace turgor

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace turgor
-{
+namespace turgor {
 /// A commented .prm text of the entries; with_defaults: their defaults, else their values.
 std::string prm_of(const std::vector<InputEntry> &entries, bool with_defaults, bool with_comments);
-} // namespace turgor
+}  // namespace turgor

@@ -1,4 +1,5 @@
-// A closed form written in an input file: "2e5*(1 - exp(-time/1e-3))". Operators, functions and constants are muParser's
+// A closed form written in an input file: "2e5*(1 - exp(-time/1e-3))". Operators, functions and constants are
+// muParser's
 // (+ - * / ^, sin, exp, sqrt, min, max, a < b ? c : d, ...) and pi; every other name is a variable.
 //
 //   Expression("force/2")([&](const std::string &name) { return table.column(name)[row]; })
@@ -8,11 +9,9 @@
 #include <string>
 #include <vector>
 
-namespace turgor
-{
-class Expression
-{
-public:
+namespace turgor {
+class Expression {
+ public:
   /// Throws std::invalid_argument with the reason when the text cannot be understood.
   explicit Expression(const std::string &text);
 
@@ -22,8 +21,8 @@ public:
   /// Asks for each variable once. Throws what value_of throws.
   double operator()(const std::function<double(const std::string &)> &value_of) const;
 
-private:
+ private:
   std::string text;
   std::vector<std::string> names;
 };
-} // namespace turgor
+}  // namespace turgor

@@ -5,16 +5,15 @@
 #include <optional>
 #include <vector>
 
-namespace turgor
-{
-struct Swing
-{
-  double amplitude = 0.;        ///< largest value, signed
-  double time_of_largest = 0.;  ///< of the abscissa
-  std::optional<double> period; ///< where it turns round again; nothing when the history ends before
+namespace turgor {
+struct Swing {
+  double amplitude = 0.;         ///< largest value, signed
+  double time_of_largest = 0.;   ///< of the abscissa
+  std::optional<double> period;  ///< where it turns round again; nothing when the history ends before
 };
 
-/// Of values u over ascending times t. Extrema are those of the parabola through the three samples about the largest
-/// (smallest) one. Throws std::runtime_error when there are fewer than three samples or nothing moves.
+/// Of values u over ascending times t. Extrema are those of the parabola through the three samples about the
+/// largest (smallest) one. Throws std::runtime_error when there are fewer than three samples or nothing
+/// moves.
 Swing first_swing(const std::vector<double> &t, const std::vector<double> &u);
-} // namespace turgor
+}  // namespace turgor

@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace turgor
-{
+namespace turgor {
 /// Levenshtein: the least number of letters inserted, removed or replaced.
 unsigned int edit_distance(const std::string &a, const std::string &b);
 
@@ -14,4 +13,4 @@ std::string nearest_name(const std::string &name, const std::vector<std::string>
 
 /// " Did you mean 'x'?" or, with nothing near, " Known: a, b, c." (cut after a dozen).
 std::string suggestion(const std::string &name, const std::vector<std::string> &known);
-} // namespace turgor
+}  // namespace turgor

@@ -8,19 +8,17 @@
 #include <string>
 #include <vector>
 
-namespace turgor
-{
+namespace turgor {
 class MpiSession;
 
-struct RunOptions
-{
+struct RunOptions {
   std::filesystem::path file;
-  std::filesystem::path directory; ///< empty: runs/<file stem>
+  std::filesystem::path directory;  ///< empty: runs/<file stem>
   std::vector<std::string> overrides;
   bool resume = false, quiet = false;
-  bool overwrite = false; ///< a finished run of another input
-  bool identity = false;  ///< of check
-  unsigned int threads = 0; ///< 0: all cores (shared among ranks)
+  bool overwrite = false;    ///< a finished run of another input
+  bool identity = false;     ///< of check
+  unsigned int threads = 0;  ///< 0: all cores (shared among ranks)
   unsigned int ranks = 1;
 };
 
@@ -30,4 +28,4 @@ int check_command(const RunOptions &options, const ScenarioRegistry &registry);
 
 /// The program's version, as in summary.json and checkpoints.
 std::string program_version();
-} // namespace turgor
+}  // namespace turgor

@@ -8,15 +8,14 @@
 #include <functional>
 #include <string>
 
-namespace turgor
-{
+namespace turgor {
 class MpiSession;
 
-struct Ending
-{
+struct Ending {
   int code = 0;
   std::string status = "finished", message;
-  bool output_failed = false; ///< the results could not be written; the run itself may go on from its checkpoint
+  bool output_failed =
+      false;  ///< the results could not be written; the run itself may go on from its checkpoint
 };
 
 /// Does it, and says how it ended. Throws nothing.
@@ -28,7 +27,8 @@ std::string words_of(const std::exception &problem);
 /// Exit code for it: 2 for a name that no file can have, which is wrong input; else 1.
 int code_of(const std::exception &problem);
 
-/// With ranks, a collective call at a run's end: the ending of the worst rank becomes everybody's. True if all ranks came to it;
-/// false when the others did not within some seconds: they wait for this rank inside the scene and have to be aborted.
+/// With ranks, a collective call at a run's end: the ending of the worst rank becomes everybody's. True if
+/// all ranks came to it; false when the others did not within some seconds: they wait for this rank inside
+/// the scene and have to be aborted.
 bool agree_on_ending(Ending &ending, const MpiSession *mpi);
-} // namespace turgor
+}  // namespace turgor

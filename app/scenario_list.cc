@@ -2,15 +2,13 @@
 
 #include "app/tissue_module.h"
 
-namespace turgor
-{
+namespace turgor {
 #define TURGOR_SCENARIO(name, factory, description) std::unique_ptr<Scenario> factory();
 #include "micro/scenes/scenarios.def"
 #include "rve/scenarios.def"
 #undef TURGOR_SCENARIO
 
-std::vector<ScenarioLine> scenario_lines()
-{
+std::vector<ScenarioLine> scenario_lines() {
   return {
 #define TURGOR_SCENARIO(name, factory, description) {#name, description},
 #include "coupling/scenarios.def"
@@ -20,19 +18,16 @@ std::vector<ScenarioLine> scenario_lines()
   };
 }
 
-std::unique_ptr<Scenario> make_scenario([[maybe_unused]] const std::string &wanted)
-{
+std::unique_ptr<Scenario> make_scenario([[maybe_unused]] const std::string &wanted) {
 #define TURGOR_SCENARIO(name, factory, description) \
-  if (wanted == #name)                 \
-    return factory();
+  if (wanted == #name) return factory();
 #include "micro/scenes/scenarios.def"
 #include "rve/scenarios.def"
 #undef TURGOR_SCENARIO
 #define TURGOR_SCENARIO(name, factory, description) \
-  if (wanted == #name)                 \
-    return make_tissue_scenario(#name);
+  if (wanted == #name) return make_tissue_scenario(#name);
 #include "coupling/scenarios.def"
 #undef TURGOR_SCENARIO
   return nullptr;
 }
-} // namespace turgor
+}  // namespace turgor

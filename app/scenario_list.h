@@ -7,11 +7,9 @@
 #include <string>
 #include <vector>
 
-namespace turgor
-{
-struct ScenarioLine
-{
-  std::string name, description; ///< one or two sentences
+namespace turgor {
+struct ScenarioLine {
+  std::string name, description;  ///< one or two sentences
 };
 
 /// In the order in which they are listed. Makes none, so that the part with finite elements is not loaded.
@@ -19,4 +17,4 @@ std::vector<ScenarioLine> scenario_lines();
 
 /// Null for an unknown name.
 std::unique_ptr<Scenario> make_scenario(const std::string &name);
-} // namespace turgor
+}  // namespace turgor

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-namespace turgor
-{
-/// The run itself where both are empty, else one for each point, labelled "LABEL 1, 3 & 4" (Grid) and "LABEL B & C 3 & 4" (Axes).
-/// Throws InputError; where: what it begins with, "study.prm: 'Run LABEL".
-std::vector<StudyRun> points_of(const StudyRun &run, const std::string &grid, const std::string &axes, const std::string &where);
-} // namespace turgor
+namespace turgor {
+/// The run itself where both are empty, else one for each point, labelled "LABEL 1, 3 & 4" (Grid) and "LABEL
+/// B & C 3 & 4" (Axes). Throws InputError; where: what it begins with, "study.prm: 'Run LABEL".
+std::vector<StudyRun> points_of(const StudyRun &run, const std::string &grid, const std::string &axes,
+                                const std::string &where);
+}  // namespace turgor

@@ -7,19 +7,17 @@
 #include <string>
 #include <vector>
 
-namespace turgor
-{
-struct StudyOptions
-{
+namespace turgor {
+struct StudyOptions {
   std::filesystem::path file;
-  std::filesystem::path directory; ///< empty: runs/<file stem>
-  std::vector<std::string> only;   ///< labels; empty: all
+  std::filesystem::path directory;  ///< empty: runs/<file stem>
+  std::vector<std::string> only;    ///< labels; empty: all
   bool list_only = false;
   bool fresh = false;
-  unsigned int jobs = 1; ///< runs beside each other
+  unsigned int jobs = 1;  ///< runs beside each other
 };
 
-/// Exit code: 0 when every run finished; 1 when one failed or could not be measured, or a study of errors has none (the table is written
-/// all the same); 130 stopped. Throws InputError.
+/// Exit code: 0 when every run finished; 1 when one failed or could not be measured, or a study of errors has
+/// none (the table is written all the same); 130 stopped. Throws InputError.
 int study_command(const StudyOptions &options, const ScenarioRegistry &registry);
-} // namespace turgor
+}  // namespace turgor

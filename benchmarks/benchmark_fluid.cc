@@ -4,8 +4,9 @@
 //   cmake -S . -B build-bench -G Ninja -DTURGOR_BENCHMARKS=ON && ninja -C build-bench benchmark_fluid
 //   build-bench/benchmarks/benchmark_fluid --benchmark_repetitions=5 --benchmark_report_aggregates_only
 //
-// Counters: cpu_ns_particle (CPU time of all threads, a step, over particles), cpu_ns_neighbour (over the neighbours
-// within the support), neighbours, list_bytes_particle. The time column is wall time. TURGOR_SIMD=avx2 or portable measures those sweeps.
+// Counters: cpu_ns_particle (CPU time of all threads, a step, over particles), cpu_ns_neighbour (over the
+// neighbours within the support), neighbours, list_bytes_particle. The time column is wall time.
+// TURGOR_SIMD=avx2 or portable measures those sweeps.
 #include "micro/cells/sph_parenchyma.h"
 #include "micro/cells/annealed_cells.h"
 #include "micro/engine/kick_drift_kick.h"
@@ -15,12 +16,10 @@
 
 #include <ctime>
 
-namespace
-{
+namespace {
 using namespace turgor;
 
-void step(benchmark::State &state)
-{
+void step(benchmark::State &state) {
   const unsigned int cells = unsigned(state.range(0)), threads = unsigned(state.range(2));
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   ParenchymaParameters cell;
@@ -34,10 +33,10 @@ void step(benchmark::State &state)
   system.compute_forces();
   const double dt = 0.9 * system.stable_time_step();
   const std::clock_t start = std::clock();
-  for (auto _ : state)
-    integrator.step(dt);
+  for (auto _ : state) integrator.step(dt);
   const double ns = double(std::clock() - start) / CLOCKS_PER_SEC * 1e9 / double(state.iterations());
-  const double n = double(system.particles.size()), neighbours = patch->fluid->mean_neighbours(system.particles);
+  const double n = double(system.particles.size()),
+               neighbours = patch->fluid->mean_neighbours(system.particles);
   const double fluid = double(sph.particles_per_side) * sph.particles_per_side * cells * cells;
   state.counters["cpu_ns_particle"] = ns / n;
   state.counters["cpu_ns_neighbour"] = ns / (fluid * neighbours);
@@ -46,11 +45,11 @@ void step(benchmark::State &state)
   state.counters["list_bytes_particle"] = double(patch->fluid->memory_bytes()) / n;
 }
 BENCHMARK(step)
-  ->ArgNames({"cells_a_side", "viscous", "threads"})
-  ->ArgsProduct({{1}, {0, 1}, {1}})
-  ->ArgsProduct({{4, 16}, {0, 1}, {1, 2}})
-  ->MeasureProcessCPUTime()
-  ->UseRealTime();
-} // namespace
+    ->ArgNames({"cells_a_side", "viscous", "threads"})
+    ->ArgsProduct({{1}, {0, 1}, {1}})
+    ->ArgsProduct({{4, 16}, {0, 1}, {1, 2}})
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+}  // namespace
 
 BENCHMARK_MAIN();

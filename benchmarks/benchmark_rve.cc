@@ -9,33 +9,29 @@
 
 #include <cmath>
 
-namespace
-{
+namespace {
 using namespace turgor;
 
-void walk(benchmark::State &state, const Rve<2> &rve)
-{
+void walk(benchmark::State &state, const Rve<2> &rve) {
   const auto workspace = rve.make_workspace();
   RveState<2> committed = rve.initial_state();
   double s = 0.;
   std::size_t iterations = 0, calls = 0;
-  for (auto _ : state)
-    {
-      s += 1e-4;
-      Tensor2<2> F, F_dot;
-      F << 1., 0.1 * std::sin(10. * s), 0., 1.;
-      F_dot << 0., 300., 0., 0.;
-      RveAnswer<2> answer = rve.evaluate(committed, F, F_dot, RveRequest(), *workspace);
-      iterations += std::size_t(answer.diagnostics.iterations);
-      ++calls;
-      committed = std::move(answer.trial);
-    }
+  for (auto _ : state) {
+    s += 1e-4;
+    Tensor2<2> F, F_dot;
+    F << 1., 0.1 * std::sin(10. * s), 0., 1.;
+    F_dot << 0., 300., 0., 0.;
+    RveAnswer<2> answer = rve.evaluate(committed, F, F_dot, RveRequest(), *workspace);
+    iterations += std::size_t(answer.diagnostics.iterations);
+    ++calls;
+    committed = std::move(answer.trial);
+  }
   state.counters["iterations"] = double(iterations) / double(calls);
   state.counters["state_bytes"] = double(committed.unknowns.size() * sizeof(double));
 }
 
-void hydrostatic(benchmark::State &state)
-{
+void hydrostatic(benchmark::State &state) {
   HydrostaticRveSettings settings;
   settings.equilibrium.tolerance = 1e-6;
   const HydrostaticRve rve(ParenchymaParameters(), settings);
@@ -43,8 +39,7 @@ void hydrostatic(benchmark::State &state)
 }
 BENCHMARK(hydrostatic)->Unit(benchmark::kMicrosecond);
 
-void constrained_runs(benchmark::State &state)
-{
+void constrained_runs(benchmark::State &state) {
   ParenchymaParameters cell;
   cell.fluid_viscosity = 1.;
   SphRveSettings settings;
@@ -54,6 +49,6 @@ void constrained_runs(benchmark::State &state)
   walk(state, rve);
 }
 BENCHMARK(constrained_runs)->Unit(benchmark::kMicrosecond);
-} // namespace
+}  // namespace
 
 BENCHMARK_MAIN();

@@ -2,39 +2,38 @@
 //
 //   S(E) = S_0 + C : (E - E_0),   W(E) = W_0 + S_0 : (E - E_0) + (E - E_0) : C : (E - E_0) / 2,   P = F S
 //
-// S = dW/dE, so the energy of a point that stays with a record balances to the last digit; P follows a rotation of F exactly and its
-// moments balance, without a polar decomposition. C = dS/dE follows from the RVE's dP/dF at F_0: with P = F S and dE = sym(F^T dF)
+// S = dW/dE, so the energy of a point that stays with a record balances to the last digit; P follows a
+// rotation of F exactly and its moments balance, without a polar decomposition. C = dS/dE follows from the
+// RVE's dP/dF at F_0: with P = F S and dE = sym(F^T dF)
 //
 //   C_MJNL = F^-1_Mi (dP_iJ/dF_kL - delta_ik S_JL) F^-1_Nk
 //
-// In: F (no unit); P, dP/dF without viscous parts, pressure (Pa); energy (J/m^3). Strains are as strain_folding.h has them. Out: the same kinds.
+// In: F (no unit); P, dP/dF without viscous parts, pressure (Pa); energy (J/m^3). Strains are as
+// strain_folding.h has them. Out: the same kinds.
 #pragma once
 
 #include "coupling/strain_folding.h"
 
-namespace turgor
-{
+namespace turgor {
 class Archive;
 template <int dim>
-struct AnswerRecord
-{
+struct AnswerRecord {
   StrainVector<dim> E, S;
   StrainMatrix<dim> C;
   double energy = 0., pressure = 0.;
-  double radius = 0.;     ///< |E - E_0| up to which it answers
-  double curvature = 0.;  ///< Pa; the largest seen 2 |error of S| / |E - E_0|^2
-  double registered = 0.; ///< the radius with which it lies in the table: radii only shrink
+  double radius = 0.;      ///< |E - E_0| up to which it answers
+  double curvature = 0.;   ///< Pa; the largest seen 2 |error of S| / |E - E_0|^2
+  double registered = 0.;  ///< the radius with which it lies in the table: radii only shrink
 
   /// What was answered at F, folded.
-  static AnswerRecord from(const Tensor2<dim> &F, const Tensor2<dim> &P, const Tensor4<dim> &tangent, double energy, double pressure,
-                           const StrainFolding<dim> &folding);
+  static AnswerRecord from(const Tensor2<dim> &F, const Tensor2<dim> &P, const Tensor4<dim> &tangent,
+                           double energy, double pressure, const StrainFolding<dim> &folding);
 
   void archive(Archive &a);
 
   StrainVector<dim> stress_at(const StrainVector<dim> &strain) const { return S + C * (strain - E); }
 
-  double energy_at(const StrainVector<dim> &strain) const
-  {
+  double energy_at(const StrainVector<dim> &strain) const {
     const StrainVector<dim> d = strain - E;
     return energy + d.dot(S + 0.5 * (C * d));
   }
@@ -43,4 +42,4 @@ struct AnswerRecord
 /// dP/dF at F of P = F S(E), for S and C of E(F).
 template <int dim>
 Tensor4<dim> elastic_tangent(const Tensor2<dim> &F, const StrainVector<dim> &S, const StrainMatrix<dim> &C);
-} // namespace turgor
+}  // namespace turgor

@@ -1,6 +1,7 @@
 // What the RVEs of one batch answered, one row of doubles a point, so that one message gathers it over
-// the ranks: stresses (Pa), the viscous part of P (Pa), energy (J/m^3), heating (W/m^3), fluid pressure (Pa), diagnostics, tangents (Pa, Pa s) where asked for, the condition of the
-// cells where it can change, failed or not.
+// the ranks: stresses (Pa), the viscous part of P (Pa), energy (J/m^3), heating (W/m^3), fluid pressure (Pa),
+// diagnostics, tangents (Pa, Pa s) where asked for, the condition of the cells where it can change, failed or
+// not.
 #pragma once
 
 #include "coupling/point_shares.h"
@@ -10,12 +11,10 @@
 #include <cstddef>
 #include <vector>
 
-namespace turgor
-{
+namespace turgor {
 template <int dim>
-class AnswerTable
-{
-public:
+class AnswerTable {
+ public:
   /// All rows zero: nobody has answered, nobody failed. Rows are as wide as what the batch is asked for.
   AnswerTable(std::size_t points, const LawRequest &request, bool conditions = false);
 
@@ -29,21 +28,22 @@ public:
   bool any_failed() const;
   double pressure(std::size_t point) const;
   double energy(std::size_t point) const;
-  double safe_strain(std::size_t point) const; ///< only if the table has conditions
+  double safe_strain(std::size_t point) const;  ///< only if the table has conditions
   Tensor2<dim> P(std::size_t point) const;
-  Tensor4<dim> tangent(std::size_t point) const; ///< only if the table has tangents
+  Tensor4<dim> tangent(std::size_t point) const;  ///< only if the table has tangents
   Tensor2<dim> sigma(std::size_t point) const;
-  RveCondition condition(std::size_t point) const; ///< only if the table has conditions
-  RveDiagnostics diagnostics(std::size_t point) const; ///< numbers only: no message, converged as it failed or not
+  RveCondition condition(std::size_t point) const;  ///< only if the table has conditions
+  RveDiagnostics diagnostics(
+      std::size_t point) const;  ///< numbers only: no message, converged as it failed or not
   /// P, energy and the tangents, if there are any, of the point; the answer's lists are long enough.
   void read(std::size_t point, LawAnswer<dim> &answer) const;
 
-private:
+ private:
   template <int size>
   Eigen::Matrix<double, size, size> square(std::size_t point, std::size_t column) const;
 
   bool tangents, rate_tangents, conditions;
-  std::size_t rate_tangent, width; ///< columns: where it begins, all
+  std::size_t rate_tangent, width;  ///< columns: where it begins, all
   std::vector<double> table;
 };
-} // namespace turgor
+}  // namespace turgor

@@ -12,11 +12,9 @@
 #include <string>
 #include <vector>
 
-namespace turgor
-{
-class PointShares
-{
-public:
+namespace turgor {
+class PointShares {
+ public:
   PointShares();
 
   unsigned int rank() const { return my_rank; }
@@ -52,11 +50,11 @@ public:
   /// Collective. Takes over a new assignment and moves luggage (any bytes, one per point) to the new owners.
   void reassign(const std::vector<unsigned int> &new_owner, std::vector<std::string> &luggage);
 
-private:
+ private:
   unsigned int my_rank = 0, n_ranks = 1;
   std::vector<unsigned int> owner;
   std::vector<std::size_t> my_points;
 
   void list_mine();
 };
-} // namespace turgor
+}  // namespace turgor

@@ -11,77 +11,65 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace turgor
-{
-namespace
-{
+namespace turgor {
+namespace {
 template <int dim>
-std::string place(std::size_t number, const dealii::Point<dim> &x)
-{
+std::string place(std::size_t number, const dealii::Point<dim> &x) {
   std::ostringstream text;
   text.precision(4);
   text << "RVE at quadrature point " << number << " (";
-  for (int d = 0; d < dim; ++d)
-    text << (d == 0 ? "" : ", ") << "xyz"[d] << " = " << x[d] << " m";
+  for (int d = 0; d < dim; ++d) text << (d == 0 ? "" : ", ") << "xyz"[d] << " = " << x[d] << " m";
   text << "): ";
   return text.str();
 }
-} // namespace
+}  // namespace
 
 template <int dim>
 RveCalls<dim>::RveCalls(const Rve<dim> &rve_, const unsigned int threads_)
-  : rve(rve_)
-  , threads(threads_)
-  , arena(static_cast<int>(std::max(1u, threads_)))
-  , workspaces([this] { return rve.make_workspace(); })
-{}
+    : rve(rve_),
+      threads(threads_),
+      arena(static_cast<int>(std::max(1u, threads_))),
+      workspaces([this] { return rve.make_workspace(); }) {}
 
 // One RVE. Returns an empty text, or why it failed.
 template <int dim>
-std::string RveCalls<dim>::call_one(const std::size_t p, const RveBatch<dim> &batch, const RveRequest &request, PointStates<dim> &states)
-{
+std::string RveCalls<dim>::call_one(const std::size_t p, const RveBatch<dim> &batch,
+                                    const RveRequest &request, PointStates<dim> &states) {
   std::string reason;
-  try
-  {
-    RveAnswer<dim> a = rve.evaluate(states.committed[p], to_eigen<dim>(batch.F[p]), to_eigen<dim>(batch.F_dot[p]), request, *workspaces.local());
+  try {
+    RveAnswer<dim> a = rve.evaluate(states.committed[p], to_eigen<dim>(batch.F[p]),
+                                    to_eigen<dim>(batch.F_dot[p]), request, *workspaces.local());
     batch.table.put(p, a);
     if (!a.diagnostics.converged)
       reason = a.diagnostics.message.empty() ? "did not converge." : a.diagnostics.message;
     else if (!a.P.allFinite() || !std::isfinite(a.energy))
       reason = "answered with a non-finite stress or energy.";
     states.trial[p] = std::move(a.trial);
-  }
-  catch (const std::exception &e)
-  {
+  } catch (const std::exception &e) {
     reason = e.what();
-  }
-  catch (...)
-  {
+  } catch (...) {
     reason = "failed for an unknown reason.";
   }
-  if (reason.empty())
-    return reason;
+  if (reason.empty()) return reason;
   batch.table.put_failed(p);
   return place(p, batch.points[p]) + reason;
 }
 
 template <int dim>
 void RveCalls<dim>::call(const std::vector<std::size_t> &points, const RveBatch<dim> &batch,
-                         const std::function<RveRequest(std::size_t)> &request, PointStates<dim> &states)
-{
+                         const std::function<RveRequest(std::size_t)> &request, PointStates<dim> &states) {
   const auto one = [&](const std::size_t k) {
     const std::size_t p = points[k];
-    if (stop_was_requested()) // the rest of the batch would be thrown away
+    if (stop_was_requested())  // the rest of the batch would be thrown away
       return batch.table.put_failed(p);
     batch.reasons[p] = call_one(p, batch, request(p), states);
   };
   if (threads <= 1)
-    for (std::size_t k = 0; k < points.size(); ++k)
-      one(k);
+    for (std::size_t k = 0; k < points.size(); ++k) one(k);
   else
     arena.execute([&] { tbb::parallel_for(std::size_t{0}, points.size(), one, tbb::simple_partitioner()); });
 }
 
 template class RveCalls<2>;
 template class RveCalls<3>;
-} // namespace turgor
+}  // namespace turgor

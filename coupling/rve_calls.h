@@ -1,7 +1,9 @@
-// The RVEs of some points, called by the threads of a rank. An RVE that fails, or throws, leaves a failed row and a reason with its place;
-// nothing is thrown. A point's answer depends on its own state and input only: the same bits on any number of threads.
+// The RVEs of some points, called by the threads of a rank. An RVE that fails, or throws, leaves a failed row
+// and a reason with its place; nothing is thrown. A point's answer depends on its own state and input only:
+// the same bits on any number of threads.
 //
-// In:  F, F_dot (1/s) of all points, their committed states. Out: rows of the table of answers, trial states, reasons.
+// In:  F, F_dot (1/s) of all points, their committed states. Out: rows of the table of answers, trial states,
+// reasons.
 //
 //   RveCalls<2> calls(*rve, threads);
 //   calls.call(shares.mine(), batch, [&](std::size_t) { return request; }, states);
@@ -22,34 +24,33 @@
 #include <string>
 #include <vector>
 
-namespace turgor
-{
+namespace turgor {
 /// What is asked at all points, and where the answers go.
 template <int dim>
-struct RveBatch
-{
-  const std::vector<dealii::Point<dim>> &points; ///< m, for the reasons
+struct RveBatch {
+  const std::vector<dealii::Point<dim>> &points;  ///< m, for the reasons
   const std::vector<dealii::Tensor<2, dim>> &F, &F_dot;
   AnswerTable<dim> &table;
-  std::vector<std::string> &reasons; ///< why a point failed; empty where it did not
+  std::vector<std::string> &reasons;  ///< why a point failed; empty where it did not
 };
 
 template <int dim>
-class RveCalls
-{
-public:
+class RveCalls {
+ public:
   RveCalls(const Rve<dim> &rve, unsigned int threads);
 
-  /// Those of the points that are left when the program is to stop fail without a reason: the batch will be thrown away.
-  void call(const std::vector<std::size_t> &points, const RveBatch<dim> &batch, const std::function<RveRequest(std::size_t)> &request,
-            PointStates<dim> &states);
+  /// Those of the points that are left when the program is to stop fail without a reason: the batch will be
+  /// thrown away.
+  void call(const std::vector<std::size_t> &points, const RveBatch<dim> &batch,
+            const std::function<RveRequest(std::size_t)> &request, PointStates<dim> &states);
 
-private:
-  std::string call_one(std::size_t point, const RveBatch<dim> &batch, const RveRequest &request, PointStates<dim> &states);
+ private:
+  std::string call_one(std::size_t point, const RveBatch<dim> &batch, const RveRequest &request,
+                       PointStates<dim> &states);
 
   const Rve<dim> &rve;
   unsigned int threads;
   tbb::task_arena arena;
   tbb::enumerable_thread_specific<std::unique_ptr<typename Rve<dim>::Workspace>> workspaces;
 };
-} // namespace turgor
+}  // namespace turgor

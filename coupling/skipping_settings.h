@@ -3,15 +3,13 @@
 
 #include <cstdint>
 
-namespace turgor
-{
+namespace turgor {
 class InputEntries;
 struct RveParameters;
-struct SkippingSettings
-{
+struct SkippingSettings {
   bool certified = false;
-  double tolerance = 0.;      ///< Pa; 0: share of turgor
-  double share = 1e-3;        ///< of turgor
+  double tolerance = 0.;  ///< Pa; 0: share of turgor
+  double share = 1e-3;    ///< of turgor
   double audit_share = 2.5e-3;
   std::uint64_t seed = 1;
 
@@ -22,4 +20,4 @@ struct SkippingSettings
   /// With the tolerance in Pa.
   SkippingSettings with(const RveParameters &rve) const;
 };
-} // namespace turgor
+}  // namespace turgor

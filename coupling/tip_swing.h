@@ -1,21 +1,18 @@
-// The middle of the right side of a tissue that bends: where it is over time (probe.csv), its largest deflection and period, and
-// at the end the mean displacement of every cell (cell_displacement.csv). For a square piece of cells.
+// The middle of the right side of a tissue that bends: where it is over time (probe.csv), its largest
+// deflection and period, and at the end the mean displacement of every cell (cell_displacement.csv). For a
+// square piece of cells.
 #pragma once
 
 #include "coupling/oscillation.h"
 #include "coupling/tissue_observer.h"
 
-namespace turgor
-{
-class TipSwing : public TissueObserver
-{
-public:
-  /// cells along each side; period: m, side of a cell; samples: points per direction for the mean displacement of a cell.
+namespace turgor {
+class TipSwing : public TissueObserver {
+ public:
+  /// cells along each side; period: m, side of a cell; samples: points per direction for the mean
+  /// displacement of a cell.
   TipSwing(const unsigned int cells_, const double period_, const unsigned int samples_)
-    : cells(cells_)
-    , period(period_)
-    , samples(samples_)
-  {}
+      : cells(cells_), period(period_), samples(samples_) {}
 
   void open(RunContext &context, const Tissue<2> &tissue) override;
   void row(const Tissue<2> &tissue, const RveLaw<2> &law) override;
@@ -23,12 +20,12 @@ public:
   void archive(Archive &a) override;
   std::vector<std::array<double, 2>> places() const override;
 
-private:
+ private:
   unsigned int cells;
   double period;
   unsigned int samples;
   Probe tip;
-  Oscillation swing; // of the tip, downwards
+  Oscillation swing;  // of the tip, downwards
   std::unique_ptr<Series> probe_series;
 };
-} // namespace turgor
+}  // namespace turgor

@@ -1,4 +1,5 @@
-// One run of a tissue of RVEs: its steps, tables, frames and checkpoints in tissue_run.cc, what it reports in tissue_report.cc.
+// One run of a tissue of RVEs: its steps, tables, frames and checkpoints in tissue_run.cc, what it reports in
+// tissue_report.cc.
 #pragma once
 
 #include "coupling/tissue_output.h"
@@ -10,23 +11,22 @@
 #include <chrono>
 #include <optional>
 
-namespace turgor
-{
+namespace turgor {
 class StepLoop;
 
-class TissueCourse
-{
-public:
-  TissueCourse(RunContext &context, const TissueRunSettings &settings, const std::shared_ptr<const Rve<2>> &rve, TissueObserver &observer);
+class TissueCourse {
+ public:
+  TissueCourse(RunContext &context, const TissueRunSettings &settings,
+               const std::shared_ptr<const Rve<2>> &rve, TissueObserver &observer);
   void go();
 
-private:
+ private:
   using Clock = std::chrono::steady_clock;
 
-  struct Memory ///< what the loop itself must remember over a checkpoint
+  struct Memory  ///< what the loop itself must remember over a checkpoint
   {
-    unsigned long frames = 0; ///< written so far; the next one is due at frames * output_interval
-    double cpu_seconds = 0.;  ///< before the resume, all ranks
+    unsigned long frames = 0;  ///< written so far; the next one is due at frames * output_interval
+    double cpu_seconds = 0.;   ///< before the resume, all ranks
     double wall_seconds = 0.;
     EnergyCheck energy;
   };
@@ -39,9 +39,11 @@ private:
   void row();
   void frame();
   double next_frame() const { return static_cast<double>(memory.frames) * settings.tissue.output_interval; }
-  double cpu_seconds() const; ///< of all ranks, before a resume too
+  double cpu_seconds() const;  ///< of all ranks, before a resume too
   double wall_seconds() const { return memory.wall_seconds + seconds_since(started); }
-  static double seconds_since(const Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+  static double seconds_since(const Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  }
 
   // tissue_report.cc
   void report();
@@ -57,16 +59,16 @@ private:
   RveLaw<2> law;
   Tissue<2> tissue;
   TissueObserver &observer;
-  const double end; ///< s
+  const double end;  ///< s
   Memory memory;
-  bool is_cut = false;  ///< the steps are made for the end
-  bool is_lost = false; ///< its energy: the rest could not change that
+  bool is_cut = false;   ///< the steps are made for the end
+  bool is_lost = false;  ///< its energy: the rest could not change that
   std::unique_ptr<Series> energy_series, cost_series;
   std::optional<FieldOutput> fields;
   std::optional<RveOutlines> outlines;
-  RveLawStatistics before; ///< at the last row of cost.csv
+  RveLawStatistics before;  ///< at the last row of cost.csv
   const Clock::time_point started = Clock::now();
   Clock::time_point saved = started;
   const double cpu_at_start = process_cpu_seconds();
 };
-} // namespace turgor
+}  // namespace turgor

@@ -7,38 +7,36 @@
 
 #include <cmath>
 
-namespace turgor
-{
-TissueGravity::TissueGravity()
-{
-  rve_parameters.cell.fluid_viscosity = 1.; // at water's nothing damps within a period
+namespace turgor {
+TissueGravity::TissueGravity() {
+  rve_parameters.cell.fluid_viscosity = 1.;  // at water's nothing damps within a period
 }
 
-void TissueGravity::declare_parameters(InputEntries &prm)
-{
+void TissueGravity::declare_parameters(InputEntries &prm) {
   prm.enter_subsection("Tissue gravity");
   prm.add_parameter("Cells", settings.cells,
                     "Cells along each side of the square; its width is W = Cells * Cell/Period. Units: 1.",
                     Patterns::Integer(1, 100000));
-  prm.add_parameter("Load", load,
-                    "Body force as the stress rho b W it would make at the clamp if spread evenly; acts downwards from "
-                    "t = 0. Units: Pa.",
-                    Patterns::Double(0., 1e9));
+  prm.add_parameter(
+      "Load", load,
+      "Body force as the stress rho b W it would make at the clamp if spread evenly; acts downwards from "
+      "t = 0. Units: Pa.",
+      Patterns::Double(0., 1e9));
   prm.add_parameter("Cell samples", settings.cell_samples,
                     "Points per direction over which the displacement of a cell is averaged. Units: 1.",
                     Patterns::Integer(1, 100));
   prm.add_parameter("Outlined RVEs", settings.outlined_rves,
-                    "RVEs whose cells are written at the end, for the picture. Units: 1.", Patterns::Integer(0, 9));
+                    "RVEs whose cells are written at the end, for the picture. Units: 1.",
+                    Patterns::Integer(0, 9));
   settings.declare(prm, rve_parameters, false);
 }
 
-void TissueGravity::check() const
-{
-  settings.check(rve_parameters, double(settings.cells) * settings.cells * settings.cell_samples * settings.cell_samples);
+void TissueGravity::check() const {
+  settings.check(rve_parameters,
+                 double(settings.cells) * settings.cells * settings.cell_samples * settings.cell_samples);
 }
 
-void TissueGravity::run(RunContext &context)
-{
+void TissueGravity::run(RunContext &context) {
   const std::shared_ptr<const Rve<2>> rve = make_rve(rve_parameters);
   settings.period = rve_parameters.cell.period;
   const double width = settings.cells * settings.period;
@@ -52,16 +50,17 @@ void TissueGravity::run(RunContext &context)
   context.result("density", rve->density(), "kg/m^3");
   context.result("body_force", settings.tissue.body_force.norm(), "m/s^2");
   context.note("rve", word_of(rve_parameters.rule) + ", " + word_of(rve_parameters.fluid) + " fluid, " +
-                        number_text(rve_parameters.columns) + " x " + number_text(rve_parameters.rows) + " cells");
+                          number_text(rve_parameters.columns) + " x " + number_text(rve_parameters.rows) +
+                          " cells");
   if (const double left = rve_parameters.equilibrium_tolerance() * rve_parameters.cell.turgor;
-      rve_parameters.rule == RveRule::elastic_equilibrium && rve_parameters.fluid == RveFluid::hydrostatic && load > 0. && left > 1e-3 * load)
-    remarked(context, "tolerance", "RVE/Tolerance leaves up to " + number_text(left) + " Pa out of balance inside the cells, more than a thousandth of the load of " +
-             number_text(load) + " Pa: they may not feel it. Take a smaller tolerance or a larger load.");
+      rve_parameters.rule == RveRule::elastic_equilibrium && rve_parameters.fluid == RveFluid::hydrostatic &&
+      load > 0. && left > 1e-3 * load)
+    remarked(context, "tolerance",
+             "RVE/Tolerance leaves up to " + number_text(left) +
+                 " Pa out of balance inside the cells, more than a thousandth of the load of " +
+                 number_text(load) + " Pa: they may not feel it. Take a smaller tolerance or a larger load.");
   run_tissue(context, settings, rve);
 }
 
-std::unique_ptr<Scenario> make_tissue_gravity()
-{
-  return std::make_unique<TissueGravity>();
-}
-} // namespace turgor
+std::unique_ptr<Scenario> make_tissue_gravity() { return std::make_unique<TissueGravity>(); }
+}  // namespace turgor

@@ -11,11 +11,9 @@
 #include "run/scenario.h"
 #include "rve/rve_parameters.h"
 
-namespace turgor
-{
-class TissueGravity : public Scenario
-{
-public:
+namespace turgor {
+class TissueGravity : public Scenario {
+ public:
   TissueGravity();
   void declare_parameters(InputEntries &prm) override;
   Outputs outputs() const override;
@@ -23,11 +21,11 @@ public:
   bool uses_ranks() const override { return true; }
   void run(RunContext &context) override;
 
-private:
-  double load = 20e3; ///< Pa
+ private:
+  double load = 20e3;  ///< Pa
   TissueRunSettings settings;
   RveParameters rve_parameters;
 };
 
 std::unique_ptr<Scenario> make_tissue_gravity();
-} // namespace turgor
+}  // namespace turgor

@@ -1,4 +1,5 @@
-// What one scene watches of an FE^2 run, beside what run_tissue() does for all of them: its own series, pictures, results.
+// What one scene watches of an FE^2 run, beside what run_tissue() does for all of them: its own series,
+// pictures, results.
 #pragma once
 
 #include "coupling/rve_law.h"
@@ -8,13 +9,11 @@
 #include <array>
 #include <vector>
 
-namespace turgor
-{
+namespace turgor {
 class Archive;
 
-class TissueObserver
-{
-public:
+class TissueObserver {
+ public:
   virtual ~TissueObserver() = default;
 
   /// Before the first row, after a resume too.
@@ -32,4 +31,4 @@ public:
   /// Where RVEs are drawn, the most telling first: shares of width and height.
   virtual std::vector<std::array<double, 2>> places() const = 0;
 };
-} // namespace turgor
+}  // namespace turgor

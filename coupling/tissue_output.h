@@ -10,27 +10,25 @@
 #include <array>
 #include <vector>
 
-namespace turgor
-{
-/// The deformed mesh with displacement (m), velocity (m/s) at the nodes; Cauchy stress (Pa), pressure -tr(sigma)/2 (Pa)
-/// mean fluid pressure of the RVEs (Pa) and, where cells can fail or flow, the share of failed cells and the permanent
-/// stretch of the walls, per element.
+namespace turgor {
+/// The deformed mesh with displacement (m), velocity (m/s) at the nodes; Cauchy stress (Pa), pressure
+/// -tr(sigma)/2 (Pa) mean fluid pressure of the RVEs (Pa) and, where cells can fail or flow, the share of
+/// failed cells and the permanent stretch of the walls, per element.
 FieldFrame tissue_frame(const Tissue<2> &tissue, const RveLaw<2> &law);
 
-/// The mesh in the last trial in which a point failed, displacement (m), and per element whether one of its points did; no points
-/// where none has.
+/// The mesh in the last trial in which a point failed, displacement (m), and per element whether one of its
+/// points did; no points where none has.
 FieldFrame failing_tissue_frame(const Tissue<2> &tissue);
 
-/// cell_displacement.csv: the displacement averaged over each of the cells[0] x cells[1] squares of side `period` (m),
-/// by samples x samples points each. The piece is [0, cells[0] period] x [0, cells[1] period].
-void write_cell_displacement(RunContext &context, const Tissue<2> &tissue, const std::array<unsigned int, 2> &cells, double period,
-                             unsigned int samples);
+/// cell_displacement.csv: the displacement averaged over each of the cells[0] x cells[1] squares of side
+/// `period` (m), by samples x samples points each. The piece is [0, cells[0] period] x [0, cells[1] period].
+void write_cell_displacement(RunContext &context, const Tissue<2> &tissue,
+                             const std::array<unsigned int, 2> &cells, double period, unsigned int samples);
 
 /// rve_outlines.csv: rings of points (m) of the RVEs nearest to some places of the piece, with their
 /// quadrature point (m, deformed), F, period (m), fluid pressure and shear stress (Pa); one block a call.
-class RveOutlines
-{
-public:
+class RveOutlines {
+ public:
   /// places: shares of width and height, the most telling first; how_many of them, none twice.
   RveOutlines(RunContext &context, const Tissue<2> &tissue, unsigned int how_many,
               const std::vector<std::array<double, 2>> &places);
@@ -38,8 +36,8 @@ public:
   /// The committed state. Collective.
   void write(const Tissue<2> &tissue, const RveLaw<2> &law, const Rve<2> &rve);
 
-private:
+ private:
   std::vector<std::size_t> chosen;
   std::unique_ptr<Series> table;
 };
-} // namespace turgor
+}  // namespace turgor

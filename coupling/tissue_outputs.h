@@ -1,10 +1,10 @@
-// Definitions of outputs (run/output_list.h) of the scenes of two scales; run_tissue() and what watches it write them.
+// Definitions of outputs (run/output_list.h) of the scenes of two scales; run_tissue() and what watches it
+// write them.
 #pragma once
 
 #include "run/output_list.h"
 
-namespace turgor
-{
+namespace turgor {
 /// Of every run of run_tissue(): energies, steps, cost, outlines, fields.
 Outputs tissue_run_outputs();
 
@@ -14,4 +14,4 @@ Outputs bruise_outputs();
 
 /// tissue.xdmf of tissue_frame().
 Outputs tissue_field_outputs();
-} // namespace turgor
+}  // namespace turgor

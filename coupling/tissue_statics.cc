@@ -13,90 +13,94 @@
 #include <algorithm>
 #include <chrono>
 
-namespace turgor
-{
+namespace turgor {
 
-namespace
-{
-constexpr double most_share_of_load = 1e-6; // of the load, that cells may be out of balance
-constexpr double means_nothing = 0.1;       // relative residual, where rounding is all that is left
-} // namespace
+namespace {
+constexpr double most_share_of_load = 1e-6;  // of the load, that cells may be out of balance
+constexpr double means_nothing = 0.1;        // relative residual, where rounding is all that is left
+}  // namespace
 
-void TissueStatics::declare_parameters(InputEntries &prm)
-{
+void TissueStatics::declare_parameters(InputEntries &prm) {
   prm.enter_subsection("Tissue statics");
   prm.add_parameter("Cells", cells,
                     "Cells from the clamp to the free end; its width is W = Cells * Cell/Period. Units: 1.",
                     Patterns::Integer(1, 100000));
-  prm.add_parameter("Cells across", cells_across, "Cells along the clamp; 0: as many as Cells, a square. Units: 1.",
+  prm.add_parameter("Cells across", cells_across,
+                    "Cells along the clamp; 0: as many as Cells, a square. Units: 1.",
                     Patterns::Integer(0, 100000));
-  prm.add_parameter("Load", load,
-                    "Body force as the stress rho b W it would make at the clamp if spread evenly; acts downwards. "
-                    "Units: Pa.",
-                    Patterns::Double(-1e8, 1e8));
+  prm.add_parameter(
+      "Load", load,
+      "Body force as the stress rho b W it would make at the clamp if spread evenly; acts downwards. "
+      "Units: Pa.",
+      Patterns::Double(-1e8, 1e8));
   prm.add_parameter("Cell samples", cell_samples,
                     "Points per direction over which the displacement of a cell is averaged. Units: 1.",
                     Patterns::Integer(1, 100));
-  prm.add_parameter("Elements", elements, "Number of finite elements from the clamp to the free end. Units: 1.", Patterns::Integer(1, 1000));
-  prm.add_parameter("Elements across", elements_across, "Number of finite elements along the clamp; 0: as many as Elements. Units: 1.",
+  prm.add_parameter("Elements", elements,
+                    "Number of finite elements from the clamp to the free end. Units: 1.",
+                    Patterns::Integer(1, 1000));
+  prm.add_parameter("Elements across", elements_across,
+                    "Number of finite elements along the clamp; 0: as many as Elements. Units: 1.",
                     Patterns::Integer(0, 1000));
-  prm.add_parameter("Degree", tissue.degree, "Polynomial degree of the elements: 1 bilinear, 2 biquadratic. Units: 1.",
+  prm.add_parameter("Degree", tissue.degree,
+                    "Polynomial degree of the elements: 1 bilinear, 2 biquadratic. Units: 1.",
                     Patterns::Integer(1, 2));
-  prm.add_parameter("Locking treatment", tissue.locking,
-                    "f_bar: volume change of one order lower than the shape change; full: plain full integration. "
-                    "Units: none.");
+  prm.add_parameter(
+      "Locking treatment", tissue.locking,
+      "f_bar: volume change of one order lower than the shape change; full: plain full integration. "
+      "Units: none.");
   prm.add_parameter("Lateral sides", tissue.lateral,
                     "The sides normal to y: free, periodic (a slab without end) or clamped. Units: none.");
   prm.add_parameter("Tolerance", newton.tolerance,
-                    "Norm of the unbalanced nodal forces over that of the load. Units: 1.", Patterns::Double(1e-14, 1e-1));
+                    "Norm of the unbalanced nodal forces over that of the load. Units: 1.",
+                    Patterns::Double(1e-14, 1e-1));
   prm.add_parameter("Most iterations", newton.most_iterations,
-                    "Newton iterations before the load increment is halved. Units: 1.", Patterns::Integer(1, 1000));
+                    "Newton iterations before the load increment is halved. Units: 1.",
+                    Patterns::Integer(1, 1000));
   prm.leave_subsection();
   rve_parameters.add_parameters(prm);
 }
 
-std::array<unsigned int, 2> TissueStatics::block() const
-{
+std::array<unsigned int, 2> TissueStatics::block() const {
   return {{cells, cells_across > 0 ? cells_across : cells}};
 }
 
-TissueParameters<2> TissueStatics::piece() const
-{
+TissueParameters<2> TissueStatics::piece() const {
   TissueParameters<2> it = tissue;
   it.elements = {{elements, elements_across > 0 ? elements_across : elements}};
   it.size = {{block()[0] * rve_parameters.cell.period, block()[1] * rve_parameters.cell.period}};
   return it;
 }
 
-void TissueStatics::check() const
-{
+void TissueStatics::check() const {
   if (rve_parameters.fluid != RveFluid::hydrostatic || rve_parameters.rule == RveRule::constrained_runs)
-    throw InputError("RVE/Fluid = " + word_of(rve_parameters.fluid) + " with RVE/Rule = " + word_of(rve_parameters.rule) +
-                     " gives no tangents; a static state needs 'Fluid = hydrostatic' with 'Rule = elastic_equilibrium' or "
-                     "'cauchy_born'.");
+    throw InputError(
+        "RVE/Fluid = " + word_of(rve_parameters.fluid) + " with RVE/Rule = " + word_of(rve_parameters.rule) +
+        " gives no tangents; a static state needs 'Fluid = hydrostatic' with 'Rule = elastic_equilibrium' or "
+        "'cauchy_born'.");
   const TissueParameters<2> whole = piece();
-  try
-  {
+  try {
     whole.check();
-  }
-  catch (const std::invalid_argument &e)
-  {
+  } catch (const std::invalid_argument &e) {
     // the same rule under the name the entry has here
     throw InputError("Tissue statics/Elements is " + number_text(elements) + ": " + e.what());
   }
-  check_tissue_size(whole, state_size(rve_parameters), double(block()[0]) * block()[1] * cell_samples * cell_samples);
+  check_tissue_size(whole, state_size(rve_parameters),
+                    double(block()[0]) * block()[1] * cell_samples * cell_samples);
 }
 
-void TissueStatics::run(RunContext &context)
-{
+void TissueStatics::run(RunContext &context) {
   const auto started = std::chrono::steady_clock::now();
   RveParameters cells_inside = rve_parameters;
   if (rve_parameters.rule == RveRule::elastic_equilibrium)
-    cells_inside.tolerance = std::clamp(std::abs(load) / std::max(rve_parameters.cell.turgor, 1e-300) * most_share_of_load,
-                                        RveParameters::least_tolerance, rve_parameters.equilibrium_tolerance());
+    cells_inside.tolerance =
+        std::clamp(std::abs(load) / std::max(rve_parameters.cell.turgor, 1e-300) * most_share_of_load,
+                   RveParameters::least_tolerance, rve_parameters.equilibrium_tolerance());
   if (cells_inside.equilibrium_tolerance() < rve_parameters.equilibrium_tolerance())
-    remarked(context, "tolerance", "RVE/Tolerance is taken as " + number_text(cells_inside.tolerance) + ": at the load of " + number_text(load) +
-                " Pa the cells would not feel what " + number_text(rve_parameters.equilibrium_tolerance()) + " of turgor leaves out of balance.");
+    remarked(context, "tolerance",
+             "RVE/Tolerance is taken as " + number_text(cells_inside.tolerance) + ": at the load of " +
+                 number_text(load) + " Pa the cells would not feel what " +
+                 number_text(rve_parameters.equilibrium_tolerance()) + " of turgor leaves out of balance.");
   const std::shared_ptr<const Rve<2>> rve = make_rve(cells_inside);
   const double period = rve_parameters.cell.period, width = cells * period;
   TissueParameters<2> whole = piece();
@@ -107,34 +111,32 @@ void TissueStatics::run(RunContext &context)
   RveLaw<2> law(rve, shares);
   Tissue<2> body(whole, law);
 
-  FieldOutput fields(context, "tissue", false, [&] { return tissue_frame(body, law); }, [&] { return failing_tissue_frame(body); });
+  FieldOutput fields(
+      context, "tissue", false, [&] { return tissue_frame(body, law); },
+      [&] { return failing_tissue_frame(body); });
   context.progress(0.1, "Newton's method");
   StaticAnswer<2> answer;
   StaticSettings settings = newton;
   settings.each_evaluation = [&] {
-    if (context.stop_requested()) // agreed by all ranks, which iterate alike
+    if (context.stop_requested())  // agreed by all ranks, which iterate alike
       throw RunStopped("stopped before the full load was carried");
   };
-  try
-  {
+  try {
     answer = body.settle(settings);
-  }
-  catch (const RunStopped &)
-  {
-    throw RunStopped("stopped before the full load was carried"); // wherever the wish was heard, in an RVE too
-  }
-  catch (const TissueFailed &e)
-  {
+  } catch (const RunStopped &) {
+    throw RunStopped(
+        "stopped before the full load was carried");  // wherever the wish was heard, in an RVE too
+  } catch (const TissueFailed &e) {
     throw RunFailed(e.what());
-  }
-  catch (const std::runtime_error &e)
-  {
+  } catch (const std::runtime_error &e) {
     throw RunFailed(e.what());
   }
 
   if (answer.residuals.back() > means_nothing)
-    throw RunFailed("The load of " + number_text(load) + " Pa drowns in the rounding of forces, which leaves " +
-                    number_text(100. * answer.residuals.back()) + " % of it out of balance; take a larger load: displacement is linear in small ones.");
+    throw RunFailed("The load of " + number_text(load) +
+                    " Pa drowns in the rounding of forces, which leaves " +
+                    number_text(100. * answer.residuals.back()) +
+                    " % of it out of balance; take a larger load: displacement is linear in small ones.");
   const dealii::Tensor<1, 2> u = body.displacement_at(dealii::Point<2>(width, 0.5 * whole.size[1]));
   const auto [least, most] = std::minmax_element(law.pressure().begin(), law.pressure().end());
   context.result("tip_displacement_x", u[0], "m");
@@ -152,13 +154,11 @@ void TissueStatics::run(RunContext &context)
   context.result("width", width, "m");
   context.result("density", rve->density(), "kg/m^3");
   context.result("body_force", whole.body_force.norm(), "m/s^2");
-  context.result("solve_time", std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count(), "s");
+  context.result("solve_time",
+                 std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count(), "s");
   write_cell_displacement(context, body, block(), period, cell_samples);
   fields.write();
 }
 
-std::unique_ptr<Scenario> make_tissue_statics()
-{
-  return std::make_unique<TissueStatics>();
-}
-} // namespace turgor
+std::unique_ptr<Scenario> make_tissue_statics() { return std::make_unique<TissueStatics>(); }
+}  // namespace turgor

@@ -1,4 +1,5 @@
-// Deformation gradients of one element with the volume change taken from fewer points (thesis 3.4.3, "4 + 1").
+// Deformation gradients of one element with the volume change taken from fewer points (thesis 3.4.3, "4 +
+// 1").
 //
 //   F_bar_q = s_q F_q,   s_q = (J_bar_q / J_q)^(1/dim),   ln J_bar_q = sum_p A_qp ln J_p
 //
@@ -17,13 +18,12 @@
 
 #include <vector>
 
-namespace turgor
-{
+namespace turgor {
 template <int dim>
-class FBar
-{
-public:
-  FBar(unsigned int nodes, unsigned int gauss_points, unsigned int points, const std::vector<double> &projection);
+class FBar {
+ public:
+  FBar(unsigned int nodes, unsigned int gauss_points, unsigned int points,
+       const std::vector<double> &projection);
 
   /// F at the element's points from nodal displacement u (m, [node][dim]) and gradients (1/m, [point][node]).
   /// Returns the first point with det F <= 0 (or not finite), or `points` if there is none.
@@ -38,19 +38,20 @@ public:
   void rate(const dealii::Tensor<1, dim> *gradient, const double *v, dealii::Tensor<2, dim> *F_bar_dot);
 
   /// Adds the nodal forces ([node][dim], N) of the stresses P_q = dW/dF_bar (Pa) with weights w_q.
-  void add_forces(const dealii::Tensor<1, dim> *gradient, const double *weight, const dealii::Tensor<2, dim> *P,
-                  double *force);
+  void add_forces(const dealii::Tensor<1, dim> *gradient, const double *weight,
+                  const dealii::Tensor<2, dim> *P, double *force);
 
-  /// The derivative of the forces of add_forces: (nodes*dim)^2 entries, row-major, N/m; tangent = dP/dF_bar (Pa).
-  void stiffness(const dealii::Tensor<1, dim> *gradient, const double *weight, const dealii::Tensor<2, dim> *P,
-                 const dealii::Tensor<4, dim> *tangent, double *matrix);
+  /// The derivative of the forces of add_forces: (nodes*dim)^2 entries, row-major, N/m; tangent = dP/dF_bar
+  /// (Pa).
+  void stiffness(const dealii::Tensor<1, dim> *gradient, const double *weight,
+                 const dealii::Tensor<2, dim> *P, const dealii::Tensor<4, dim> *tangent, double *matrix);
 
-private:
+ private:
   unsigned int n_nodes, n_gauss, n_points;
-  std::vector<double> A;                         // [gauss][point], empty: no projection
+  std::vector<double> A;  // [gauss][point], empty: no projection
   std::vector<dealii::Tensor<2, dim>> F, F_inverse_T;
-  std::vector<double> J, scale, dilation;        // dilation: F^-T : dF, or its force, per point
-  std::vector<dealii::Tensor<2, dim>> direction; // stiffness: dF_bar of each dof
+  std::vector<double> J, scale, dilation;         // dilation: F^-T : dF, or its force, per point
+  std::vector<dealii::Tensor<2, dim>> direction;  // stiffness: dF_bar of each dof
   std::vector<double> theta;
 };
-} // namespace turgor
+}  // namespace turgor

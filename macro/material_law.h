@@ -12,44 +12,43 @@
 #include <string>
 #include <vector>
 
-namespace turgor
-{
+namespace turgor {
 class Archive;
 
 /// What a batch is asked for.
-struct LawRequest
-{
-  double time = 0.;              ///< s, time of the batch's F
-  double time_since_commit = 0.; ///< s, since the last commit(); 0 for a probe of the committed time
-  bool tangents = false;         ///< also dP/dF
-  bool rate_tangents = false;    ///< also dP/dF_dot
+struct LawRequest {
+  double time = 0.;               ///< s, time of the batch's F
+  double time_since_commit = 0.;  ///< s, since the last commit(); 0 for a probe of the committed time
+  bool tangents = false;          ///< also dP/dF
+  bool rate_tangents = false;     ///< also dP/dF_dot
 };
 
 /// A point whose law could not answer. A non-empty list is a recoverable error:
 /// the integrator shortens its step.
-struct FailedPoint
-{
-  unsigned int point = 0; ///< index in the batch
-  std::string reason;     ///< a sentence for the user
+struct FailedPoint {
+  unsigned int point = 0;  ///< index in the batch
+  std::string reason;      ///< a sentence for the user
 };
 
 template <int dim>
-struct LawAnswer
-{
-  std::vector<dealii::Tensor<2, dim>> P;       ///< Pa, P_aB = dW/dF_aB (+ viscous part)
-  std::vector<double> energy;                  ///< J/m^3 of reference volume, elastic part; may be empty
-  std::vector<dealii::Tensor<2, dim>> viscous; ///< Pa, the part of P whose work is all heat; empty if not known
-  std::vector<double> heating;                 ///< W/m^3 of reference volume, heat besides, of motion that F does not show; may be empty
-  std::vector<double> spent;                   ///< J/m^3 lost so far by what has no rate (flow, breaking); empty: nothing
-  std::vector<dealii::Tensor<4, dim>> tangent; ///< Pa, dP_aB/dF_cD at fixed F_dot; empty unless asked and known
-  std::vector<dealii::Tensor<4, dim>> rate_tangent; ///< Pa s, dP_aB/dF_dot_cD at fixed F; empty unless asked and known
-  std::vector<FailedPoint> failed;             ///< in order of point
+struct LawAnswer {
+  std::vector<dealii::Tensor<2, dim>> P;  ///< Pa, P_aB = dW/dF_aB (+ viscous part)
+  std::vector<double> energy;             ///< J/m^3 of reference volume, elastic part; may be empty
+  std::vector<dealii::Tensor<2, dim>>
+      viscous;  ///< Pa, the part of P whose work is all heat; empty if not known
+  std::vector<double>
+      heating;  ///< W/m^3 of reference volume, heat besides, of motion that F does not show; may be empty
+  std::vector<double> spent;  ///< J/m^3 lost so far by what has no rate (flow, breaking); empty: nothing
+  std::vector<dealii::Tensor<4, dim>>
+      tangent;  ///< Pa, dP_aB/dF_cD at fixed F_dot; empty unless asked and known
+  std::vector<dealii::Tensor<4, dim>>
+      rate_tangent;                 ///< Pa s, dP_aB/dF_dot_cD at fixed F; empty unless asked and known
+  std::vector<FailedPoint> failed;  ///< in order of point
 };
 
 template <int dim>
-class MaterialLaw
-{
-public:
+class MaterialLaw {
+ public:
   virtual ~MaterialLaw() = default;
 
   /// Called once: the reference positions (m) of all points of every later batch.
@@ -57,8 +56,7 @@ public:
 
   /// Stress of the whole batch. F and F_dot (1/s) have one entry per point.
   virtual void evaluate(const std::vector<dealii::Tensor<2, dim>> &F,
-                        const std::vector<dealii::Tensor<2, dim>> &F_dot,
-                        const LawRequest &request,
+                        const std::vector<dealii::Tensor<2, dim>> &F_dot, const LawRequest &request,
                         LawAnswer<dim> &answer) = 0;
 
   /// The trial states of the last evaluate() become history.
@@ -67,13 +65,13 @@ public:
   /// Reference density, kg/m^3.
   virtual double density() const = 0;
 
-  /// Upper bounds for the step, at the committed states: stiffness (Pa) with dP : dF <= stiffness |dF|^2 for every
-  /// dF, viscosity (Pa s) with dP : dF_dot <= viscosity |dF_dot|^2. E.g. an isotropic solid: dim lambda + 2 mu; a
-  /// Newtonian fluid 2 eta D: 2 eta; mu (L + L^T + tr(L) I): (2 + dim) mu.
+  /// Upper bounds for the step, at the committed states: stiffness (Pa) with dP : dF <= stiffness |dF|^2 for
+  /// every dF, viscosity (Pa s) with dP : dF_dot <= viscosity |dF_dot|^2. E.g. an isotropic solid: dim lambda
+  /// + 2 mu; a Newtonian fluid 2 eta D: 2 eta; mu (L + L^T + tr(L) I): (2 + dim) mu.
   virtual double stiffness_bound() const = 0;
   virtual double viscosity_bound() const = 0;
 
   /// Committed states to and from a checkpoint (binary). A law without history writes nothing.
   virtual void archive(Archive &a) = 0;
 };
-} // namespace turgor
+}  // namespace turgor

@@ -1,49 +1,50 @@
-// Rigid, frictionless tools that press on the tissue: a plate or a cylinder driven into the side x = Width, and, in place of
-// the clamp, a plate at rest under the side x = 0. Penalty at the nodes of the side.
+// Rigid, frictionless tools that press on the tissue: a plate or a cylinder driven into the side x = Width,
+// and, in place of the clamp, a plate at rest under the side x = 0. Penalty at the nodes of the side.
 //
-//   g = (X + u)_x - x_tool             plate            g = R - |X + u - c|         cylinder, c = (x_tool + R, middle of the side)
-//   f = -kappa A g n  for g > 0, 0 otherwise;   n: outward normal of the tissue at the contact, A: the node's share of the side
+//   g = (X + u)_x - x_tool             plate            g = R - |X + u - c|         cylinder, c = (x_tool +
+//                                      R, middle of the side)
+//   f = -kappa A g n  for g > 0, 0 otherwise;   n: outward normal of the tissue at the contact, A: the node's
+//                     share of the side
 //   kappa = factor * stiffness bound of the law / distance of nodes,   energy kappa A g^2/2
 //   x_tool(t) = Width - s(t):  s = v t up to the depth d, then at rest    ("steady")
-//                              s = d sin(v t/d) until it is back, then away ("rebound": what a mass does on a spring)
+//                              s = d sin(v t/d) until it is back, then away ("rebound": what a mass does on a
+//                                spring)
 //
-// In 2D forces are per metre of depth. In: u (m), t (s). Out: N, J, m. The penetration of a node under the pressure p is p/kappa.
-// Between nodes nothing holds a tool: how deep it is there is read at eight points an element. A cylinder whose axis is behind the
-// side is inside by its radius and the axis's distance from the side: no point of the side need touch it.
-// The oscillation of a node on its penalty has omega^2 = kappa A/m, which the stable step adds to the tissue's own.
+// In 2D forces are per metre of depth. In: u (m), t (s). Out: N, J, m. The penetration of a node under the
+// pressure p is p/kappa. Between nodes nothing holds a tool: how deep it is there is read at eight points an
+// element. A cylinder whose axis is behind the side is inside by its radius and the axis's distance from the
+// side: no point of the side need touch it. The oscillation of a node on its penalty has omega^2 = kappa A/m,
+// which the stable step adds to the tissue's own.
 #pragma once
 
 #include "macro/tissue_mesh.h"
 #include "macro/tool_parameters.h"
 
-namespace turgor
-{
-struct ToolReading
-{
-  double force = 0.;   ///< N, of the tool on the tissue in -x, positive when pressing; in a state: mean of the step before (central_differences)
-  double support = 0.; ///< N, of the plate below, in +x; 0 with a clamp
-  double energy = 0.;  ///< J, in the penalty
-  double penetration = 0.;         ///< m, deepest of the tool below the side x = width, between nodes and wholly behind it too
-  double support_penetration = 0.; ///< m, deepest of the side x = 0 in the plate below
-  double node_penetration = 0.;    ///< m, deepest node of both: where forces act
+namespace turgor {
+struct ToolReading {
+  double force = 0.;  ///< N, of the tool on the tissue in -x, positive when pressing; in a state: mean of the
+                      ///< step before (central_differences)
+  double support = 0.;  ///< N, of the plate below, in +x; 0 with a clamp
+  double energy = 0.;   ///< J, in the penalty
+  double penetration =
+      0.;  ///< m, deepest of the tool below the side x = width, between nodes and wholly behind it too
+  double support_penetration = 0.;  ///< m, deepest of the side x = 0 in the plate below
+  double node_penetration = 0.;     ///< m, deepest node of both: where forces act
 };
 
-struct ToolForces
-{
-  double tool = 0., below = 0.; ///< N, on the tissue: of the tool in -x, of the plate below in +x
+struct ToolForces {
+  double tool = 0., below = 0.;  ///< N, on the tissue: of the tool in -x, of the plate below in +x
 };
 
 /// What the tools have done in a step.
-struct ToolStep
-{
-  double work = 0.; ///< J
-  ToolForces mean;  ///< over the step
+struct ToolStep {
+  double work = 0.;  ///< J
+  ToolForces mean;   ///< over the step
 };
 
 template <int dim>
-class RigidTools
-{
-public:
+class RigidTools {
+ public:
   /// stiffness: Pa/m, kappa.
   RigidTools(const TissueMesh<dim> &mesh, const TissueParameters<dim> &parameters, double stiffness);
 
@@ -51,22 +52,23 @@ public:
   ToolForces add_forces(double time, const std::vector<double> &u, std::vector<double> &force) const;
   ToolReading read(double time, const std::vector<double> &u) const;
 
-  /// m: how deep the tool may be without being lost, the least of an element's thickness and the tool's radius.
+  /// m: how deep the tool may be without being lost, the least of an element's thickness and the tool's
+  /// radius.
   double own_size() const { return size; }
 
-  double travel(double time) const { return tool.travel(time); } ///< m, s(t)
+  double travel(double time) const { return tool.travel(time); }  ///< m, s(t)
 
   /// 1/s^2: largest kappa A/m over the nodes that may touch a tool.
   double frequency2(const std::vector<double> &mass) const;
 
-private:
-  struct Touch
-  {
+ private:
+  struct Touch {
     double penetration;             // m; not positive: apart
     dealii::Tensor<1, dim> normal;  // of the tissue
   };
   Touch touch(double face, const dealii::Point<dim> &x) const;
-  std::vector<dealii::Point<dim>> present(const Probe &side, const std::vector<dealii::Point<dim>> &points, const std::vector<double> &u) const;
+  std::vector<dealii::Point<dim>> present(const Probe &side, const std::vector<dealii::Point<dim>> &points,
+                                          const std::vector<double> &u) const;
   double deepest(double time, const std::vector<double> &u) const;
   double deepest_below(const std::vector<double> &u) const;
   /// m, of the cylinder's axis behind the moved side; -infinity: it is in front of it
@@ -79,9 +81,9 @@ private:
   const ToolParameters tool;
   bool plate_below;
   double kappa, width, middle, size;
-  std::size_t points_across; ///< of the side, one beside the other along z
+  std::size_t points_across;  ///< of the side, one beside the other along z
   // points of the sides that may touch, between the nodes: a tool that comes down there meets no force
   std::vector<dealii::Point<dim>> upper_points, lower_points;
   Probe upper_side, lower_side;
 };
-} // namespace turgor
+}  // namespace turgor

@@ -14,24 +14,21 @@
 
 #include <functional>
 
-namespace turgor
-{
+namespace turgor {
 /// The tissue for pictures, in the layout of FieldFrame: 3 numbers per point, 3D padded with zeros.
-struct TissueFields
-{
-  std::vector<double> points;          ///< m, reference, 3 per point
-  std::vector<std::uint32_t> cells;    ///< nodes_per_cell each, quads or hexes; a biquadratic element as 2^dim
+struct TissueFields {
+  std::vector<double> points;        ///< m, reference, 3 per point
+  std::vector<std::uint32_t> cells;  ///< nodes_per_cell each, quads or hexes; a biquadratic element as 2^dim
   unsigned int nodes_per_cell = 4;
-  std::vector<double> displacement;    ///< m, 3 per point
-  std::vector<double> velocity;        ///< m/s, 3 per point
-  std::vector<double> stress;          ///< Pa, Cauchy, mean of the element, 9 per cell
-  std::vector<double> pressure;        ///< Pa, -tr(stress)/dim, 1 per cell
+  std::vector<double> displacement;  ///< m, 3 per point
+  std::vector<double> velocity;      ///< m/s, 3 per point
+  std::vector<double> stress;        ///< Pa, Cauchy, mean of the element, 9 per cell
+  std::vector<double> pressure;      ///< Pa, -tr(stress)/dim, 1 per cell
 };
 
 template <int dim>
-class Tissue
-{
-public:
+class Tissue {
+ public:
   /// The law must outlive the tissue. std::invalid_argument for parameters that cannot be.
   Tissue(const TissueParameters<dim> &parameters, MaterialLaw<dim> &law);
 
@@ -61,8 +58,8 @@ public:
 
   /// Precomputed once for many times; points in the reference (m).
   Probe probe(const std::vector<dealii::Point<dim>> &points) const { return tables.probe(points); }
-  std::vector<dealii::Tensor<1, dim>> displacement_at(const Probe &probe) const; ///< m
-  std::vector<dealii::Tensor<1, dim>> velocity_at(const Probe &probe) const;     ///< m/s
+  std::vector<dealii::Tensor<1, dim>> displacement_at(const Probe &probe) const;  ///< m
+  std::vector<dealii::Tensor<1, dim>> velocity_at(const Probe &probe) const;      ///< m/s
   std::vector<dealii::Tensor<1, dim>> displacement_at(const std::vector<dealii::Point<dim>> &points) const;
   dealii::Tensor<1, dim> displacement_at(const dealii::Point<dim> &point) const;
 
@@ -74,10 +71,10 @@ public:
   const std::vector<dealii::Tensor<2, dim>> &deformation() const { return integrator->state.F; }
   const std::vector<dealii::Tensor<2, dim>> &stress() const { return integrator->state.P; }
 
-  const std::array<double, dim> &size() const { return block; } ///< m, of the piece at rest
+  const std::array<double, dim> &size() const { return block; }  ///< m, of the piece at rest
   const TissueMesh<dim> &mesh() const { return tables; }
   TissueOperator<dim> &forces() { return op; }
-  const RigidTools<dim> *tools() const { return op.tools(); } ///< none: nullptr
+  const RigidTools<dim> *tools() const { return op.tools(); }  ///< none: nullptr
   const TissueOperator<dim> &forces() const { return op; }
   TissueState<dim> &state() { return integrator->state; }
   const TissueState<dim> &state() const { return integrator->state; }
@@ -85,12 +82,13 @@ public:
   /// Tissue and law; loaded where the parameters are the same, ArchiveError for another mesh.
   void archive(Archive &a);
 
-private:
-  std::vector<dealii::Tensor<1, dim>> interpolate(const Probe &probe, const std::vector<double> &values) const;
+ private:
+  std::vector<dealii::Tensor<1, dim>> interpolate(const Probe &probe,
+                                                  const std::vector<double> &values) const;
 
   std::array<double, dim> block;
   TissueMesh<dim> tables;
   TissueOperator<dim> op;
   std::unique_ptr<Integrator<dim>> integrator;
 };
-} // namespace turgor
+}  // namespace turgor

@@ -17,12 +17,10 @@
 #include <optional>
 #include <vector>
 
-namespace turgor
-{
+namespace turgor {
 template <int dim>
-class TissueOperator
-{
-public:
+class TissueOperator {
+ public:
   /// Mesh and law must outlive the operator; calls law.set_points.
   TissueOperator(const TissueMesh<dim> &mesh, const TissueParameters<dim> &parameters, MaterialLaw<dim> &law);
 
@@ -63,15 +61,15 @@ public:
 
   const TissueMesh<dim> &mesh() const { return tables; }
   MaterialLaw<dim> &law() const { return material; }
-  const std::vector<double> &mass() const { return nodal_mass; } ///< kg, per entry
+  const std::vector<double> &mass() const { return nodal_mass; }  ///< kg, per entry
   bool fixed(std::size_t entry) const { return tables.clamped[entry / dim]; }
   std::size_t size() const { return nodal_mass.size(); }
   unsigned long law_calls() const { return calls; }
 
-private:
+ private:
   const TissueMesh<dim> &tables;
   MaterialLaw<dim> &material;
-  std::vector<FBar<dim>> element; ///< per cell: kept from evaluate() for the forces
+  std::vector<FBar<dim>> element;  ///< per cell: kept from evaluate() for the forces
   std::vector<dealii::Tensor<2, dim>> deformation, rate;
   LawAnswer<dim> answered;
   TissueFailure failed;
@@ -79,9 +77,9 @@ private:
   std::optional<RigidTools<dim>> rigid;
   std::vector<double> failed_u;
   double time_of_failure = 0.;
-  std::vector<double> last_u; ///< of the last evaluate(), with tools only
+  std::vector<double> last_u;  ///< of the last evaluate(), with tools only
   dealii::Tensor<1, dim> held;
   double last_time = 0.;
   unsigned long calls = 0;
 };
-} // namespace turgor
+}  // namespace turgor

@@ -3,42 +3,31 @@
 
 #include "run/choice.h"
 
-namespace turgor
-{
+namespace turgor {
 class InputEntries;
-enum class ToolShape
-{
-  none,
-  plate,
-  cylinder
-};
+enum class ToolShape { none, plate, cylinder };
 constexpr const char *words_of(ToolShape) { return "none|plate|cylinder"; }
 
-enum class ToolMotion
-{
-  steady,
-  rebound
-};
+enum class ToolMotion { steady, rebound };
 constexpr const char *words_of(ToolMotion) { return "steady|rebound"; }
 
-struct ToolParameters
-{
+struct ToolParameters {
   ToolShape shape = ToolShape::none;
-  double radius = 1e-3;             ///< m, of the cylinder
+  double radius = 1e-3;  ///< m, of the cylinder
   ToolMotion motion = ToolMotion::rebound;
-  double speed = 5.;                ///< m/s, at first contact
-  double depth = 0.2e-3;            ///< m, largest travel
-  double stiffness = 1.;            ///< kappa * distance of nodes / stiffness bound of the law
+  double speed = 5.;      ///< m/s, at first contact
+  double depth = 0.2e-3;  ///< m, largest travel
+  double stiffness = 1.;  ///< kappa * distance of nodes / stiffness bound of the law
 
   bool active() const { return shape != ToolShape::none; }
   double travel(double time) const;
 
   /// s; a longer step does not see the tool come and go, and makes energy of that.
-  double longest_step() const; ///< m, s(t)
+  double longest_step() const;  ///< m, s(t)
 
   /// Declares the entries in the current subsection.
   void declare(InputEntries &prm);
   /// What the patterns cannot say; std::invalid_argument. width: m, of the piece.
   void check(double width) const;
 };
-} // namespace turgor
+}  // namespace turgor

@@ -6,9 +6,8 @@
 #include <string>
 #include <string_view>
 
-namespace turgor
-{
+namespace turgor {
 std::uint32_t crc32(std::string_view bytes);
 std::uint64_t fnv1a(std::string_view bytes);
-std::string hexadecimal(std::uint64_t value); ///< 16 digits
-} // namespace turgor
+std::string hexadecimal(std::uint64_t value);  ///< 16 digits
+}  // namespace turgor

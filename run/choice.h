@@ -4,7 +4,8 @@
 //   constexpr const char *words_of(Rim) { return "none|quiescent|necrotic"; } // one for each value, in order
 //
 //   prm.add_parameter("Rim", rim, "What happens below the viable rim. Units: none.");   // InputEntries
-//   word_of(rim)                                                                        // "none", for messages
+//   word_of(rim)
+//     // "none", for messages
 #pragma once
 
 #include <concepts>
@@ -12,8 +13,7 @@
 #include <string>
 #include <type_traits>
 
-namespace turgor
-{
+namespace turgor {
 template <class E>
 concept Choice = std::is_enum_v<E> && requires(E value) {
   { words_of(value) } -> std::convertible_to<const char *>;
@@ -24,14 +24,12 @@ std::string word_at(const std::string &words, std::size_t number);
 std::size_t number_of_word(const std::string &words, const std::string &word);
 
 template <Choice E>
-std::string word_of(const E value)
-{
+std::string word_of(const E value) {
   return word_at(words_of(value), static_cast<std::size_t>(value));
 }
 
 template <Choice E>
-E choice_of(const std::string &word)
-{
+E choice_of(const std::string &word) {
   return static_cast<E>(number_of_word(words_of(E{}), word));
 }
-} // namespace turgor
+}  // namespace turgor

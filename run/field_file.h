@@ -18,21 +18,19 @@
 #include <string>
 #include <vector>
 
-namespace turgor
-{
-struct NamedField
-{
-  std::string name;           ///< with unit, e.g. "pressure [Pa]"
-  unsigned int components = 1; ///< 1, 3 (vector) or 9 (tensor)
-  std::vector<double> values; ///< components * (points or cells)
+namespace turgor {
+struct NamedField {
+  std::string name;             ///< with unit, e.g. "pressure [Pa]"
+  unsigned int components = 1;  ///< 1, 3 (vector) or 9 (tensor)
+  std::vector<double> values;   ///< components * (points or cells)
   bool on_cells = false;
 };
 
-struct FieldFrame
-{
-  double time = 0.;               ///< s
-  std::vector<double> points;     ///< m, 3 per point
-  std::vector<std::uint32_t> cells; ///< node indices, nodes_per_cell each; empty: points are drawn as vertices
+struct FieldFrame {
+  double time = 0.;            ///< s
+  std::vector<double> points;  ///< m, 3 per point
+  std::vector<std::uint32_t>
+      cells;  ///< node indices, nodes_per_cell each; empty: points are drawn as vertices
   unsigned int nodes_per_cell = 1;  ///< 1 vertex, 2 line, 3 triangle, 4 quad, 8 hex
   std::vector<NamedField> fields;
 };
@@ -40,16 +38,15 @@ struct FieldFrame
 /// With append, frames are added to those that are there. A frame replaces every earlier one that is not
 /// before it in time, so that a resumed run cuts what was written beyond its checkpoint by itself.
 /// Throws std::runtime_error naming the file when it cannot be written, and for a non-finite value.
-class FieldFile
-{
-public:
+class FieldFile {
+ public:
   FieldFile(const std::filesystem::path &directory, const std::string &name, bool append);
   ~FieldFile();
   void write(const FieldFrame &frame);
   std::size_t frames() const;
 
-private:
+ private:
   struct Impl;
   std::unique_ptr<Impl> impl;
 };
-} // namespace turgor
+}  // namespace turgor

@@ -6,9 +6,8 @@
 
 #include <string>
 
-namespace turgor
-{
-/// A sentence with a blank before it, for a number with a decimal comma, a unit or separators between its digits. Empty for a number and for
-/// what was never one. unit: of the entry, empty where it has none.
+namespace turgor {
+/// A sentence with a blank before it, for a number with a decimal comma, a unit or separators between its
+/// digits. Empty for a number and for what was never one. unit: of the entry, empty where it has none.
 std::string number_advice(const std::string &text, const std::string &unit);
-} // namespace turgor
+}  // namespace turgor

@@ -11,31 +11,27 @@
 #include <string>
 #include <vector>
 
-namespace turgor
-{
-struct PrmSetting
-{
-  std::vector<std::string> section; ///< outermost first
+namespace turgor {
+struct PrmSetting {
+  std::vector<std::string> section;  ///< outermost first
   std::string name, value;
-  std::string where; ///< "FILE, line 12" or "--set 'Name=value'"
+  std::string where;  ///< "FILE, line 12" or "--set 'Name=value'"
 
-  std::string path() const; ///< "Section/Name"
+  std::string path() const;  ///< "Section/Name"
 };
 
-struct PrmSection
-{
+struct PrmSection {
   std::vector<std::string> path;
   std::string where;
 };
 
-struct PrmText
-{
-  std::vector<PrmSetting> settings; ///< in the order of the file
-  std::vector<PrmSection> sections; ///< every `subsection` line, also of empty ones
+struct PrmText {
+  std::vector<PrmSetting> settings;  ///< in the order of the file
+  std::vector<PrmSection> sections;  ///< every `subsection` line, also of empty ones
 };
 
-/// Throws InputError with file and line of every line that is none of the above, for unbalanced subsections and for those that are
-/// nested deeper than any scene's.
+/// Throws InputError with file and line of every line that is none of the above, for unbalanced subsections
+/// and for those that are nested deeper than any scene's.
 PrmText parse_prm(const std::string &text, const std::string &file_name);
 
 /// Reads the file; throws InputError when it is missing, a directory or not text in UTF-8.
@@ -45,4 +41,4 @@ PrmText read_prm(const std::filesystem::path &file);
 PrmSetting parse_override(const std::string &text, const std::string &source = "--set");
 
 std::string join_path(const std::vector<std::string> &section, const std::string &name);
-} // namespace turgor
+}  // namespace turgor

@@ -6,23 +6,21 @@
 #include <optional>
 #include <string>
 
-namespace turgor
-{
-class ProgressBar
-{
-public:
+namespace turgor {
+class ProgressBar {
+ public:
   explicit ProgressBar(bool enabled);
   void update(double fraction, const std::string &what);
-  void clear(); ///< before another line is printed
+  void clear();  ///< before another line is printed
   void finish();
 
-  static std::string in_words(double seconds); ///< "42 s", "3 min 5 s", "2 h 10 min"
+  static std::string in_words(double seconds);  ///< "42 s", "3 min 5 s", "2 h 10 min"
 
-private:
+ private:
   using Clock = std::chrono::steady_clock;
   bool enabled, terminal;
   bool line_shown = false;
-  std::optional<double> first_fraction; ///< a resumed run does not begin at 0
+  std::optional<double> first_fraction;  ///< a resumed run does not begin at 0
   Clock::time_point start, last_shown;
 };
-} // namespace turgor
+}  // namespace turgor

@@ -1,4 +1,5 @@
-// What a run says of itself: results, notes, what was active. Kept in its checkpoints, written into its summary.
+// What a run says of itself: results, notes, what was active. Kept in its checkpoints, written into its
+// summary.
 #pragma once
 
 #include "run/run_identity.h"
@@ -10,11 +11,9 @@
 #include <utility>
 #include <vector>
 
-namespace turgor
-{
-class RunRecord
-{
-public:
+namespace turgor {
+class RunRecord {
+ public:
   /// A second value of the same name replaces the first. Throws RunFailed for a value that is not finite.
   void result(const std::string &name, double value, const std::string &unit);
   void note(const std::string &name, const std::string &text);
@@ -24,13 +23,12 @@ public:
   void load(const nlohmann::json &checkpoint);
   void write(nlohmann::ordered_json &summary) const;
 
-private:
-  struct Result
-  {
+ private:
+  struct Result {
     double value;
     std::string unit;
   };
-  std::vector<std::pair<std::string, Result>> results; ///< in the order of the first call
+  std::vector<std::pair<std::string, Result>> results;  ///< in the order of the first call
   std::vector<std::pair<std::string, std::string>> notes;
   std::vector<std::string> active_terms, active_fields;
 };
@@ -41,6 +39,7 @@ void write_identity(nlohmann::ordered_json &summary, const RunIdentity &identity
 /// DIR/summary.json of an earlier run; an empty object where this program wrote none that can be read.
 nlohmann::json earlier_summary(const std::filesystem::path &directory);
 
-/// Whether it is that of a finished run with the same state and ends by the same program; what it wrote how often may differ.
+/// Whether it is that of a finished run with the same state and ends by the same program; what it wrote how
+/// often may differ.
 bool has_finished_as(const nlohmann::json &summary, const RunIdentity &identity);
-} // namespace turgor
+}  // namespace turgor

@@ -8,24 +8,23 @@
 #include <memory>
 #include <string>
 
-namespace turgor
-{
+namespace turgor {
 class InputEntries;
 class RunContext;
 
-class Scenario
-{
-public:
+class Scenario {
+ public:
   virtual ~Scenario() = default;
 
   /// Declares all entries (add_parameter: pattern, default, "Units: ..." in the text).
   virtual void declare_parameters(InputEntries &prm) = 0;
 
-  /// Everything a run may write, defined (output_list.h); the same for all values of the entries. Nothing else can be written.
+  /// Everything a run may write, defined (output_list.h); the same for all values of the entries. Nothing
+  /// else can be written.
   virtual Outputs outputs() const = 0;
 
-  /// Called after parsing: what patterns cannot say. Throws InputError or std::invalid_argument with entry, value,
-  /// allowed range.
+  /// Called after parsing: what patterns cannot say. Throws InputError or std::invalid_argument with entry,
+  /// value, allowed range.
   virtual void check() const {}
 
   /// True if the scene shares its work over MPI ranks.
@@ -33,4 +32,4 @@ public:
 
   virtual void run(RunContext &context) = 0;
 };
-} // namespace turgor
+}  // namespace turgor

@@ -10,37 +10,31 @@
 #include <utility>
 #include <vector>
 
-namespace turgor
-{
-class SeriesHandle : public Series
-{
-public:
+namespace turgor {
+class SeriesHandle : public Series {
+ public:
   SeriesHandle(std::shared_ptr<SeriesFile> file_, OutputFiles &files_)
-    : file(std::move(file_)), files(files_)
-  {}
-  void add_row(const std::vector<double> &values) override
-  {
+      : file(std::move(file_)), files(files_) {}
+  void add_row(const std::vector<double> &values) override {
     file->add_row(values);
-    if (++rows == 2) // the first is that of the start: nothing is computed yet
+    if (++rows == 2)  // the first is that of the start: nothing is computed yet
       files.keep();
   }
 
-private:
+ private:
   std::shared_ptr<SeriesFile> file;
   OutputFiles &files;
   std::size_t rows = 0;
 };
 
-class UnwrittenSeries : public Series
-{
-public:
+class UnwrittenSeries : public Series {
+ public:
   UnwrittenSeries(std::string name_, std::vector<Column> columns_)
-    : name(std::move(name_)), columns(std::move(columns_))
-  {}
+      : name(std::move(name_)), columns(std::move(columns_)) {}
   void add_row(const std::vector<double> &values) override { SeriesFile::check_row(name, columns, values); }
 
-private:
+ private:
   std::string name;
   std::vector<Column> columns;
 };
-} // namespace turgor
+}  // namespace turgor

@@ -9,8 +9,7 @@
 
 #include "micro/geometry/tensor.h"
 
-namespace turgor
-{
+namespace turgor {
 /// Directions every degree: the maximum is found to 2e-4 of itself.
 double acoustic_bound(const Tensor4<2> &tangent);
-} // namespace turgor
+}  // namespace turgor

@@ -10,25 +10,24 @@
 #include <string>
 #include <vector>
 
-namespace turgor
-{
-class DeformationPath
-{
-public:
-  /// Throws InputError naming the entry for what cannot be read, times that do not rise, det F <= 0 at a keyframe or between.
+namespace turgor {
+class DeformationPath {
+ public:
+  /// Throws InputError naming the entry for what cannot be read, times that do not rise, det F <= 0 at a
+  /// keyframe or between.
   DeformationPath(const std::string &text, const std::string &entry);
 
-  double start() const { return times.front(); } ///< s
-  const std::vector<double> &keyframe_times() const { return times; } ///< s
-  double end() const { return times.back(); }    ///< s
+  double start() const { return times.front(); }                       ///< s
+  const std::vector<double> &keyframe_times() const { return times; }  ///< s
+  double end() const { return times.back(); }                          ///< s
   Tensor2<2> F(double time) const;
   Tensor2<2> F_dot(double time) const;
 
-private:
+ private:
   /// Throws where det F <= 0 between the last keyframe and the one before.
   void require_positive_on_the_way(const std::string &entry, const std::string &keyframe) const;
   std::size_t segment(double time) const;
   std::vector<double> times;
   std::vector<Tensor2<2>> keyframes;
 };
-} // namespace turgor
+}  // namespace turgor

@@ -3,15 +3,13 @@
 //   ErrorAndOffset fit; fit.add(exact, found); ... if (fit.exists()) use(fit.error(), fit.offset());
 #pragma once
 
-namespace turgor
-{
-/// found = offset + (1 + error) exact by least squares: what an RVE is off in proportion, and what it is off at no load.
-struct ErrorAndOffset
-{
+namespace turgor {
+/// found = offset + (1 + error) exact by least squares: what an RVE is off in proportion, and what it is off
+/// at no load.
+struct ErrorAndOffset {
   double n = 0., x = 0., y = 0., xx = 0., xy = 0.;
 
-  void add(const double exact, const double found)
-  {
+  void add(const double exact, const double found) {
     n += 1.;
     x += exact;
     y += found;
@@ -23,4 +21,4 @@ struct ErrorAndOffset
   double error() const { return (n * xy - x * y) / (n * xx - x * x) - 1.; }
   double offset() const { return (y - (1. + error()) * x) / n; }
 };
-} // namespace turgor
+}  // namespace turgor

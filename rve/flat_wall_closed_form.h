@@ -7,8 +7,8 @@
 // period, n F(lambda_0)/(L z0) = turgor. p(A) is the EOS pressure (2.22) of the mass that has the turgor at
 // F = I. Exact for walls in tension and shared walls (or stiff lamella) without bending.
 //
-// Walls that yield (wall_yield.h): F(lambda) = g(lambda) F_elastic(lambda), thesis Eq. 3.8 (corrected); while the walls are
-// loaded this holds whether the stretch stays or not.
+// Walls that yield (wall_yield.h): F(lambda) = g(lambda) F_elastic(lambda), thesis Eq. 3.8 (corrected); while
+// the walls are loaded this holds whether the stretch stays or not.
 //
 // In: F (no unit). Out: sigma (Pa, Cauchy), pressure (Pa).
 #pragma once
@@ -17,11 +17,9 @@
 #include "micro/laws/equation_of_state.h"
 #include "micro/laws/neo_hookean_wall.h"
 
-namespace turgor
-{
-class FlatWallClosedForm
-{
-public:
+namespace turgor {
+class FlatWallClosedForm {
+ public:
   explicit FlatWallClosedForm(const ParenchymaParameters &parameters);
 
   Tensor2<2> stress(const Tensor2<2> &F) const;
@@ -32,10 +30,10 @@ public:
 
   double lambda_0() const { return stretch; }
 
-private:
+ private:
   double L, z0;
   NeoHookeanWall wall;
   EquationOfState fluid;
   double stretch, density;
 };
-} // namespace turgor
+}  // namespace turgor

@@ -1,115 +1,102 @@
-// How the cells of a hydrostatic RVE come to rest at F: from the committed positions, in steps where that is far, and from the
-// reference where they lead nowhere; where walls have torn, by drag.
+// How the cells of a hydrostatic RVE come to rest at F: from the committed positions, in steps where that is
+// far, and from the reference where they lead nowhere; where walls have torn, by drag.
 #include "rve/hydrostatic_scratch.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-namespace turgor
-{
+namespace turgor {
 EquilibriumReport HydrostaticRve::find_equilibrium(const RveState<2> &committed, const Tensor2<2> &F,
-                                                   std::vector<double> &x, Scratch &scratch) const
-{
+                                                   std::vector<double> &x, Scratch &scratch) const {
   const Tensor2<2> &H0 = network.layout().lattice;
   EquilibriumReport total;
   const auto attempt = [&](const Tensor2<2> &from, const std::vector<double> &start, const int steps) {
     Tensor2<2> last = from;
     x = start;
     EquilibriumReport report;
-    for (int s = 1; s <= steps; ++s)
-      {
-        // exactly F at the end, whatever round-off does to the interpolation
-        const Tensor2<2> next = s == steps ? F : Tensor2<2>(from + (F - from) * (double(s) / steps));
-        if (!(next.determinant() > 0.))
-          {
-            report.converged = false;
-            report.message = "The way to F in steps passes through det F <= 0.";
-            return report;
-          }
-        map(next * last.inverse(), x, scratch.positions);
-        x.swap(scratch.positions);
-        report = scratch.equilibrium.solve(x, next * H0, settings.equilibrium);
-        total.iterations += report.iterations;
-        if (!report.converged)
-          return report;
-        last = next;
+    for (int s = 1; s <= steps; ++s) {
+      // exactly F at the end, whatever round-off does to the interpolation
+      const Tensor2<2> next = s == steps ? F : Tensor2<2>(from + (F - from) * (double(s) / steps));
+      if (!(next.determinant() > 0.)) {
+        report.converged = false;
+        report.message = "The way to F in steps passes through det F <= 0.";
+        return report;
       }
+      map(next * last.inverse(), x, scratch.positions);
+      x.swap(scratch.positions);
+      report = scratch.equilibrium.solve(x, next * H0, settings.equilibrium);
+      total.iterations += report.iterations;
+      if (!report.converged) return report;
+      last = next;
+    }
     return report;
   };
 
   EquilibriumReport report = attempt(committed.F, committed.unknowns, 1);
   std::string first = report.message;
   for (const int steps : {8, 64})
-    if (!report.converged)
-      report = attempt(committed.F, committed.unknowns, steps);
+    if (!report.converged) report = attempt(committed.F, committed.unknowns, steps);
   for (const int steps : {1, 64})
-    if (!report.converged)
-      report = attempt(Tensor2<2>::Identity(), reference, steps);
+    if (!report.converged) report = attempt(Tensor2<2>::Identity(), reference, steps);
   report.iterations = total.iterations;
-  if (!report.converged)
-    report.message = first;
+  if (!report.converged) report.message = first;
   return report;
 }
 
-void HydrostaticRve::settle(const RveState<2> &committed, const Tensor2<2> &F, RveAnswer<2> &answer, Scratch &scratch) const
-{
+void HydrostaticRve::settle(const RveState<2> &committed, const Tensor2<2> &F, RveAnswer<2> &answer,
+                            Scratch &scratch) const {
   std::vector<double> &x = answer.trial.unknowns;
   EquilibriumReport report = find_equilibrium(committed, F, x, scratch);
-  if (report.converged && settings.walls.failure())
-    {
-      const EquilibriumReport after = break_bonds(F, x, scratch, settings.equilibrium);
-      report.converged = after.converged;
-      report.message = after.message;
-      report.iterations += after.iterations;
-      report.residual = std::max(report.residual, after.residual);
-    }
-  if (!report.converged && settings.walls.failure() && scratch.history.failed_cells() > 0)
-    {
-      const EquilibriumReport after = drag_on(committed, F, x, scratch);
-      const std::string first = report.message;
-      const int before = report.iterations;
-      report = after;
-      report.iterations += before;
-      answer.diagnostics.dragged = report.converged;
-      if (!report.converged)
-        report.message = first;
-    }
+  if (report.converged && settings.walls.failure()) {
+    const EquilibriumReport after = break_bonds(F, x, scratch, settings.equilibrium);
+    report.converged = after.converged;
+    report.message = after.message;
+    report.iterations += after.iterations;
+    report.residual = std::max(report.residual, after.residual);
+  }
+  if (!report.converged && settings.walls.failure() && scratch.history.failed_cells() > 0) {
+    const EquilibriumReport after = drag_on(committed, F, x, scratch);
+    const std::string first = report.message;
+    const int before = report.iterations;
+    report = after;
+    report.iterations += before;
+    answer.diagnostics.dragged = report.converged;
+    if (!report.converged) report.message = first;
+  }
   answer.diagnostics.converged = report.converged;
   answer.diagnostics.message = report.message;
   answer.diagnostics.iterations = report.iterations;
   answer.diagnostics.residual = report.residual;
 }
 
-EquilibriumReport HydrostaticRve::drag_on(const RveState<2> &committed, const Tensor2<2> &F, std::vector<double> &x, Scratch &scratch) const
-{
+EquilibriumReport HydrostaticRve::drag_on(const RveState<2> &committed, const Tensor2<2> &F,
+                                          std::vector<double> &x, Scratch &scratch) const {
   const CellLayout &layout = network.layout();
   const double spring = layout.spring_stiffness, share = scratch.history.pressure_share;
   EquilibriumReport report;
-  for (const double part : {1e-4, 1e-3, 1e-2, 1e-1})
-    {
-      scratch.history = virgin;
-      network.unpack(committed.history, scratch.history);
-      scratch.history.pressure_share = share;
-      EquilibriumSettings dragged = settings.equilibrium;
-      dragged.drag = part * spring;
-      map(F * committed.F.inverse(), committed.unknowns, x);
-      const std::vector<double> start = x;
-      report = scratch.equilibrium.solve(x, F * layout.lattice, dragged);
-      if (report.converged)
-        {
-          const EquilibriumReport after = break_bonds(F, x, scratch, dragged);
-          report.converged = after.converged;
-          report.message = after.message;
-          report.iterations += after.iterations;
-        }
-      if (!report.converged)
-        continue;
-      // What is not in balance, the drag itself.
-      for (std::size_t d = 0; d < x.size(); ++d)
-        report.residual = std::max(report.residual, dragged.drag * std::abs(x[d] - start[d]) / network.force_scale());
-      break;
+  for (const double part : {1e-4, 1e-3, 1e-2, 1e-1}) {
+    scratch.history = virgin;
+    network.unpack(committed.history, scratch.history);
+    scratch.history.pressure_share = share;
+    EquilibriumSettings dragged = settings.equilibrium;
+    dragged.drag = part * spring;
+    map(F * committed.F.inverse(), committed.unknowns, x);
+    const std::vector<double> start = x;
+    report = scratch.equilibrium.solve(x, F * layout.lattice, dragged);
+    if (report.converged) {
+      const EquilibriumReport after = break_bonds(F, x, scratch, dragged);
+      report.converged = after.converged;
+      report.message = after.message;
+      report.iterations += after.iterations;
     }
+    if (!report.converged) continue;
+    // What is not in balance, the drag itself.
+    for (std::size_t d = 0; d < x.size(); ++d)
+      report.residual =
+          std::max(report.residual, dragged.drag * std::abs(x[d] - start[d]) / network.force_scale());
+    break;
+  }
   return report;
 }
-} // namespace turgor
+}  // namespace turgor

@@ -9,34 +9,28 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace turgor
-{
-namespace
-{
+namespace turgor {
+namespace {
 // Unit changes of F, component a*2+b, as motions of the current configuration: L = dF F^-1.
-std::array<Tensor2<2>, 4> unit_motions(const Tensor2<2> &F_inverse)
-{
+std::array<Tensor2<2>, 4> unit_motions(const Tensor2<2> &F_inverse) {
   std::array<Tensor2<2>, 4> L;
   for (int a = 0; a < 2; ++a)
-    for (int b = 0; b < 2; ++b)
-      {
-        L[2 * a + b].setZero();
-        L[2 * a + b].row(a) = F_inverse.row(b);
-      }
+    for (int b = 0; b < 2; ++b) {
+      L[2 * a + b].setZero();
+      L[2 * a + b].row(a) = F_inverse.row(b);
+    }
   return L;
 }
-} // namespace
+}  // namespace
 
 HydrostaticRve::HydrostaticRve(const ParenchymaParameters &cell, const HydrostaticRveSettings &settings_)
-  : HydrostaticRve(turgid_parenchyma(cell, settings_.columns, settings_.rows, true, true), settings_)
-{}
+    : HydrostaticRve(turgid_parenchyma(cell, settings_.columns, settings_.rows, true, true), settings_) {}
 
 HydrostaticRve::HydrostaticRve(CellLayout turgid, const HydrostaticRveSettings &settings_)
-  : settings(settings_)
-  , network(std::move(turgid))
-  , reference(network.layout().positions())
-  , reference_volume(network.layout().lattice.determinant() * network.depth())
-{
+    : settings(settings_),
+      network(std::move(turgid)),
+      reference(network.layout().positions()),
+      reference_volume(network.layout().lattice.determinant() * network.depth()) {
   if (!(settings.equilibrium.tolerance > 0.))
     throw std::invalid_argument("RVE/Tolerance has to be positive.");
   if (!network.layout().periodic[0] || !network.layout().periodic[1])
@@ -51,101 +45,89 @@ HydrostaticRve::HydrostaticRve(CellLayout turgid, const HydrostaticRveSettings &
   reference_energy = e.energy;
 
   Scratch scratch(network);
-  scratch.history = virgin; // walls that have flowed are stiff against both ways: the bound has to know
+  scratch.history = virgin;  // walls that have flowed are stiff against both ways: the bound has to know
   bool regular = false;
   const Tensor2<2> I = Tensor2<2>::Identity();
   const Tensor4<2> affine = tangent(reference, I, Tensor2<2>::Zero(), false, scratch, regular);
   bound = 1.2 * acoustic_bound(affine);
 }
 
-std::unique_ptr<Rve<2>::Workspace> HydrostaticRve::make_workspace() const
-{
+std::unique_ptr<Rve<2>::Workspace> HydrostaticRve::make_workspace() const {
   return std::make_unique<Scratch>(network);
 }
 
-RveState<2> HydrostaticRve::initial_state() const
-{
+RveState<2> HydrostaticRve::initial_state() const {
   RveState<2> state;
   state.unknowns = reference;
   state.history = virgin.pack();
   return state;
 }
 
-double HydrostaticRve::density() const
-{
+double HydrostaticRve::density() const {
   return (network.layout().total_fluid_mass() + network.layout().total_wall_mass()) / reference_volume;
 }
 
-double HydrostaticRve::viscosity_bound() const
-{
+double HydrostaticRve::viscosity_bound() const {
   // mu (L + L^T + tr(L) I): 3 mu in uniaxial flow
   return 3. * network.layout().parameters.fluid_viscosity;
 }
 
-std::vector<std::vector<Vector<2>>> HydrostaticRve::outlines(const RveState<2> &state) const
-{
+std::vector<std::vector<Vector<2>>> HydrostaticRve::outlines(const RveState<2> &state) const {
   std::vector<std::vector<Vector<2>>> cells;
-  for (const WallRing &ring : network.layout().rings)
-    {
-      cells.emplace_back();
-      for (std::uint32_t k = 0; k < ring.count; ++k)
-        cells.back().push_back({state.unknowns.at(2 * (ring.first + k)), state.unknowns.at(2 * (ring.first + k) + 1)});
-    }
+  for (const WallRing &ring : network.layout().rings) {
+    cells.emplace_back();
+    for (std::uint32_t k = 0; k < ring.count; ++k)
+      cells.back().push_back(
+          {state.unknowns.at(2 * (ring.first + k)), state.unknowns.at(2 * (ring.first + k) + 1)});
+  }
   return cells;
 }
 
 Tensor4<2> HydrostaticRve::tangent(const std::vector<double> &x, const Tensor2<2> &F, const Tensor2<2> &F_dot,
-                                   const bool relaxed, Scratch &scratch, bool &regular) const
-{
+                                   const bool relaxed, Scratch &scratch, bool &regular) const {
   const Tensor2<2> H = F * network.layout().lattice, F_inverse = F.inverse();
   const std::array<Tensor2<2>, 4> motions = unit_motions(F_inverse);
   Tensor4<2> result;
   if (relaxed)
     regular = scratch.equilibrium.relaxed_curvature(x, H, motions, result);
-  else
-    {
-      network.evaluate(x, H, NetworkOrder::hessian, scratch.evaluation, &scratch.history);
-      network.affine_response(x, H, scratch.evaluation, motions, scratch.forces, result);
-      regular = result.allFinite();
-    }
+  else {
+    network.evaluate(x, H, NetworkOrder::hessian, scratch.evaluation, &scratch.history);
+    network.affine_response(x, H, scratch.evaluation, motions, scratch.forces, result);
+    regular = result.allFinite();
+  }
   result /= reference_volume;
 
   result += AffineFlow<2>(network.layout().parameters.fluid_viscosity, F, F_dot).tangent();
   return result;
 }
 
-Tensor4<2> HydrostaticRve::rate_tangent(const Tensor2<2> &F) const
-{
+Tensor4<2> HydrostaticRve::rate_tangent(const Tensor2<2> &F) const {
   return AffineFlow<2>(network.layout().parameters.fluid_viscosity, F, Tensor2<2>::Zero()).rate_tangent();
 }
 
-void HydrostaticRve::begin(const RveState<2> &committed, const RveRequest &request, Scratch &scratch) const
-{
+void HydrostaticRve::begin(const RveState<2> &committed, const RveRequest &request, Scratch &scratch) const {
   if (committed.unknowns.size() != network.unknowns() || !committed.F.allFinite() ||
       !(committed.F.determinant() > 0.))
     throw std::invalid_argument("The committed state does not belong to this RVE.");
   const bool with_history = settings.walls.history();
-  if (with_history)
-    {
-      scratch.history = virgin;
-      network.unpack(committed.history, scratch.history);
-      const double tau = settings.walls.leak_time;
-      scratch.history.pressure_share = tau > 0. ? std::exp(-request.time_since_commit / tau) : 0.;
-    }
-  else if (!committed.history.empty())
+  if (with_history) {
+    scratch.history = virgin;
+    network.unpack(committed.history, scratch.history);
+    const double tau = settings.walls.leak_time;
+    scratch.history.pressure_share = tau > 0. ? std::exp(-request.time_since_commit / tau) : 0.;
+  } else if (!committed.history.empty())
     throw std::invalid_argument("The committed state has a history, this RVE keeps none.");
   scratch.equilibrium.set_history(with_history ? &scratch.history : nullptr);
 }
 
-void HydrostaticRve::take_energy(const Tensor2<2> &F, const NetworkEvaluation &e, RveAnswer<2> &answer, Scratch &scratch) const
-{
+void HydrostaticRve::take_energy(const Tensor2<2> &F, const NetworkEvaluation &e, RveAnswer<2> &answer,
+                                 Scratch &scratch) const {
   const std::vector<double> &x = answer.trial.unknowns;
   const Tensor2<2> H = F * network.layout().lattice;
-  if (!settings.walls.history())
-    {
-      answer.energy = (network.energy(x, H, e) - reference_energy) / reference_volume;
-      return;
-    }
+  if (!settings.walls.history()) {
+    answer.energy = (network.energy(x, H, e) - reference_energy) / reference_volume;
+    return;
+  }
   network.flow(x, scratch.history);
   network.leak(x, scratch.history);
   answer.energy = (network.stored_energy(x, H, scratch.history) - reference_energy) / reference_volume;
@@ -154,9 +136,9 @@ void HydrostaticRve::take_energy(const Tensor2<2> &F, const NetworkEvaluation &e
   answer.safe_strain = answer.trial.history == virgin.pack() ? safe_strain(x, F) : -1.;
 }
 
-RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor2<2> &F, const Tensor2<2> &F_dot,
-                                      const RveRequest &request, Workspace &workspace) const
-{
+RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor2<2> &F,
+                                      const Tensor2<2> &F_dot, const RveRequest &request,
+                                      Workspace &workspace) const {
   const double start = thread_cpu_seconds();
   check_motion(F, F_dot);
   Scratch &scratch = dynamic_cast<Scratch &>(workspace);
@@ -167,49 +149,39 @@ RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor
   std::vector<double> &x = answer.trial.unknowns;
   const Tensor2<2> H = F * network.layout().lattice;
   const NetworkEvaluation *e = &scratch.evaluation;
-  if (relaxed)
-    {
-      settle(committed, F, answer, scratch);
-      e = &scratch.equilibrium.last_evaluation();
-    }
-  else
-    {
-      map(F, reference, x);
-      network.evaluate(x, H, NetworkOrder::gradient, scratch.evaluation);
-    }
+  if (relaxed) {
+    settle(committed, F, answer, scratch);
+    e = &scratch.equilibrium.last_evaluation();
+  } else {
+    map(F, reference, x);
+    network.evaluate(x, H, NetworkOrder::gradient, scratch.evaluation);
+  }
 
   const double J = F.determinant();
   const AffineFlow<2> flow(network.layout().parameters.fluid_viscosity, F, F_dot);
   answer.sigma = e->virial.total() / (J * reference_volume) + flow.sigma();
   answer.P = J * answer.sigma * F.inverse().transpose();
   answer.viscous = flow.P();
-  for (const double p : e->pressure)
-    answer.pressure += p;
+  for (const double p : e->pressure) answer.pressure += p;
   answer.pressure /= double(e->pressure.size());
-  if (request.tangent && answer.diagnostics.converged)
-    {
-      bool regular = false;
-      answer.tangent = tangent(x, F, F_dot, relaxed, scratch, regular);
-      if (!regular)
-        {
-          answer.diagnostics.converged = false;
-          answer.diagnostics.message = "The tangent is not defined here: the cells are about to buckle.";
-        }
+  if (request.tangent && answer.diagnostics.converged) {
+    bool regular = false;
+    answer.tangent = tangent(x, F, F_dot, relaxed, scratch, regular);
+    if (!regular) {
+      answer.diagnostics.converged = false;
+      answer.diagnostics.message = "The tangent is not defined here: the cells are about to buckle.";
     }
-  if (request.rate_tangent && answer.diagnostics.converged)
-    answer.rate_tangent = rate_tangent(F);
-  if (answer.diagnostics.converged)
-    take_energy(F, *e, answer, scratch);
+  }
+  if (request.rate_tangent && answer.diagnostics.converged) answer.rate_tangent = rate_tangent(F);
+  if (answer.diagnostics.converged) take_energy(F, *e, answer, scratch);
   answer.trial.F = F;
   answer.trial.F_dot = F_dot;
-  if (answer.diagnostics.converged && !(answer.sigma.allFinite() && std::isfinite(answer.energy)))
-    {
-      answer.diagnostics.converged = false;
-      answer.diagnostics.message = "The stress is not finite.";
-    }
-  if (!answer.diagnostics.converged)
-    answer.withdraw(committed);
+  if (answer.diagnostics.converged && !(answer.sigma.allFinite() && std::isfinite(answer.energy))) {
+    answer.diagnostics.converged = false;
+    answer.diagnostics.message = "The stress is not finite.";
+  }
+  if (!answer.diagnostics.converged) answer.withdraw(committed);
   answer.diagnostics.cpu_seconds = thread_cpu_seconds() - start;
   return answer;
 }
-} // namespace turgor
+}  // namespace turgor

@@ -1,50 +1,46 @@
-// An RVE of periodic cells of any layout (cell_layout.h) whose fluid is one pressure per cell, plus the Newtonian stress
-// of the affine flow:
+// An RVE of periodic cells of any layout (cell_layout.h) whose fluid is one pressure per cell, plus the
+// Newtonian stress of the affine flow:
 //
-//   sigma = (1/V) sum r (x) dE/dr + mu (L + L^T + tr(L) I),  L = F_dot F^-1     Eq. 3.17; 2.24 with 3.17 (errata)
+//   sigma = (1/V) sum r (x) dE/dr + mu (L + L^T + tr(L) I),  L = F_dot F^-1     Eq. 3.17; 2.24 with 3.17
+//     (errata)
 //   P = J sigma F^-T;  elastic part = dW/dF,  W = min over x of E(x, F H0)/V_0
 //
-// Rules: cauchy_born takes x = F X (Eq. 3.20); elastic_equilibrium finds the minimum by Newton's method from the
-// committed positions mapped affinely by F F_c^-1 (Eq. 3.21), in smaller steps of F where one is too long,
-// and from the reference where the committed positions lead nowhere.
-// The tangent dP/dF (fixed F_dot, viscous part included) is analytic: the nodes follow by the implicit function theorem. dP/dF_dot is that
-// of the Newtonian stress alone: where the nodes come to does not depend on the rate.
+// Rules: cauchy_born takes x = F X (Eq. 3.20); elastic_equilibrium finds the minimum by Newton's method from
+// the committed positions mapped affinely by F F_c^-1 (Eq. 3.21), in smaller steps of F where one is too
+// long, and from the reference where the committed positions lead nowhere. The tangent dP/dF (fixed F_dot,
+// viscous part included) is analytic: the nodes follow by the implicit function theorem. dP/dF_dot is that of
+// the Newtonian stress alone: where the nodes come to does not depend on the rate.
 //
-// Walls may flow and break and cells fail (wall_history.h). Then the rule elastic_equilibrium minimises the potential of the step from
-// the committed history; afterwards the most stretched bond beyond lambda_c breaks, equilibrium is found again at the same F, and so
-// on until no bond is beyond: a crack runs as far as it goes by itself. All of it becomes history with the trial state, so a
-// rejected step leaves no trace.
+// Walls may flow and break and cells fail (wall_history.h). Then the rule elastic_equilibrium minimises the
+// potential of the step from the committed history; afterwards the most stretched bond beyond lambda_c
+// breaks, equilibrium is found again at the same F, and so on until no bond is beyond: a crack runs as far as
+// it goes by itself. All of it becomes history with the trial state, so a rejected step leaves no trace.
 //
-// A torn network may have no equilibrium near by: loose ends and drained cells that fold up. Where none is found, its nodes are dragged:
-// springs of 1e-4 (up to 0.1, the least that helps) of a wall spring tie them to where the affine motion puts them, one damped step on the way
-// to equilibrium; the next call goes on from there. The force left over is told as the residual; what drag takes counts as dissipated.
+// A torn network may have no equilibrium near by: loose ends and drained cells that fold up. Where none is
+// found, its nodes are dragged: springs of 1e-4 (up to 0.1, the least that helps) of a wall spring tie them
+// to where the affine motion puts them, one damped step on the way to equilibrium; the next call goes on from
+// there. The force left over is told as the residual; what drag takes counts as dissipated.
 //
-// In: F (no unit), F_dot (1/s). Out: see rve.h. State: node positions (m), x and y interleaved; history: WallHistory::pack().
+// In: F (no unit), F_dot (1/s). Out: see rve.h. State: node positions (m), x and y interleaved; history:
+// WallHistory::pack().
 #pragma once
 
 #include "micro/cells/network_equilibrium.h"
 #include "rve/rve.h"
 
-namespace turgor
-{
-enum class HydrostaticRule
-{
-  cauchy_born,
-  elastic_equilibrium
-};
+namespace turgor {
+enum class HydrostaticRule { cauchy_born, elastic_equilibrium };
 
-struct HydrostaticRveSettings
-{
+struct HydrostaticRveSettings {
   HydrostaticRule rule = HydrostaticRule::elastic_equilibrium;
-  unsigned int columns = 1, rows = 1; ///< of square cells
+  unsigned int columns = 1, rows = 1;  ///< of square cells
   EquilibriumSettings equilibrium;
-  WallLimits walls; ///< needs elastic_equilibrium
-  std::vector<Tensor2<2>> symmetries; ///< of the layout, see rve.h
+  WallLimits walls;                    ///< needs elastic_equilibrium
+  std::vector<Tensor2<2>> symmetries;  ///< of the layout, see rve.h
 };
 
-class HydrostaticRve : public Rve<2>
-{
-public:
+class HydrostaticRve : public Rve<2> {
+ public:
   /// The layout is the reference F = I: in equilibrium (turgid_layout.h) and periodic both ways.
   HydrostaticRve(CellLayout turgid, const HydrostaticRveSettings &settings);
   /// Square cells.
@@ -61,8 +57,8 @@ public:
   bool has_history() const override { return settings.walls.history(); }
   bool knows_heating() const override { return true; }
 
-  /// Largest eigenvalue of the acoustic tensor of Cauchy-Born at F = I (an upper bound of the relaxed one), with
-  /// a fifth more for the stiffening of walls and fluid under strain.
+  /// Largest eigenvalue of the acoustic tensor of Cauchy-Born at F = I (an upper bound of the relaxed one),
+  /// with a fifth more for the stiffening of walls and fluid under strain.
   double stiffness_bound() const override { return bound; }
   double viscosity_bound() const override;
   Tensor2<2> lattice() const override { return network.layout().lattice; }
@@ -70,20 +66,26 @@ public:
 
   const HydrostaticNetwork &cells() const { return network; }
 
-private:
+ private:
   struct Scratch;
-  /// The history of the call, as of the committed state. Throws std::invalid_argument for a state of another RVE.
+  /// The history of the call, as of the committed state. Throws std::invalid_argument for a state of another
+  /// RVE.
   void begin(const RveState<2> &committed, const RveRequest &request, Scratch &scratch) const;
   /// The rule elastic_equilibrium: positions of the trial state and diagnostics.
-  void settle(const RveState<2> &committed, const Tensor2<2> &F, RveAnswer<2> &answer, Scratch &scratch) const;
+  void settle(const RveState<2> &committed, const Tensor2<2> &F, RveAnswer<2> &answer,
+              Scratch &scratch) const;
   /// Energy, and what has become of the walls at the positions of the trial state.
-  void take_energy(const Tensor2<2> &F, const NetworkEvaluation &e, RveAnswer<2> &answer, Scratch &scratch) const;
-  EquilibriumReport find_equilibrium(const RveState<2> &committed, const Tensor2<2> &F, std::vector<double> &x,
-                                     Scratch &scratch) const;
-  EquilibriumReport break_bonds(const Tensor2<2> &F, std::vector<double> &x, Scratch &scratch, const EquilibriumSettings &search) const;
+  void take_energy(const Tensor2<2> &F, const NetworkEvaluation &e, RveAnswer<2> &answer,
+                   Scratch &scratch) const;
+  EquilibriumReport find_equilibrium(const RveState<2> &committed, const Tensor2<2> &F,
+                                     std::vector<double> &x, Scratch &scratch) const;
+  EquilibriumReport break_bonds(const Tensor2<2> &F, std::vector<double> &x, Scratch &scratch,
+                                const EquilibriumSettings &search) const;
   /// Where a torn RVE finds no equilibrium: the least drag with which it comes to rest.
-  EquilibriumReport drag_on(const RveState<2> &committed, const Tensor2<2> &F, std::vector<double> &x, Scratch &scratch) const;
-  double safe_strain(const std::vector<double> &x, const Tensor2<2> &F) const; ///< of a virgin history (rve.h)
+  EquilibriumReport drag_on(const RveState<2> &committed, const Tensor2<2> &F, std::vector<double> &x,
+                            Scratch &scratch) const;
+  double safe_strain(const std::vector<double> &x,
+                     const Tensor2<2> &F) const;  ///< of a virgin history (rve.h)
   RveCondition condition(const WallHistory &history) const;
   Tensor4<2> tangent(const std::vector<double> &x, const Tensor2<2> &F, const Tensor2<2> &F_dot, bool relaxed,
                      Scratch &scratch, bool &regular) const;
@@ -92,7 +94,7 @@ private:
   HydrostaticRveSettings settings;
   HydrostaticNetwork network;
   std::vector<double> reference;
-  WallHistory virgin; ///< at the reference: empty without plastic flow and failure
+  WallHistory virgin;  ///< at the reference: empty without plastic flow and failure
   double reference_volume, reference_energy, bound;
 };
-} // namespace turgor
+}  // namespace turgor

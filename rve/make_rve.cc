@@ -7,31 +7,26 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace turgor
-{
-namespace
-{
-/// Of squares: mirrors, and quarter turns where there are as many columns as rows. None is claimed of other cells.
-std::vector<Tensor2<2>> symmetries(const RveParameters &p)
-{
-  if (!p.structure.square())
-    return {};
+namespace turgor {
+namespace {
+/// Of squares: mirrors, and quarter turns where there are as many columns as rows. None is claimed of other
+/// cells.
+std::vector<Tensor2<2>> symmetries(const RveParameters &p) {
+  if (!p.structure.square()) return {};
   Tensor2<2> mirror, swap;
   mirror << 1., 0., 0., -1.;
   swap << 0., 1., 1., 0.;
   std::vector<Tensor2<2>> all = {mirror};
-  if (p.columns == p.rows)
-    all.insert(all.end(), {swap, Tensor2<2>(swap * mirror)});
+  if (p.columns == p.rows) all.insert(all.end(), {swap, Tensor2<2>(swap * mirror)});
   const Tensor2<2> R = Eigen::Rotation2Dd(p.structure.rotation * std::numbers::pi / 180.).toRotationMatrix();
-  for (Tensor2<2> &Q : all)
-    Q = (R * Q * R.transpose()).eval();
+  for (Tensor2<2> &Q : all) Q = (R * Q * R.transpose()).eval();
   return all;
 }
 
-HydrostaticRveSettings hydrostatic_settings(const RveParameters &p)
-{
+HydrostaticRveSettings hydrostatic_settings(const RveParameters &p) {
   HydrostaticRveSettings settings;
-  settings.rule = p.rule == RveRule::cauchy_born ? HydrostaticRule::cauchy_born : HydrostaticRule::elastic_equilibrium;
+  settings.rule =
+      p.rule == RveRule::cauchy_born ? HydrostaticRule::cauchy_born : HydrostaticRule::elastic_equilibrium;
   settings.columns = p.columns;
   settings.rows = p.rows;
   settings.equilibrium = {p.equilibrium_tolerance(), p.max_iterations};
@@ -40,12 +35,11 @@ HydrostaticRveSettings hydrostatic_settings(const RveParameters &p)
   return settings;
 }
 
-SphRveSettings sph_settings(const RveParameters &p)
-{
+SphRveSettings sph_settings(const RveParameters &p) {
   SphRveSettings settings;
-  settings.rule = p.rule == RveRule::cauchy_born         ? SphRule::cauchy_born :
-                  p.rule == RveRule::elastic_equilibrium ? SphRule::elastic_equilibrium :
-                                                    SphRule::constrained_runs;
+  settings.rule = p.rule == RveRule::cauchy_born           ? SphRule::cauchy_born
+                  : p.rule == RveRule::elastic_equilibrium ? SphRule::elastic_equilibrium
+                                                           : SphRule::constrained_runs;
   settings.columns = p.columns;
   settings.rows = p.rows;
   settings.sph = p.sph;
@@ -60,42 +54,37 @@ SphRveSettings sph_settings(const RveParameters &p)
 
 /// What is wrong with the entries is told as such, whoever finds it.
 template <class Build>
-auto of_entries(const RveParameters &p, const Build &build)
-{
-  try
-    {
-      p.check();
-      return build();
-    }
-  catch (const std::invalid_argument &wrong)
-    {
-      throw InputError(wrong.what());
-    }
+auto of_entries(const RveParameters &p, const Build &build) {
+  try {
+    p.check();
+    return build();
+  } catch (const std::invalid_argument &wrong) {
+    throw InputError(wrong.what());
+  }
 }
-} // namespace
+}  // namespace
 
-std::unique_ptr<Rve<2>> make_rve(const RveParameters &p)
-{
+std::unique_ptr<Rve<2>> make_rve(const RveParameters &p) {
   return of_entries(p, [&]() -> std::unique_ptr<Rve<2>> {
     if (p.fluid == RveFluid::hydrostatic)
-      return std::make_unique<HydrostaticRve>(turgid_tissue(p.structure, p.yielding_cell(), p.columns, p.rows), hydrostatic_settings(p));
+      return std::make_unique<HydrostaticRve>(
+          turgid_tissue(p.structure, p.yielding_cell(), p.columns, p.rows), hydrostatic_settings(p));
     return std::make_unique<SphRve>(p.cell, sph_settings(p));
   });
 }
 
-std::size_t state_size(const RveParameters &p)
-{
+std::size_t state_size(const RveParameters &p) {
   return of_entries(p, [&]() -> std::size_t {
     const std::size_t cells = std::size_t(p.columns) * p.rows;
-    if (p.fluid == RveFluid::hydrostatic)
-      {
-        const std::size_t nodes =
-          p.structure.square() ? cells * 4 * p.cell.nodes_per_side : laid_tissue(p.structure, p.yielding_cell(), p.columns, p.rows).nodes.size();
-        return 2 * nodes + WallHistory::packed_size(p.wall_limits(), nodes, cells);
-      }
-    if (p.rule == RveRule::cauchy_born)
-      return 0;
-    return cells * particles_of_square_cell(p.cell, p.sph) * (p.sph.formulation == SphFormulation::thesis ? 5 : 4);
+    if (p.fluid == RveFluid::hydrostatic) {
+      const std::size_t nodes =
+          p.structure.square() ? cells * 4 * p.cell.nodes_per_side
+                               : laid_tissue(p.structure, p.yielding_cell(), p.columns, p.rows).nodes.size();
+      return 2 * nodes + WallHistory::packed_size(p.wall_limits(), nodes, cells);
+    }
+    if (p.rule == RveRule::cauchy_born) return 0;
+    return cells * particles_of_square_cell(p.cell, p.sph) *
+           (p.sph.formulation == SphFormulation::thesis ? 5 : 4);
   });
 }
-} // namespace turgor
+}  // namespace turgor

@@ -2,10 +2,8 @@
 
 #include <cmath>
 
-namespace turgor
-{
-PlaneModuli::PlaneModuli(const Tensor4<2> &tangent)
-{
+namespace turgor {
+PlaneModuli::PlaneModuli(const Tensor4<2> &tangent) {
   // Strains xx, yy and the engineering shear, shared by F_xy and F_yx: without stress both of them act alike.
   Eigen::Matrix<double, 4, 3> strain = Eigen::Matrix<double, 4, 3>::Zero();
   strain(0, 0) = strain(3, 1) = 1.;
@@ -18,10 +16,9 @@ PlaneModuli::PlaneModuli(const Tensor4<2> &tangent)
   shear_45 = 1. / compliance(2, 2);
 }
 
-double PlaneModuli::free(const double angle) const
-{
+double PlaneModuli::free(const double angle) const {
   const double c = std::cos(angle), s = std::sin(angle);
   const Eigen::Vector3d n(c * c, s * s, c * s);
   return 1. / n.dot(compliance * n);
 }
-} // namespace turgor
+}  // namespace turgor

@@ -1,4 +1,5 @@
-// Moduli of a tissue in its plane, from the tangent dP/dF of a state without stress (there it is the elasticity tensor, relaxed).
+// Moduli of a tissue in its plane, from the tangent dP/dF of a state without stress (there it is the
+// elasticity tensor, relaxed).
 //
 //   axes x, y, xy:  C = [[C_xx, C_xy, C_xs], [., C_yy, C_ys], [., ., C_ss]],  S = C^-1
 //   E(angle) = 1/(n^T S n), laterally free, n = (cos^2, sin^2, cos sin);  held(x) = C_xx
@@ -11,15 +12,13 @@
 
 #include "micro/geometry/tensor.h"
 
-namespace turgor
-{
-struct PlaneModuli
-{
+namespace turgor {
+struct PlaneModuli {
   explicit PlaneModuli(const Tensor4<2> &tangent);
 
-  double free(double angle) const; ///< Pa, Young's modulus, sides free; angle in rad from x
-  double held_x, held_y;           ///< Pa, sides held
-  double shear_axes, shear_45;     ///< Pa
-  Eigen::Matrix3d compliance;      ///< 1/Pa
+  double free(double angle) const;  ///< Pa, Young's modulus, sides free; angle in rad from x
+  double held_x, held_y;            ///< Pa, sides held
+  double shear_axes, shear_45;      ///< Pa
+  Eigen::Matrix3d compliance;       ///< 1/Pa
 };
-} // namespace turgor
+}  // namespace turgor

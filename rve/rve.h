@@ -17,70 +17,65 @@
 #include <string>
 #include <vector>
 
-namespace turgor
-{
+namespace turgor {
 /// Everything that affects the answer of a later evaluate(). Plain data: copied,
 /// written to checkpoints and sent between ranks as it is.
 template <int dim>
-struct RveState
-{
+struct RveState {
   Tensor2<dim> F = Tensor2<dim>::Identity();  ///< at which the unknowns below were reached
   Tensor2<dim> F_dot = Tensor2<dim>::Zero();  ///< 1/s
-  std::vector<double> unknowns;               ///< positions (m), then velocities (m/s) where the rule has them
-  std::vector<double> history;                ///< what walls and cells have been through; empty where nothing stays
+  std::vector<double> unknowns;  ///< positions (m), then velocities (m/s) where the rule has them
+  std::vector<double> history;   ///< what walls and cells have been through; empty where nothing stays
 
   void archive(Archive &a) { a(F, F_dot, unknowns, history); }
 };
 
 /// What has happened to the cells for good, for pictures and results. All zero where nothing stays.
-struct RveCondition
-{
-  double failed = 0.;             ///< share of the cells that have failed
-  double permanent = 0.;          ///< mean permanent stretch of the walls over that of the reference, less 1
-  double flow_dissipated = 0.;    ///< J/m^3 of reference volume, by yielding
-  double failure_dissipated = 0.; ///< J/m^3, set free by breaking walls
+struct RveCondition {
+  double failed = 0.;              ///< share of the cells that have failed
+  double permanent = 0.;           ///< mean permanent stretch of the walls over that of the reference, less 1
+  double flow_dissipated = 0.;     ///< J/m^3 of reference volume, by yielding
+  double failure_dissipated = 0.;  ///< J/m^3, set free by breaking walls
 };
 
-struct RveRequest
-{
-  double time_since_commit = 0.; ///< s
-  bool tangent = false;          ///< also dP/dF
-  bool rate_tangent = false;     ///< also dP/dF_dot
+struct RveRequest {
+  double time_since_commit = 0.;  ///< s
+  bool tangent = false;           ///< also dP/dF
+  bool rate_tangent = false;      ///< also dP/dF_dot
 };
 
 /// How an answer was reached.
-struct RveDiagnostics
-{
+struct RveDiagnostics {
   bool converged = true;
   std::string message;       ///< a sentence when !converged, else empty
   int iterations = 0;        ///< Newton iterations or micro steps
   double residual = 0.;      ///< largest unbalanced force / (turgor * spacing * depth)
   bool dragged = false;      ///< no equilibrium near by: nodes held back by drag, which the residual contains
   double energy_drift = 0.;  ///< relative, over a rule's dynamics; 0 without dynamics
-  double stress_spread = 0.; ///< Pa, rms of the stress over the window tau_0; 0 without window
+  double stress_spread = 0.;  ///< Pa, rms of the stress over the window tau_0; 0 without window
   double cpu_seconds = 0.;
 };
 
 template <int dim>
-struct RveAnswer
-{
-  Tensor2<dim> sigma = Tensor2<dim>::Zero(); ///< Pa, Cauchy
-  Tensor2<dim> P = Tensor2<dim>::Zero();     ///< Pa, first Piola-Kirchhoff J sigma F^-T
-  Tensor4<dim> tangent = Tensor4<dim>::Zero(); ///< Pa, dP/dF at fixed F_dot; only if asked
-  Tensor4<dim> rate_tangent = Tensor4<dim>::Zero(); ///< Pa s, dP/dF_dot at fixed F; only if asked
-  double energy = 0.;                        ///< J/m^3 of reference volume, elastic and of motion that F does not show, 0 at F = I
-  Tensor2<dim> viscous = Tensor2<dim>::Zero(); ///< Pa, the part of P whose work is all heat; see knows_heating()
-  double heating = 0.;                       ///< W/m^3 of reference volume, heat besides, of motion that F does not show
-  double pressure = 0.;                      ///< Pa, mean fluid pressure
+struct RveAnswer {
+  Tensor2<dim> sigma = Tensor2<dim>::Zero();         ///< Pa, Cauchy
+  Tensor2<dim> P = Tensor2<dim>::Zero();             ///< Pa, first Piola-Kirchhoff J sigma F^-T
+  Tensor4<dim> tangent = Tensor4<dim>::Zero();       ///< Pa, dP/dF at fixed F_dot; only if asked
+  Tensor4<dim> rate_tangent = Tensor4<dim>::Zero();  ///< Pa s, dP/dF_dot at fixed F; only if asked
+  double energy = 0.;  ///< J/m^3 of reference volume, elastic and of motion that F does not show, 0 at F = I
+  Tensor2<dim> viscous =
+      Tensor2<dim>::Zero();  ///< Pa, the part of P whose work is all heat; see knows_heating()
+  double heating = 0.;       ///< W/m^3 of reference volume, heat besides, of motion that F does not show
+  double pressure = 0.;      ///< Pa, mean fluid pressure
   RveCondition condition;
-  /// Green strain |dE| from here within which nothing happens to walls and cells for good, a lower bound; negative: something has happened.
+  /// Green strain |dE| from here within which nothing happens to walls and cells for good, a lower bound;
+  /// negative: something has happened.
   double safe_strain = std::numeric_limits<double>::infinity();
   RveState<dim> trial;
   RveDiagnostics diagnostics;
 
   /// What did not converge has no number to build on, never NaN, and leaves the committed state.
-  void withdraw(const RveState<dim> &committed)
-  {
+  void withdraw(const RveState<dim> &committed) {
     sigma.setZero();
     P.setZero();
     viscous.setZero();
@@ -89,26 +84,22 @@ struct RveAnswer
     energy = heating = pressure = 0.;
     condition = {};
     trial = committed;
-    if (!std::isfinite(diagnostics.residual))
-      diagnostics.residual = HUGE_VAL;
+    if (!std::isfinite(diagnostics.residual)) diagnostics.residual = HUGE_VAL;
   }
 };
 
 /// Throws std::invalid_argument for what no RVE can be asked.
 template <int dim>
-void check_motion(const Tensor2<dim> &F, const Tensor2<dim> &F_dot)
-{
+void check_motion(const Tensor2<dim> &F, const Tensor2<dim> &F_dot) {
   if (!F.allFinite() || !F_dot.allFinite() || !(F.determinant() > 0.))
     throw std::invalid_argument("An RVE needs a finite F with positive determinant and a finite F_dot.");
 }
 
 template <int dim>
-class Rve
-{
-public:
+class Rve {
+ public:
   /// Scratch memory of one thread; reused between calls, carries no state.
-  struct Workspace
-  {
+  struct Workspace {
     virtual ~Workspace() = default;
   };
 
@@ -119,7 +110,8 @@ public:
   virtual RveState<dim> initial_state() const = 0;
 
   /// Const in the committed state; never throws for a state that cannot be reached
-  /// (diagnostics.converged = false and a sentence), throws std::invalid_argument for non-finite or det F <= 0 input.
+  /// (diagnostics.converged = false and a sentence), throws std::invalid_argument for non-finite or det F <=
+  /// 0 input.
   virtual RveAnswer<dim> evaluate(const RveState<dim> &committed, const Tensor2<dim> &F,
                                   const Tensor2<dim> &F_dot, const RveRequest &request,
                                   Workspace &workspace) const = 0;
@@ -127,26 +119,31 @@ public:
   /// Whether states have a history, so that conditions are worth keeping.
   virtual bool has_history() const { return false; }
 
-  /// Whether answers know what viscosity turns into heat. Then work = energy + work of `viscous` + heating over time + what the condition
-  /// has dissipated.
+  /// Whether answers know what viscosity turns into heat. Then work = energy + work of `viscous` + heating
+  /// over time + what the condition has dissipated.
   virtual bool knows_heating() const { return false; }
 
-  /// Pa s, mu, where the stress is that of the affine flow of such a fluid (affine_flow.h) and an elastic one that is a function of F
-  /// alone while nothing has happened for good. Negative: it is not.
+  /// Pa s, mu, where the stress is that of the affine flow of such a fluid (affine_flow.h) and an elastic one
+  /// that is a function of F alone while nothing has happened for good. Negative: it is not.
   virtual double flow_viscosity() const { return -1.; }
 
-  /// Orthogonal Q with P(F Q) = P(F) Q while nothing has happened for good; the identity need not be among them.
+  /// Orthogonal Q with P(F Q) = P(F) Q while nothing has happened for good; the identity need not be among
+  /// them.
   virtual std::vector<Tensor2<dim>> symmetries() const { return {}; }
 
-  virtual double micro_step() const { return 0.; } ///< s, of one iteration where those are steps in time; 0 where not
-  virtual double burst() const { return 0.; }      ///< s, that the cells live through in a call; 0 where they relax or follow F
+  virtual double micro_step() const {
+    return 0.;
+  }  ///< s, of one iteration where those are steps in time; 0 where not
+  virtual double burst() const {
+    return 0.;
+  }  ///< s, that the cells live through in a call; 0 where they relax or follow F
 
-  virtual double density() const = 0;         ///< kg/m^3 of reference volume, fluid + walls
-  virtual double stiffness_bound() const = 0; ///< Pa, upper bound of the tangent dP/dF
-  virtual double viscosity_bound() const = 0; ///< Pa s
-  virtual Tensor2<dim> lattice() const = 0;   ///< m, columns = periods of the reference (H0)
+  virtual double density() const = 0;          ///< kg/m^3 of reference volume, fluid + walls
+  virtual double stiffness_bound() const = 0;  ///< Pa, upper bound of the tangent dP/dF
+  virtual double viscosity_bound() const = 0;  ///< Pa s
+  virtual Tensor2<dim> lattice() const = 0;    ///< m, columns = periods of the reference (H0)
 
   /// Outlines of the cells in a state, for pictures: per cell a closed ring of points (m).
   virtual std::vector<std::vector<Vector<dim>>> outlines(const RveState<dim> &state) const = 0;
 };
-} // namespace turgor
+}  // namespace turgor

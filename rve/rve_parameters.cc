@@ -6,108 +6,119 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace turgor
-{
-namespace
-{
-// Newton on one pressure per cell reaches round-off, about 1e-13. Damped particles come to about 2e-3 at moderate
-// deformations; below 1e-3 a call only spends its steps.
+namespace turgor {
+namespace {
+// Newton on one pressure per cell reaches round-off, about 1e-13. Damped particles come to about 2e-3 at
+// moderate deformations; below 1e-3 a call only spends its steps.
 constexpr double hydrostatic_tolerance = 1e-9, sph_tolerance = 1e-3;
-} // namespace
+}  // namespace
 
-double RveParameters::equilibrium_tolerance() const
-{
-  if (tolerance == 0.)
-    return fluid == RveFluid::sph ? sph_tolerance : hydrostatic_tolerance;
-  if (tolerance < least_tolerance)
-    {
-      std::ostringstream text;
-      text << "RVE/Tolerance is " << tolerance << "; allowed are 0 (what suits RVE/Fluid) and " << least_tolerance
-           << " to 0.1.";
-      throw std::invalid_argument(text.str());
-    }
+double RveParameters::equilibrium_tolerance() const {
+  if (tolerance == 0.) return fluid == RveFluid::sph ? sph_tolerance : hydrostatic_tolerance;
+  if (tolerance < least_tolerance) {
+    std::ostringstream text;
+    text << "RVE/Tolerance is " << tolerance << "; allowed are 0 (what suits RVE/Fluid) and "
+         << least_tolerance << " to 0.1.";
+    throw std::invalid_argument(text.str());
+  }
   return tolerance;
 }
 
-ParenchymaParameters RveParameters::yielding_cell() const
-{
+ParenchymaParameters RveParameters::yielding_cell() const {
   ParenchymaParameters c = cell;
-  if (yielding != Yielding::none)
-    c.wall_yield = yield;
+  if (yielding != Yielding::none) c.wall_yield = yield;
   return c;
 }
 
-WallLimits RveParameters::wall_limits() const
-{
+WallLimits RveParameters::wall_limits() const {
   WallLimits limits = walls;
   limits.plastic = yielding == Yielding::plastic;
   return limits;
 }
 
-void RveParameters::declare_walls(InputEntries &prm)
-{
+void RveParameters::declare_walls(InputEntries &prm) {
   using namespace Patterns;
   prm.enter_subsection("Wall");
   prm.add_parameter("Yielding", yielding,
-                    "Whether walls soften when they are stretched (thesis Eq. 3.8): none; reversible, along the same curve back; "
+                    "Whether walls soften when they are stretched (thesis Eq. 3.8): none; reversible, along "
+                    "the same curve back; "
                     "plastic, elastic on the way back, so that a stretch stays. Units: none.");
   declare_yield(prm, yield);
   prm.rename("Yield sharpness A", "Yield sharpness");
   prm.rename("Yield drop B", "Yield drop");
   prm.add_parameter("Critical stretch", walls.critical_stretch,
-                    "Length over length at rest (before inflation and flow) at which a bond of the wall breaks, for good; its cell "
+                    "Length over length at rest (before inflation and flow) at which a bond of the wall "
+                    "breaks, for good; its cell "
                     "has failed and loses its fluid. 0: walls do not break. Units: 1.",
                     Double(0., 100.));
-  prm.add_parameter("Leak time", walls.leak_time,
-                    "Time in which the pressure of a failed cell falls to 1/e at constant volume. 0: at once. Units: s.",
-                    Double(0., 1e6));
+  prm.add_parameter(
+      "Leak time", walls.leak_time,
+      "Time in which the pressure of a failed cell falls to 1/e at constant volume. 0: at once. Units: s.",
+      Double(0., 1e6));
   prm.add_parameter("Residue", walls.residue,
-                    "Share of its fluid that cannot leave a failed cell and resists when the cell is pressed below that volume. "
+                    "Share of its fluid that cannot leave a failed cell and resists when the cell is pressed "
+                    "below that volume. "
                     "Units: 1.",
                     Double(0., 0.99));
-  prm.add_parameter("Broken bond stiffness", walls.broken_share,
-                    "Share of its stiffness that a broken bond keeps, so that loose ends of wall stay in place. Units: 1.",
-                    Double(1e-8, 0.1));
+  prm.add_parameter(
+      "Broken bond stiffness", walls.broken_share,
+      "Share of its stiffness that a broken bond keeps, so that loose ends of wall stay in place. Units: 1.",
+      Double(1e-8, 0.1));
   prm.leave_subsection();
 }
 
-void RveParameters::add_parameters(InputEntries &prm)
-{
+void RveParameters::add_parameters(InputEntries &prm) {
   using namespace Patterns;
   prm.enter_subsection("RVE");
-  prm.add_parameter("Rule", rule,
-                    "How the cells follow F (thesis 3.4.2): cauchy_born moves them affinely, elastic_equilibrium "
-                    "relaxes them, constrained_runs lets them move for a burst and rescales. Units: none.");
+  prm.add_parameter(
+      "Rule", rule,
+      "How the cells follow F (thesis 3.4.2): cauchy_born moves them affinely, elastic_equilibrium "
+      "relaxes them, constrained_runs lets them move for a burst and rescales. Units: none.");
   prm.add_parameter("Fluid", fluid,
                     "Cell fluid: hydrostatic (one pressure per cell plus the viscous stress of F_dot) or sph "
                     "(particles). Units: none.");
-  prm.add_parameter("Columns", columns, "Number of cells of the RVE along x (before Structure/Rotation). Units: 1.", Integer(1, 100));
-  prm.add_parameter("Rows", rows, "Number of cells of the RVE along y (before Structure/Rotation). Units: 1.", Integer(1, 100));
-  prm.add_parameter("Tolerance", tolerance,
-                    "Largest unbalanced force on a wall node or particle at equilibrium, over turgor * node spacing * "
-                    "depth: 1e-13 to 0.1, or 0 for what suits the fluid, which is 1e-9 with Fluid = hydrostatic and 1e-3 "
-                    "with Fluid = sph. Particles stop at it and count as balanced up to 50 times it. Units: 1.",
-                    Double(0., 1e-1));
+  prm.add_parameter("Columns", columns,
+                    "Number of cells of the RVE along x (before Structure/Rotation). Units: 1.",
+                    Integer(1, 100));
+  prm.add_parameter("Rows", rows, "Number of cells of the RVE along y (before Structure/Rotation). Units: 1.",
+                    Integer(1, 100));
+  prm.add_parameter(
+      "Tolerance", tolerance,
+      "Largest unbalanced force on a wall node or particle at equilibrium, over turgor * node spacing * "
+      "depth: 1e-13 to 0.1, or 0 for what suits the fluid, which is 1e-9 with Fluid = hydrostatic and 1e-3 "
+      "with Fluid = sph. Particles stop at it and count as balanced up to 50 times it. Units: 1.",
+      Double(0., 1e-1));
   prm.add_parameter("Most iterations", max_iterations,
                     "Newton iterations after which one search for equilibrium gives up. Units: 1.",
                     Integer(1, 100000));
   prm.rename("Max iterations", "Most iterations");
   prm.add_parameter("Window tau_0", window,
-                    "Time in the middle of a constrained-runs burst over which the virial stress is averaged (Eq. 3.17), at most "
+                    "Time in the middle of a constrained-runs burst over which the virial stress is averaged "
+                    "(Eq. 3.17), at most "
                     "the burst; 0 takes the middle alone. Units: s.",
                     Double(0., 1.));
-  prm.add_parameter("Burst length", burst, "Time a constrained-runs burst lasts, two micro steps at least. From call to call the tissue goes on by a macro step, "
-                    "the cells by Bursts * Burst length. Where that is less, what moves inside the cells (viscous relaxation, inertia) "
-                    "is slowed by the ratio: good for slow loading, not for dynamics, which bursts follow that last a macro step. Such "
-                    "bursts cost an RVE what the same cells cost in a full particle run, so with more cells in the RVEs than in the "
-                    "piece the full run (scene full_micro) is cheaper. A run tells where it stands. Units: s.", Double(0., 1.));
-  prm.add_parameter("Bursts", bursts, "Number of bursts in one call of constrained_runs. Units: 1.", Integer(1, 1000));
+  prm.add_parameter(
+      "Burst length", burst,
+      "Time a constrained-runs burst lasts, two micro steps at least. From call to call the tissue goes on "
+      "by a macro step, "
+      "the cells by Bursts * Burst length. Where that is less, what moves inside the cells (viscous "
+      "relaxation, inertia) "
+      "is slowed by the ratio: good for slow loading, not for dynamics, which bursts follow that last a "
+      "macro step. Such "
+      "bursts cost an RVE what the same cells cost in a full particle run, so with more cells in the RVEs "
+      "than in the "
+      "piece the full run (scene full_micro) is cheaper. A run tells where it stands. Units: s.",
+      Double(0., 1.));
+  prm.add_parameter("Bursts", bursts, "Number of bursts in one call of constrained_runs. Units: 1.",
+                    Integer(1, 1000));
   prm.add_parameter("Step fraction", step_fraction,
                     "Micro time step over the stable limit that the terms state; for Fluid = sph. Units: 1.",
                     Double(0.01, 1.));
   prm.add_parameter("Relax steps", relax_steps,
-                    "Damped steps that one call of elastic_equilibrium may take with Fluid = sph; a change of F that stretches by "
-                    "more than 16 % may take up to twice as many for every 16 %, and half and quarter steps where the cells "
+                    "Damped steps that one call of elastic_equilibrium may take with Fluid = sph; a change "
+                    "of F that stretches by "
+                    "more than 16 % may take up to twice as many for every 16 %, and half and quarter steps "
+                    "where the cells "
                     "need them. Units: steps.",
                     Integer(0, 10000000));
   prm.leave_subsection();
@@ -123,40 +134,43 @@ void RveParameters::add_parameters(InputEntries &prm)
   prm.leave_subsection();
 }
 
-void RveParameters::check() const
-{
+void RveParameters::check() const {
   equilibrium_tolerance();
   structure.check();
-  if (structure.measured())
-    structure.given(); // for what is wrong with its file
+  if (structure.measured()) structure.given();  // for what is wrong with its file
   if (fluid != RveFluid::hydrostatic && (!structure.square() || structure.rotation != 0.))
-    throw std::invalid_argument("Structure/Structure = " + word_of(structure.kind) + " and Structure/Rotation need 'RVE/Fluid = hydrostatic' (it is " + word_of(fluid)
-                                + "): RVEs with particles have square cells as they lie.");
+    throw std::invalid_argument("Structure/Structure = " + word_of(structure.kind) +
+                                " and Structure/Rotation need 'RVE/Fluid = hydrostatic' (it is " +
+                                word_of(fluid) + "): RVEs with particles have square cells as they lie.");
   make_parenchyma(yielding_cell(), columns, rows, true, true);
   if (fluid == RveFluid::hydrostatic && rule == RveRule::constrained_runs)
-    throw std::invalid_argument("RVE/Rule is " + word_of(rule) + ", which needs a fluid that flows. With RVE/Fluid = hydrostatic use cauchy_born or "
-                                "elastic_equilibrium.");
+    throw std::invalid_argument(
+        "RVE/Rule is " + word_of(rule) +
+        ", which needs a fluid that flows. With RVE/Fluid = hydrostatic use cauchy_born or "
+        "elastic_equilibrium.");
   const WallLimits limits = wall_limits();
   limits.check(yield);
-  if (limits.failure() || yielding != Yielding::none)
-    {
-      if (fluid != RveFluid::hydrostatic)
-        throw std::invalid_argument("Wall/Yielding = " + word_of(yielding) + " and Wall/Critical stretch need 'RVE/Fluid = hydrostatic' "
-                                    "(it is " + word_of(fluid) + ").");
-      if (limits.history() && rule != RveRule::elastic_equilibrium)
-        throw std::invalid_argument("RVE/Rule is " + word_of(rule) + ", but walls that flow or break need elastic_equilibrium.");
-      const double lambda_0 = turgid_wall_stretch(yielding_cell());
-      if (limits.failure() && limits.critical_stretch <= lambda_0)
-        {
-          std::ostringstream text;
-          text << "Wall/Critical stretch is " << limits.critical_stretch << ", but turgor alone stretches the walls to " << lambda_0
-               << "; allowed is more than that, or 0 for walls that do not break.";
-          throw std::invalid_argument(text.str());
-        }
+  if (limits.failure() || yielding != Yielding::none) {
+    if (fluid != RveFluid::hydrostatic)
+      throw std::invalid_argument("Wall/Yielding = " + word_of(yielding) +
+                                  " and Wall/Critical stretch need 'RVE/Fluid = hydrostatic' "
+                                  "(it is " +
+                                  word_of(fluid) + ").");
+    if (limits.history() && rule != RveRule::elastic_equilibrium)
+      throw std::invalid_argument("RVE/Rule is " + word_of(rule) +
+                                  ", but walls that flow or break need elastic_equilibrium.");
+    const double lambda_0 = turgid_wall_stretch(yielding_cell());
+    if (limits.failure() && limits.critical_stretch <= lambda_0) {
+      std::ostringstream text;
+      text << "Wall/Critical stretch is " << limits.critical_stretch
+           << ", but turgor alone stretches the walls to " << lambda_0
+           << "; allowed is more than that, or 0 for walls that do not break.";
+      throw std::invalid_argument(text.str());
     }
+  }
   if (fluid == RveFluid::sph)
     check_sph_cell(cell, sph);
   else
     sph.check();
 }
-} // namespace turgor
+}  // namespace turgor

@@ -8,34 +8,27 @@
 
 #include <vector>
 
-namespace turgor
-{
+namespace turgor {
 /// Of F, found so that P there is zero.
-enum class FreeComponent
-{
-  none,
-  xx,
-  yy
-};
+enum class FreeComponent { none, xx, yy };
 constexpr const char *words_of(FreeComponent) { return "none|xx|yy"; }
 
-class RveResponse : public Scenario
-{
-public:
+class RveResponse : public Scenario {
+ public:
   void declare_parameters(InputEntries &prm) override;
   Outputs outputs() const override;
   void check() const override;
   void run(RunContext &context) override;
 
-private:
-  struct Asked
-  {
-    double time; ///< s
+ private:
+  struct Asked {
+    double time;  ///< s
     Tensor2<2> F, F_dot;
   };
   std::vector<Asked> all_asked() const;
   /// With the free component of F found and put into `asked`. Throws RunFailed where there is no stress.
-  RveAnswer<2> answer(const Rve<2> &cells, const RveState<2> &state, Asked &asked, double since, Rve<2>::Workspace &workspace) const;
+  RveAnswer<2> answer(const Rve<2> &cells, const RveState<2> &state, Asked &asked, double since,
+                      Rve<2>::Workspace &workspace) const;
 
   RveParameters rve;
   std::string path = "0 : 1, 0; 0, 1 | 1e-3 : 1, 0.3; 0, 1";
@@ -45,4 +38,4 @@ private:
 };
 
 std::unique_ptr<Scenario> make_rve_response();
-} // namespace turgor
+}  // namespace turgor

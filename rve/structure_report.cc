@@ -6,20 +6,18 @@
 
 #include <numbers>
 
-namespace turgor
-{
-void report_structure(RunContext &context, const TissueStructure &structure, const Rve<2> &cells, Rve<2>::Workspace &workspace)
-{
-  if (structure.measured())
-    {
-      const TilingMeasures given(structure.given());
-      context.result("given_cells", double(given.areas.size()), "");
-      context.result("given_mean_area", given.mean_area(), "m^2");
-      context.result("given_area_scatter", given.area_scatter(), "1");
-      context.result("given_aspect", given.mean_aspect(), "1");
-      context.result("given_contacts", given.mean_contacts(), "1");
-      context.result("given_void_fraction", given.void_fraction, "1");
-    }
+namespace turgor {
+void report_structure(RunContext &context, const TissueStructure &structure, const Rve<2> &cells,
+                      Rve<2>::Workspace &workspace) {
+  if (structure.measured()) {
+    const TilingMeasures given(structure.given());
+    context.result("given_cells", double(given.areas.size()), "");
+    context.result("given_mean_area", given.mean_area(), "m^2");
+    context.result("given_area_scatter", given.area_scatter(), "1");
+    context.result("given_aspect", given.mean_aspect(), "1");
+    context.result("given_contacts", given.mean_contacts(), "1");
+    context.result("given_void_fraction", given.void_fraction, "1");
+  }
   const Tensor2<2> H = cells.lattice();
   context.result("period_xx", H(0, 0), "m");
   context.result("period_xy", H(0, 1), "m");
@@ -28,7 +26,8 @@ void report_structure(RunContext &context, const TissueStructure &structure, con
 
   RveRequest request;
   request.tangent = true;
-  const RveAnswer<2> at_rest = cells.evaluate(cells.initial_state(), Tensor2<2>::Identity(), Tensor2<2>::Zero(), request, workspace);
+  const RveAnswer<2> at_rest =
+      cells.evaluate(cells.initial_state(), Tensor2<2>::Identity(), Tensor2<2>::Zero(), request, workspace);
   if (!at_rest.diagnostics.converged)
     throw RunFailed("The undeformed tissue has no moduli: " + at_rest.diagnostics.message);
   const PlaneModuli moduli(at_rest.tangent);
@@ -42,12 +41,13 @@ void report_structure(RunContext &context, const TissueStructure &structure, con
   context.result("shear_modulus_45", moduli.shear_45, "Pa");
 }
 
-void write_outlines(RunContext &context, const Rve<2> &cells, const RveState<2> &at_rest, const RveState<2> &at_end)
-{
-  const std::unique_ptr<Series> table = context.series("cells", {{"cell", ""}, {"x", "m"}, {"y", "m"}, {"end_x", "m"}, {"end_y", "m"}});
+void write_outlines(RunContext &context, const Rve<2> &cells, const RveState<2> &at_rest,
+                    const RveState<2> &at_end) {
+  const std::unique_ptr<Series> table =
+      context.series("cells", {{"cell", ""}, {"x", "m"}, {"y", "m"}, {"end_x", "m"}, {"end_y", "m"}});
   const auto rest = cells.outlines(at_rest), end = cells.outlines(at_end);
   for (std::size_t c = 0; c < rest.size(); ++c)
     for (std::size_t k = 0; k < rest[c].size(); ++k)
       table->add_row({double(c + 1), rest[c][k][0], rest[c][k][1], end[c][k][0], end[c][k][1]});
 }
-} // namespace turgor
+}  // namespace turgor

@@ -7,58 +7,69 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace turgor
-{
-void BrickParameters::add_parameters(InputEntries &prm)
-{
+namespace turgor {
+void BrickParameters::add_parameters(InputEntries &prm) {
   using namespace Patterns;
-  prm.add_parameter("Columns", columns, "Number of cells in each row of the aggregate. Units: none.", Integer(1, 1000));
-  prm.add_parameter("Rows", rows, "Number of rows of cells from the lower to the upper plate. Units: none.", Integer(1, 1000));
-  prm.add_parameter("Jitter", jitter,
-                    "Largest random displacement of a cell corner in x and in y over Cell/Period. Units: none.", Double(0., 0.2));
+  prm.add_parameter("Columns", columns, "Number of cells in each row of the aggregate. Units: none.",
+                    Integer(1, 1000));
+  prm.add_parameter("Rows", rows, "Number of rows of cells from the lower to the upper plate. Units: none.",
+                    Integer(1, 1000));
+  prm.add_parameter(
+      "Jitter", jitter,
+      "Largest random displacement of a cell corner in x and in y over Cell/Period. Units: none.",
+      Double(0., 0.2));
   prm.add_parameter("Gap", gap,
-                    "Length without lamella ties at either end of a wall shared by two cells: 0 gives dense tissue, more opens the "
+                    "Length without lamella ties at either end of a wall shared by two cells: 0 gives dense "
+                    "tissue, more opens the "
                     "spaces between three cells. Units: m.",
                     Double(0., 1e-2));
-  prm.add_parameter("Tissue seed", seed, "Seed of the random displacements of Jitter: another one, another tissue. Units: none.", Integer(0));
+  prm.add_parameter("Tissue seed", seed,
+                    "Seed of the random displacements of Jitter: another one, another tissue. Units: none.",
+                    Integer(0));
   prm.add_parameter("Rest residual", rest_residual,
-                    "Largest force that may be left on a particle of the inflated tissue, over turgor times the wall of a node (spacing times "
+                    "Largest force that may be left on a particle of the inflated tissue, over turgor times "
+                    "the wall of a node (spacing times "
                     "depth). Units: none.",
                     Double(1e-5, 0.1));
-  prm.add_parameter("Rest steps", rest_steps, "Most steps in which the inflated tissue has to come to rest. Units: steps.", Integer(1000, 100000000));
+  prm.add_parameter("Rest steps", rest_steps,
+                    "Most steps in which the inflated tissue has to come to rest. Units: steps.",
+                    Integer(1000, 100000000));
   prm.add_parameter("Contact ratio", contact_ratio,
-                    "Stiffness of the contact between walls, and with the plates, over that of one wall spring at rest. Where walls "
-                    "break, it is between them at least what stops a torn wall that recoils, 59 (Critical stretch - 1)^2. Units: none.",
+                    "Stiffness of the contact between walls, and with the plates, over that of one wall "
+                    "spring at rest. Where walls "
+                    "break, it is between them at least what stops a torn wall that recoils, 59 (Critical "
+                    "stretch - 1)^2. Units: none.",
                     Double(1e-3, 100.));
   prm.add_parameter("Yielding", yielding,
-                    "Wall yielding, thesis Eq. 3.8: none; reversible: force g(lambda) F(lambda) on the way out and back; plastic: "
+                    "Wall yielding, thesis Eq. 3.8: none; reversible: force g(lambda) F(lambda) on the way "
+                    "out and back; plastic: "
                     "what goes beyond that curve stays longer. Units: none.");
   declare_yield(prm, yield);
-  prm.add_parameter("Critical stretch", critical_stretch,
-                    "Length over rest length at which a wall bond breaks and its cell has failed; 0: never. Units: none.",
-                    Double(0., 100.));
+  prm.add_parameter(
+      "Critical stretch", critical_stretch,
+      "Length over rest length at which a wall bond breaks and its cell has failed; 0: never. Units: none.",
+      Double(0., 100.));
   prm.add_parameter("Lamella strength", lamella_strength,
-                    "Stress at which a lamella tie breaks, force over the wall area it stands for (spacing times depth); 0: never. "
+                    "Stress at which a lamella tie breaks, force over the wall area it stands for (spacing "
+                    "times depth); 0: never. "
                     "Units: Pa.",
                     Double(0., 1e10));
 }
 
-NeoHookeanWall BrickParameters::wall_law(const ParenchymaParameters &cell) const
-{
+NeoHookeanWall BrickParameters::wall_law(const ParenchymaParameters &cell) const {
   ParenchymaParameters yielding_cell = cell;
   yielding_cell.wall_yield = yielding == Yielding::none ? WallYield{} : yield;
   return yielding_cell.wall_law();
 }
 
-double BrickParameters::turgid_side(const ParenchymaParameters &cell) const
-{
+double BrickParameters::turgid_side(const ParenchymaParameters &cell) const {
   // a honeycomb's cell of perimeter P has the area P^2/(8 sqrt(3))
   const double perimeter = 4. * cell.period;
-  return perimeter * turgid_stretch(wall_law(cell), hexagonal_cell, perimeter, cell.depth, cell.turgor) / std::sqrt(hexagonal_cell);
+  return perimeter * turgid_stretch(wall_law(cell), hexagonal_cell, perimeter, cell.depth, cell.turgor) /
+         std::sqrt(hexagonal_cell);
 }
 
-void BrickParameters::check(const ParenchymaParameters &cell, const SphParameters &sph) const
-{
+void BrickParameters::check(const ParenchymaParameters &cell, const SphParameters &sph) const {
   const auto refuse = [](const auto &...parts) {
     std::ostringstream sentence;
     (sentence << ... << parts);
@@ -66,20 +77,27 @@ void BrickParameters::check(const ParenchymaParameters &cell, const SphParameter
   };
   const TurgidLimit limit = turgid_limit(wall_law(cell), round_cell, 4. * cell.period, cell.depth);
   if (!(cell.turgor < limit.pressure))
-    refuse("Cell/Turgor is ", cell.turgor, " Pa, but a round cell with walls of Cell/Wall stiffness = ", cell.wall_stiffness,
-           " N/m and a perimeter of four Cell/Period (", cell.period, " m) at rest", yielding == Yielding::none ? "" : ", with Yielding,",
-           " holds at most ", limit.pressure, " Pa: beyond it walls stretch without end. Use less turgor, stiffer walls",
+    refuse("Cell/Turgor is ", cell.turgor,
+           " Pa, but a round cell with walls of Cell/Wall stiffness = ", cell.wall_stiffness,
+           " N/m and a perimeter of four Cell/Period (", cell.period, " m) at rest",
+           yielding == Yielding::none ? "" : ", with Yielding,", " holds at most ", limit.pressure,
+           " Pa: beyond it walls stretch without end. Use less turgor, stiffer walls",
            yielding == Yielding::none ? "" : ", a smaller Yield drop", " or smaller cells.");
   if (cell.nodes_per_side % 2 != 0)
-    refuse("Cell/Nodes per side is ", cell.nodes_per_side, ", but bricks need an even number: the row below meets a side in its middle.");
+    refuse("Cell/Nodes per side is ", cell.nodes_per_side,
+           ", but bricks need an even number: the row below meets a side in its middle.");
   if (sph.formulation != SphFormulation::variational)
-    refuse("SPH/Formulation is ", word_of(sph.formulation), ", but tissue of bricks has only the variational fluid: use variational.");
+    refuse("SPH/Formulation is ", word_of(sph.formulation),
+           ", but tissue of bricks has only the variational fluid: use variational.");
   if (!(gap < 0.25 * cell.period))
     refuse("Gap is ", gap, " m, but it has to be less than a quarter of Cell/Period (", 0.25 * cell.period,
            " m): nothing would tie the cells of neighbouring rows.");
   if (critical_stretch > 0. && critical_stretch <= 1.)
-    refuse("Critical stretch is ", critical_stretch, ", but it has to be above 1, or 0 for walls that do not break.");
-  if (double(columns) * rows * (sph.particles_per_side * double(sph.particles_per_side) + 4. * cell.nodes_per_side) > 1e8)
+    refuse("Critical stretch is ", critical_stretch,
+           ", but it has to be above 1, or 0 for walls that do not break.");
+  if (double(columns) * rows *
+          (sph.particles_per_side * double(sph.particles_per_side) + 4. * cell.nodes_per_side) >
+      1e8)
     refuse("Columns x Rows x Particles per side^2 is more than 1e8 particles: choose a smaller tissue.");
 }
-} // namespace turgor
+}  // namespace turgor

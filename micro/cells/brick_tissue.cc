@@ -5,91 +5,81 @@
 #include <algorithm>
 #include <cmath>
 
-namespace turgor
-{
-namespace
-{
-/// Contact stiffness over that of a wall spring, K, which no torn wall gets through: a wall that breaks at the stretch lambda_c recoils at
-/// (lambda_c - 1) l sqrt(K/m), its free end at twice that, and a node's energy m v^2/2 has to stay below k rho^2/2. Half as much again,
-/// because the fluid pushes too. slenderness: l/rho, bond over range.
-double ratio_that_holds_torn_walls(const double critical_stretch, const double slenderness)
-{
+namespace turgor {
+namespace {
+/// Contact stiffness over that of a wall spring, K, which no torn wall gets through: a wall that breaks at
+/// the stretch lambda_c recoils at (lambda_c - 1) l sqrt(K/m), its free end at twice that, and a node's
+/// energy m v^2/2 has to stay below k rho^2/2. Half as much again, because the fluid pushes too. slenderness:
+/// l/rho, bond over range.
+double ratio_that_holds_torn_walls(const double critical_stretch, const double slenderness) {
   return critical_stretch > 1. ? 1.5 * std::pow(2. * (critical_stretch - 1.) * slenderness, 2) : 0.;
 }
 
 /// Rings as laid, `inside` particles in each; returns the mass of a fluid particle of each cell, kg.
-std::vector<double> lay_particles(BrickTissue &tissue, const ParenchymaParameters &p, const std::uint32_t inside, const unsigned int seed)
-{
+std::vector<double> lay_particles(BrickTissue &tissue, const ParenchymaParameters &p,
+                                  const std::uint32_t inside, const unsigned int seed) {
   const CellLayout &layout = tissue.layout;
   Particles<2> &particles = tissue.system.particles;
   particles.resize(layout.nodes.size() + layout.cells() * inside);
   std::vector<double> mass;
   std::uint32_t begin = 0;
-  for (std::size_t c = 0; c < layout.cells(); ++c)
-    {
-      const WallRing &ring = layout.rings[c];
-      particles.groups.push_back({begin, begin + ring.count, begin + ring.count + inside});
-      for (std::uint32_t k = 0; k < ring.count; ++k)
-        {
-          for (int d = 0; d < 2; ++d)
-            particles.x[d][begin + k] = layout.nodes[ring.first + k][d];
-          particles.inverse_mass[begin + k] = 1. / layout.node_mass[ring.first + k];
-        }
-      begin += ring.count;
-      mass.push_back(inside > 0 ? p.fluid_density * tissue.cell_area(c) * p.depth / inside : 0.);
-      std::fill_n(particles.inverse_mass.begin() + begin, inside, 1. / mass.back());
-      begin += inside;
-      if (inside > 0)
-        lay_fluid(particles, c, seed);
+  for (std::size_t c = 0; c < layout.cells(); ++c) {
+    const WallRing &ring = layout.rings[c];
+    particles.groups.push_back({begin, begin + ring.count, begin + ring.count + inside});
+    for (std::uint32_t k = 0; k < ring.count; ++k) {
+      for (int d = 0; d < 2; ++d) particles.x[d][begin + k] = layout.nodes[ring.first + k][d];
+      particles.inverse_mass[begin + k] = 1. / layout.node_mass[ring.first + k];
     }
+    begin += ring.count;
+    mass.push_back(inside > 0 ? p.fluid_density * tissue.cell_area(c) * p.depth / inside : 0.);
+    std::fill_n(particles.inverse_mass.begin() + begin, inside, 1. / mass.back());
+    begin += inside;
+    if (inside > 0) lay_fluid(particles, c, seed);
+  }
   begin_at(particles.x);
   return mass;
 }
 
 /// The layout's ties between the particles that are its nodes.
-std::vector<LamellaTie> ties_of_particles(const BrickTissue &tissue, const std::uint32_t inside)
-{
-  std::vector<std::uint32_t> particle; // of a node
+std::vector<LamellaTie> ties_of_particles(const BrickTissue &tissue, const std::uint32_t inside) {
+  std::vector<std::uint32_t> particle;  // of a node
   for (std::size_t c = 0; c < tissue.layout.cells(); ++c)
     for (std::uint32_t k = 0; k < tissue.layout.rings[c].count; ++k)
       particle.push_back(tissue.layout.rings[c].first + k + std::uint32_t(c) * inside);
   std::vector<LamellaTie> ties = tissue.layout.ties;
   for (LamellaTie &tie : ties)
-    for (std::uint32_t *node : {&tie.a, &tie.b})
-      *node = particle[*node];
+    for (std::uint32_t *node : {&tie.a, &tie.b}) *node = particle[*node];
   return ties;
 }
 
-CellContactParameters contact_of(const BrickTissue &tissue, const BrickParameters &brick)
-{
+CellContactParameters contact_of(const BrickTissue &tissue, const BrickParameters &brick) {
   CellContactParameters contact;
   contact.surface = {0.2 * tissue.spacing, 0.25 * tissue.spacing};
-  contact.range = 1.6 * contact.surface.inset; // below sqrt(3): three cells that meet feel nothing
-  contact.stiffness = tissue.spring_stiffness
-                      * std::max(brick.contact_ratio, ratio_that_holds_torn_walls(brick.critical_stretch, tissue.spacing / contact.range));
+  contact.range = 1.6 * contact.surface.inset;  // below sqrt(3): three cells that meet feel nothing
+  contact.stiffness =
+      tissue.spring_stiffness *
+      std::max(brick.contact_ratio,
+               ratio_that_holds_torn_walls(brick.critical_stretch, tissue.spacing / contact.range));
   contact.fluid_range = contact.surface.inset;
   contact.skin = 0.5 * tissue.spacing;
   contact.spacing = tissue.spacing;
   contact.node_mass = tissue.lightest_node;
   return contact;
 }
-} // namespace
+}  // namespace
 
-void lay_fluid(Particles<2> &particles, const std::size_t cell, const unsigned int seed)
-{
+void lay_fluid(Particles<2> &particles, const std::size_t cell, const unsigned int seed) {
   const Group &g = particles.groups[cell];
   std::vector<Vector<2>> ring;
-  for (std::uint32_t k = g.begin; k < g.fluid; ++k)
-    ring.push_back(particles.position(k));
-  const std::vector<Vector<2>> places = fluid_places(ring, g.fluid_count(), seed, std::uint64_t(cell) * g.fluid_count());
+  for (std::uint32_t k = g.begin; k < g.fluid; ++k) ring.push_back(particles.position(k));
+  const std::vector<Vector<2>> places =
+      fluid_places(ring, g.fluid_count(), seed, std::uint64_t(cell) * g.fluid_count());
   for (std::uint32_t k = 0; k < g.fluid_count(); ++k)
-    for (int d = 0; d < 2; ++d)
-      particles.x[d][g.fluid + k] = places[k][d];
+    for (int d = 0; d < 2; ++d) particles.x[d][g.fluid + k] = places[k][d];
 }
 
-std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, const SphParameters &sph, const BrickParameters &brick,
-                                               const BrickFilling filling)
-{
+std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, const SphParameters &sph,
+                                               const BrickParameters &brick, const BrickFilling filling) {
   brick.check(p, sph);
   p.check();
   auto tissue = std::make_unique<BrickTissue>();
@@ -98,32 +88,33 @@ std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, co
   tissue->layout = lay_bricks(p, brick);
   const CellLayout &layout = tissue->layout;
   const std::size_t cells = layout.cells();
-  const std::uint32_t ring_nodes = layout.rings[0].count, inside = filled ? sph.particles_per_side * sph.particles_per_side : 0; // rings are all as long
+  const std::uint32_t ring_nodes = layout.rings[0].count,
+                      inside = filled ? sph.particles_per_side * sph.particles_per_side
+                                      : 0;  // rings are all as long
   tissue->spacing = layout.spacing;
   tissue->lightest_node = *std::min_element(layout.node_mass.begin(), layout.node_mass.end());
   tissue->spring_stiffness = layout.spring_stiffness;
   const std::vector<double> mass = lay_particles(*tissue, p, inside, sph.seed);
 
   tissue->wall = &system.add(make_walls(layout));
-  if (filled && brick.critical_stretch > 0.)
-    {
-      tissue->damage = std::make_shared<WallDamage>(cells, ring_nodes, ring_nodes);
-      tissue->wall->set_damage(tissue->damage);
-    }
-  if (filled)
-    {
-      ParenchymaParameters turgid = p; // the kernel's size is that of the particles' distance at turgor
-      turgid.period = brick.turgid_side(p);
-      tissue->fluid = &system.add(make_cell_fluid(turgid, sph, tissue->spacing, mass, tissue->damage));
-    }
-  else
-    system.add(std::make_unique<EnclosedFluid<2>>(p.equation_of_state(), mass, p.depth, nullptr)).hold_pressure(p.turgor);
+  if (filled && brick.critical_stretch > 0.) {
+    tissue->damage = std::make_shared<WallDamage>(cells, ring_nodes, ring_nodes);
+    tissue->wall->set_damage(tissue->damage);
+  }
+  if (filled) {
+    ParenchymaParameters turgid = p;  // the kernel's size is that of the particles' distance at turgor
+    turgid.period = brick.turgid_side(p);
+    tissue->fluid = &system.add(make_cell_fluid(turgid, sph, tissue->spacing, mass, tissue->damage));
+  } else
+    system.add(std::make_unique<EnclosedFluid<2>>(p.equation_of_state(), mass, p.depth, nullptr))
+        .hold_pressure(p.turgor);
   if (!layout.ties.empty())
-    tissue->ties = &system.add(std::make_unique<LamellaTies>(ties_of_particles(*tissue, inside), tissue->lightest_node,
-                                                             brick.lamella_strength * tissue->spacing * p.depth));
+    tissue->ties =
+        &system.add(std::make_unique<LamellaTies>(ties_of_particles(*tissue, inside), tissue->lightest_node,
+                                                  brick.lamella_strength * tissue->spacing * p.depth));
   if (filled && brick.yielding == Yielding::plastic)
     tissue->flow = std::make_shared<WallFlow>(cells, ring_nodes);
   tissue->contact = &system.add(std::make_unique<CellContact>(contact_of(*tissue, brick), tissue->damage));
   return tissue;
 }
-} // namespace turgor
+}  // namespace turgor

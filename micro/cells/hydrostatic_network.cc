@@ -5,50 +5,41 @@
 #include <stdexcept>
 #include <utility>
 
-namespace turgor
-{
+namespace turgor {
 HydrostaticNetwork::HydrostaticNetwork(CellLayout layout)
-  : geometry(std::move(layout))
-  , wall(geometry.parameters.wall_law())
-  , elastic(wall.elastic())
-  , fluid{geometry.parameters.equation_of_state()}
-  , scale(geometry.parameters.turgor * geometry.spacing * geometry.parameters.depth)
-  , bending(std::any_of(geometry.hinge.begin(), geometry.hinge.end(), [](const double hinge) { return hinge > 0.; }))
-{
+    : geometry(std::move(layout)),
+      wall(geometry.parameters.wall_law()),
+      elastic(wall.elastic()),
+      fluid{geometry.parameters.equation_of_state()},
+      scale(geometry.parameters.turgor * geometry.spacing * geometry.parameters.depth),
+      bending(std::any_of(geometry.hinge.begin(), geometry.hinge.end(),
+                          [](const double hinge) { return hinge > 0.; })) {
   geometry.check();
   // Without turgor, residuals are measured against 1 % of the wall stiffness.
-  if (!(scale > 0.))
-    scale = 0.01 * geometry.parameters.wall_stiffness * geometry.parameters.depth;
-  for (const double length : geometry.rest_length)
-    inverse_rest.push_back(1. / length);
+  if (!(scale > 0.)) scale = 0.01 * geometry.parameters.wall_stiffness * geometry.parameters.depth;
+  for (const double length : geometry.rest_length) inverse_rest.push_back(1. / length);
 }
 
-void HydrostaticNetwork::set_fluid_masses(std::vector<double> masses)
-{
-  if (masses.size() != geometry.cells())
-    throw std::invalid_argument("Fluid masses need one value per cell.");
+void HydrostaticNetwork::set_fluid_masses(std::vector<double> masses) {
+  if (masses.size() != geometry.cells()) throw std::invalid_argument("Fluid masses need one value per cell.");
   for (const double m : masses)
     if (!(m > 0.) || !std::isfinite(m))
       throw std::invalid_argument("The fluid mass of a cell has to be positive (kg).");
   geometry.fluid_mass = std::move(masses);
 }
 
-void HydrostaticNetwork::release_water(const std::vector<double> &volumes)
-{
-  if (!held)
-    throw std::logic_error("No pressure was held, so there is no water to release.");
+void HydrostaticNetwork::release_water(const std::vector<double> &volumes) {
+  if (!held) throw std::logic_error("No pressure was held, so there is no water to release.");
   const double density = fluid.fluid.density_at(*held);
   std::vector<double> taken_up;
-  for (const double volume : volumes)
-    taken_up.push_back(density * volume);
+  for (const double volume : volumes) taken_up.push_back(density * volume);
   set_fluid_masses(std::move(taken_up));
   held.reset();
 }
 
-void HydrostaticNetwork::set_dead_forces(std::vector<double> forces)
-{
+void HydrostaticNetwork::set_dead_forces(std::vector<double> forces) {
   if (!forces.empty() && forces.size() != unknowns())
     throw std::invalid_argument("Dead forces need two components per wall node, or none at all.");
   dead = std::move(forces);
 }
-} // namespace turgor
+}  // namespace turgor

@@ -5,7 +5,8 @@
 //           + sum over hinges B (theta - theta_0)^2/(2 l)     wall_bending.h
 //           + sum over ties   k |x_b + H n - x_a|^2/2         lamella_tie.h
 //           + sum over cells  m e(m/V),  V = z0 * polygon area  hydrostatic_pressure.h
-//           - sum over cells m b . centroid - sum over nodes (m_w b + f) . x    body acceleration b, dead forces f
+//           - sum over cells m b . centroid - sum over nodes (m_w b + f) . x    body acceleration b, dead
+//             forces f
 //
 // Only ties know the lattice H (m, columns are periods): rings are never wrapped.
 // Wall edges enter through e_i = x_(i+1) - x_i: t_i = dE/de_i, S_i = d2E/de_i2, C_i = d2E/(de_i de_(i+1)).
@@ -14,8 +15,8 @@
 // (with a body acceleration the second derivative of the centroid is left out of the
 // Hessian: it is rho b L/(7 K), some 1e-5, of what is kept.)
 //
-// With a history (wall_history.h) bonds and pressures are those of walls that have flowed or broken and cells that have failed,
-// and E is the potential of the step under way; without one a yielding wall is reversible.
+// With a history (wall_history.h) bonds and pressures are those of walls that have flowed or broken and cells
+// that have failed, and E is the potential of the step under way; without one a yielding wall is reversible.
 //
 // In: x = node positions (m), x and y interleaved. Out: E in J, dE/dx in N, K in N/m,
 // Kirchhoff virial sum r (x) dE/dr in J (divide by the current volume for stress, Eq. 3.17).
@@ -29,48 +30,43 @@
 #include <optional>
 #include <vector>
 
-namespace turgor
-{
+namespace turgor {
 /// Virial sum r (x) dE/dr, J, by the term that carries it.
-struct NetworkVirial
-{
+struct NetworkVirial {
   Tensor2<2> wall = Tensor2<2>::Zero(), bending = Tensor2<2>::Zero(), tie = Tensor2<2>::Zero(),
              fluid = Tensor2<2>::Zero();
   Tensor2<2> total() const { return wall + bending + tie + fluid; }
 };
 
-enum class NetworkOrder
-{
-  energy,   ///< E alone
-  gradient, ///< dE/dx, virial, pressures; not E
-  hessian   ///< gradient and the second derivatives
+enum class NetworkOrder {
+  energy,    ///< E alone
+  gradient,  ///< dE/dx, virial, pressures; not E
+  hessian    ///< gradient and the second derivatives
 };
 
 /// What one evaluation found; reused between calls (no allocation after the first).
-struct NetworkEvaluation
-{
+struct NetworkEvaluation {
   double energy = 0.;
-  std::vector<double> gradient; ///< N, as x
+  std::vector<double> gradient;  ///< N, as x
   NetworkVirial virial;
-  std::vector<double> pressure, volume, stiffness; ///< per cell: Pa, m^3, d2E/dV2 in Pa/m^3
+  std::vector<double> pressure, volume, stiffness;  ///< per cell: Pa, m^3, d2E/dV2 in Pa/m^3
   // per edge i of a ring (node i to node i + 1)
-  std::vector<double> ex, ey, stretch;         ///< m, m, length over rest length
-  std::vector<double> inverse_length, tension, slope; ///< 1/m, N, dF/d|e| in N/m
-  std::vector<double> angle;                   ///< rad, of the hinge at node i beyond that at rest; only with bending
-  std::vector<double> moment;                  ///< N m, of the hinge at node i
-  std::vector<double> hinge;                   ///< N m, stiffness of the hinge at node i; empty: that of the layout
-  std::vector<double> tx, ty;                  ///< N, dE/de
-  std::vector<double> gx, gy;                  ///< 1/m, gradient of the edge's direction angle
-  std::vector<double> Sxx, Sxy, Syy;           ///< N/m
+  std::vector<double> ex, ey, stretch;                 ///< m, m, length over rest length
+  std::vector<double> inverse_length, tension, slope;  ///< 1/m, N, dF/d|e| in N/m
+  std::vector<double> angle;          ///< rad, of the hinge at node i beyond that at rest; only with bending
+  std::vector<double> moment;         ///< N m, of the hinge at node i
+  std::vector<double> hinge;          ///< N m, stiffness of the hinge at node i; empty: that of the layout
+  std::vector<double> tx, ty;         ///< N, dE/de
+  std::vector<double> gx, gy;         ///< 1/m, gradient of the edge's direction angle
+  std::vector<double> Sxx, Sxy, Syy;  ///< N/m
 };
 
-class HydrostaticNetwork
-{
-public:
+class HydrostaticNetwork {
+ public:
   /// Throws std::invalid_argument for a layout that is impossible.
   explicit HydrostaticNetwork(CellLayout layout);
 
-  void set_fluid_masses(std::vector<double> masses); ///< kg, one per cell
+  void set_fluid_masses(std::vector<double> masses);  ///< kg, one per cell
   double fluid_mass(std::size_t cell) const { return geometry.fluid_mass[cell]; }
 
   /// Water flows freely at this pressure (Pa), E = -p V per cell, until release_water().
@@ -90,7 +86,8 @@ public:
                 const WallHistory *history = nullptr) const;
 
   /// E, from what an evaluation of any order has measured at x.
-  double energy(const std::vector<double> &x, const Tensor2<2> &H, const NetworkEvaluation &at, const WallHistory *history = nullptr) const;
+  double energy(const std::vector<double> &x, const Tensor2<2> &H, const NetworkEvaluation &at,
+                const WallHistory *history = nullptr) const;
 
   /// Forces dE/dx (N) that an affine motion u = L x (no unit), H -> H + L H makes, and the second
   /// derivatives of E (J) along pairs of such motions. From an evaluation of order hessian.
@@ -98,7 +95,8 @@ public:
                        const std::array<Tensor2<2>, 4> &L, std::array<std::vector<double>, 4> &forces,
                        Tensor4<2> &curvature) const;
 
-  /// dE/dx of the polygon area of the ring at local node k, m: half of (y_next - y_previous, x_previous - x_next).
+  /// dE/dx of the polygon area of the ring at local node k, m: half of (y_next - y_previous, x_previous -
+  /// x_next).
   static Vector<2> area_gradient(const std::vector<double> &x, const WallRing &ring, std::uint32_t k);
 
   void set_limits(const WallLimits &limits_) { limits = limits_; }
@@ -113,19 +111,22 @@ public:
 
   /// What the step has brought becomes history: bonds flow.
   void flow(const std::vector<double> &x, WallHistory &history) const;
-  /// Failed cells keep the mass that has the pressure they have come to; without this a probe leaves no trace.
+  /// Failed cells keep the mass that has the pressure they have come to; without this a probe leaves no
+  /// trace.
   void leak(const std::vector<double> &x, WallHistory &history) const;
   /// Elastic energy at x, J: of walls, hinges, ties and fluid, after flow() and leak().
   double stored_energy(const std::vector<double> &x, const Tensor2<2> &H, const WallHistory &history) const;
 
-  const CellLayout &layout() const { return geometry; } ///< with the fluid masses of now
+  const CellLayout &layout() const { return geometry; }  ///< with the fluid masses of now
   std::size_t unknowns() const { return 2 * geometry.nodes.size(); }
   /// N m per node, of the hinges in this evaluation.
-  const std::vector<double> &hinges(const NetworkEvaluation &e) const { return e.hinge.empty() ? geometry.hinge : e.hinge; }
-  double depth() const { return geometry.parameters.depth; }           ///< m
-  double force_scale() const { return scale; }                         ///< N, turgor * spacing * depth
+  const std::vector<double> &hinges(const NetworkEvaluation &e) const {
+    return e.hinge.empty() ? geometry.hinge : e.hinge;
+  }
+  double depth() const { return geometry.parameters.depth; }  ///< m
+  double force_scale() const { return scale; }                ///< N, turgor * spacing * depth
 
-private:
+ private:
   bool cracked(const WallHistory *history) const { return history && !history->broken.empty(); }
   /// Edges, hinges and volumes at x.
   void measure(const std::vector<double> &x, NetworkEvaluation &out, const WallHistory *history) const;
@@ -136,21 +137,21 @@ private:
   void add_ties(const std::vector<double> &x, const Tensor2<2> &H, NetworkEvaluation &out) const;
   double body_energy(const std::vector<double> &x, double area, std::size_t cell,
                      std::vector<double> *gradient) const;
-  struct CellPressure
-  {
-    double energy, pressure, stiffness; // J, Pa, Pa/m^3
+  struct CellPressure {
+    double energy, pressure, stiffness;  // J, Pa, Pa/m^3
   };
-  CellPressure cell_pressure(std::size_t cell, double volume, const WallHistory *history, bool with_energy) const;
+  CellPressure cell_pressure(std::size_t cell, double volume, const WallHistory *history,
+                             bool with_energy) const;
 
   CellLayout geometry;
-  NeoHookeanWall wall, elastic; ///< loaded, yielding included; without yielding
+  NeoHookeanWall wall, elastic;  ///< loaded, yielding included; without yielding
   WallLimits limits;
   HydrostaticPressure fluid;
   double scale;
-  bool bending;                     ///< there are hinges
-  std::vector<double> inverse_rest; ///< 1/m, per bond
+  bool bending;                      ///< there are hinges
+  std::vector<double> inverse_rest;  ///< 1/m, per bond
   Vector<2> body = Vector<2>::Zero();
   std::vector<double> dead;
-  std::optional<double> held;   ///< Pa
+  std::optional<double> held;  ///< Pa
 };
-} // namespace turgor
+}  // namespace turgor

@@ -5,10 +5,8 @@
 #include <cmath>
 #include <utility>
 
-namespace turgor
-{
-void NetworkEquilibrium::build_pattern()
-{
+namespace turgor {
+void NetworkEquilibrium::build_pattern() {
   const CellLayout &layout = network.layout();
   const auto block = [&](const std::size_t node) {
     return unknown[2 * node] < 0 ? fixed : static_cast<std::uint32_t>(unknown[2 * node] / 2);
@@ -16,19 +14,16 @@ void NetworkEquilibrium::build_pattern()
   const auto cell_block = [&](const std::size_t c) { return static_cast<std::uint32_t>(n_free / 2 + c); };
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   const auto pair = [&](const std::uint32_t i, const std::uint32_t j) {
-    if (i != fixed && j != fixed)
-      pairs.emplace_back(i, j);
+    if (i != fixed && j != fixed) pairs.emplace_back(i, j);
   };
   for (std::size_t c = 0; c < layout.rings.size(); ++c)
-    for (std::uint32_t k = 0; k < layout.rings[c].count; ++k)
-      {
-        const WallRing &ring = layout.rings[c];
-        pair(block(ring.first + k), block(ring.first + (k + 1) % ring.count));
-        pair(block(ring.first + k), block(ring.first + (k + 2) % ring.count));
-        pair(block(ring.first + k), cell_block(c));
-      }
-  for (const LamellaTie &tie : layout.ties)
-    pair(block(tie.a), block(tie.b));
+    for (std::uint32_t k = 0; k < layout.rings[c].count; ++k) {
+      const WallRing &ring = layout.rings[c];
+      pair(block(ring.first + k), block(ring.first + (k + 1) % ring.count));
+      pair(block(ring.first + k), block(ring.first + (k + 2) % ring.count));
+      pair(block(ring.first + k), cell_block(c));
+    }
+  for (const LamellaTie &tie : layout.ties) pair(block(tie.a), block(tie.b));
   size = n_free + 2 * n_cells;
   solver.analyse(static_cast<std::uint32_t>(size / 2), pairs);
 
@@ -36,41 +31,36 @@ void NetworkEquilibrium::build_pattern()
     return i == fixed || j == fixed ? BlockLdlt::Place{fixed, false} : solver.place(i, j);
   };
   for (std::size_t c = 0; c < layout.rings.size(); ++c)
-    for (std::uint32_t k = 0; k < layout.rings[c].count; ++k)
-      {
-        const WallRing &ring = layout.rings[c];
-        const std::uint32_t i = block(ring.first + k);
-        own.push_back(place(i, i));
-        next.push_back(place(i, block(ring.first + (k + 1) % ring.count)));
-        second.push_back(place(i, block(ring.first + (k + 2) % ring.count)));
-        border.push_back(place(cell_block(c), i));
-      }
+    for (std::uint32_t k = 0; k < layout.rings[c].count; ++k) {
+      const WallRing &ring = layout.rings[c];
+      const std::uint32_t i = block(ring.first + k);
+      own.push_back(place(i, i));
+      next.push_back(place(i, block(ring.first + (k + 1) % ring.count)));
+      second.push_back(place(i, block(ring.first + (k + 2) % ring.count)));
+      border.push_back(place(cell_block(c), i));
+    }
 
   constant_part.assign(solver.values().size(), Block2{});
   const auto add_isotropic = [&](const BlockLdlt::Place &at, const double k) {
-    if (at.index == fixed)
-      return;
+    if (at.index == fixed) return;
     constant_part[at.index][0] += k;
     constant_part[at.index][3] += k;
   };
-  for (const LamellaTie &tie : layout.ties)
-    {
-      add_isotropic(place(block(tie.a), block(tie.a)), tie.stiffness);
-      add_isotropic(place(block(tie.b), block(tie.b)), tie.stiffness);
-      add_isotropic(place(block(tie.a), block(tie.b)), -tie.stiffness);
-    }
+  for (const LamellaTie &tie : layout.ties) {
+    add_isotropic(place(block(tie.a), block(tie.a)), tie.stiffness);
+    add_isotropic(place(block(tie.b), block(tie.b)), tie.stiffness);
+    add_isotropic(place(block(tie.a), block(tie.b)), -tie.stiffness);
+  }
   for (std::size_t c = 0; c < layout.rings.size(); ++c)
     constant_part[place(cell_block(c), cell_block(c)).index] = {-1., 0., 0., 1.};
 }
 
-void NetworkEquilibrium::assemble(const double shift)
-{
+void NetworkEquilibrium::assemble(const double shift) {
   std::vector<Block2> &value = solver.values();
   std::copy(constant_part.begin(), constant_part.end(), value.begin());
   const auto add = [&value](const BlockLdlt::Place &at, const double xx, const double yx, const double xy,
                             const double yy) {
-    if (at.index == fixed)
-      return;
+    if (at.index == fixed) return;
     Block2 &to = value[at.index];
     to[0] += xx;
     to[1] += at.transposed ? xy : yx;
@@ -80,69 +70,61 @@ void NetworkEquilibrium::assemble(const double shift)
   const double z0 = network.depth();
   const std::vector<double> &hinge = network.hinges(now);
   const std::vector<WallRing> &rings = network.layout().rings;
-  for (std::size_t c = 0; c < rings.size(); ++c)
-    {
-      const std::size_t first = rings[c].first, count = rings[c].count;
-      const double half_pressure = 0.5 * now.pressure[c] * z0, b = 0.5 * z0 * std::sqrt(now.stiffness[c]);
-      // C_i = -B/l g_i g_(i+1)^T, B of the hinge between them, couples edge i to the next one; carried along the ring
-      const std::size_t last = first + count - 1;
-      const double B_first = hinge[first];
-      double Pxx = -B_first * now.gx[last] * now.gx[first], Pxy = -B_first * now.gx[last] * now.gy[first],
-             Pyx = -B_first * now.gy[last] * now.gx[first], Pyy = -B_first * now.gy[last] * now.gy[first];
-      for (std::size_t k = 0; k < count; ++k)
-        {
-          const std::size_t i = first + k, before = k == 0 ? last : i - 1, after = i == last ? first : i + 1;
-          const double B_after = hinge[after];
-          const double Cxx = -B_after * now.gx[i] * now.gx[after], Cxy = -B_after * now.gx[i] * now.gy[after],
-                       Cyx = -B_after * now.gy[i] * now.gx[after], Cyy = -B_after * now.gy[i] * now.gy[after];
-          const double xy = now.Sxy[before] + now.Sxy[i] - Pxy - Pyx;
-          add(own[i], now.Sxx[before] + now.Sxx[i] - 2. * Pxx + shift, xy, xy,
-              now.Syy[before] + now.Syy[i] - 2. * Pyy + shift);
-          add(next[i], -now.Sxx[i] + Pxx + Cxx, -now.Sxy[i] + Pyx + Cyx + half_pressure,
-              -now.Sxy[i] + Pxy + Cxy - half_pressure, -now.Syy[i] + Pyy + Cyy);
-          add(second[i], -Cxx, -Cyx, -Cxy, -Cyy);
-          add(border[i], b * (now.ey[before] + now.ey[i]), 0., -b * (now.ex[before] + now.ex[i]), 0.);
-          Pxx = Cxx, Pxy = Cxy, Pyx = Cyx, Pyy = Cyy;
-        }
+  for (std::size_t c = 0; c < rings.size(); ++c) {
+    const std::size_t first = rings[c].first, count = rings[c].count;
+    const double half_pressure = 0.5 * now.pressure[c] * z0, b = 0.5 * z0 * std::sqrt(now.stiffness[c]);
+    // C_i = -B/l g_i g_(i+1)^T, B of the hinge between them, couples edge i to the next one; carried along
+    // the ring
+    const std::size_t last = first + count - 1;
+    const double B_first = hinge[first];
+    double Pxx = -B_first * now.gx[last] * now.gx[first], Pxy = -B_first * now.gx[last] * now.gy[first],
+           Pyx = -B_first * now.gy[last] * now.gx[first], Pyy = -B_first * now.gy[last] * now.gy[first];
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t i = first + k, before = k == 0 ? last : i - 1, after = i == last ? first : i + 1;
+      const double B_after = hinge[after];
+      const double Cxx = -B_after * now.gx[i] * now.gx[after], Cxy = -B_after * now.gx[i] * now.gy[after],
+                   Cyx = -B_after * now.gy[i] * now.gx[after], Cyy = -B_after * now.gy[i] * now.gy[after];
+      const double xy = now.Sxy[before] + now.Sxy[i] - Pxy - Pyx;
+      add(own[i], now.Sxx[before] + now.Sxx[i] - 2. * Pxx + shift, xy, xy,
+          now.Syy[before] + now.Syy[i] - 2. * Pyy + shift);
+      add(next[i], -now.Sxx[i] + Pxx + Cxx, -now.Sxy[i] + Pyx + Cyx + half_pressure,
+          -now.Sxy[i] + Pxy + Cxy - half_pressure, -now.Syy[i] + Pyy + Cyy);
+      add(second[i], -Cxx, -Cyx, -Cxy, -Cyy);
+      add(border[i], b * (now.ey[before] + now.ey[i]), 0., -b * (now.ex[before] + now.ex[i]), 0.);
+      Pxx = Cxx, Pxy = Cxy, Pyx = Cyx, Pyy = Cyy;
     }
+  }
 }
 
-Eigen::SparseMatrix<double> NetworkEquilibrium::system(const std::vector<double> &x, const Tensor2<2> &H)
-{
+Eigen::SparseMatrix<double> NetworkEquilibrium::system(const std::vector<double> &x, const Tensor2<2> &H) {
   evaluate(x, H, NetworkOrder::hessian, now);
   assemble(0.);
   return solver.matrix();
 }
 
-bool NetworkEquilibrium::factorise(const double shift)
-{
+bool NetworkEquilibrium::factorise(const double shift) {
   assemble(shift + drag);
   return solver.factorise() && solver.negative_pivots() == static_cast<unsigned int>(n_cells);
 }
 
 bool NetworkEquilibrium::relaxed_curvature(const std::vector<double> &x, const Tensor2<2> &H,
-                                           const std::array<Tensor2<2>, 4> &L, Tensor4<2> &curvature)
-{
+                                           const std::array<Tensor2<2>, 4> &L, Tensor4<2> &curvature) {
   evaluate(x, H, NetworkOrder::hessian, now);
-  if (!factorise(0.))
-    return false;
+  if (!factorise(0.)) return false;
   std::array<std::vector<double>, 4> forces;
   network.affine_response(x, H, now, L, forces, curvature);
   std::array<std::vector<double>, 4> follow;
-  for (int k = 0; k < 4; ++k)
-    {
-      follow[k].assign(size, 0.);
-      for (std::size_t d = 0; d < unknown.size(); ++d)
-        if (unknown[d] >= 0)
-          follow[k][unknown[d]] = forces[k][d];
-      solver.solve(follow[k].data());
-    }
+  for (int k = 0; k < 4; ++k) {
+    follow[k].assign(size, 0.);
+    for (std::size_t d = 0; d < unknown.size(); ++d)
+      if (unknown[d] >= 0) follow[k][unknown[d]] = forces[k][d];
+    solver.solve(follow[k].data());
+  }
   for (int k = 0; k < 4; ++k)
     for (int l = 0; l < 4; ++l)
       for (std::size_t d = 0; d < unknown.size(); ++d)
-        if (unknown[d] >= 0)
-          curvature(k, l) -= forces[k][d] * follow[l][unknown[d]];
+        if (unknown[d] >= 0) curvature(k, l) -= forces[k][d] * follow[l][unknown[d]];
   curvature = (0.5 * (curvature + curvature.transpose())).eval();
   return curvature.allFinite();
 }
-} // namespace turgor
+}  // namespace turgor

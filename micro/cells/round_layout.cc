@@ -7,27 +7,23 @@
 #include <numbers>
 #include <utility>
 
-namespace turgor
-{
-namespace
-{
+namespace turgor {
+namespace {
 constexpr double pi = std::numbers::pi;
 
-ParenchymaParameters of_ring(const RoundCellParameters &p)
-{
+ParenchymaParameters of_ring(const RoundCellParameters &p) {
   ParenchymaParameters ring;
   static_cast<WallParameters &>(ring) = p;
   static_cast<FluidParameters &>(ring) = p;
   ring.depth = p.depth;
-  ring.period = std::sqrt(pi) * p.radius; // of a square as large
+  ring.period = std::sqrt(pi) * p.radius;  // of a square as large
   ring.nodes_per_side = p.ring_nodes / 4;
   return ring;
 }
-} // namespace
+}  // namespace
 
 template <>
-CellLayout round_layout<2>(const RoundCellParameters &p)
-{
+CellLayout round_layout<2>(const RoundCellParameters &p) {
   p.check(2);
   const double r0 = p.radius / p.turgid_stretch(2);
   const std::uint32_t count = p.ring_nodes;
@@ -45,25 +41,22 @@ CellLayout round_layout<2>(const RoundCellParameters &p)
   layout.hinge.assign(count, p.bending_stiffness(p.depth) / chord);
   layout.node_mass.assign(count, p.wall_density * p.wall_thickness * p.depth * chord);
   double twice = 0.;
-  for (std::uint32_t k = 0; k < count; ++k)
-    {
-      const Vector<2> &a = layout.nodes[k], &b = layout.nodes[(k + 1) % count];
-      twice += a[0] * b[1] - b[0] * a[1];
-    }
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const Vector<2> &a = layout.nodes[k], &b = layout.nodes[(k + 1) % count];
+    twice += a[0] * b[1] - b[0] * a[1];
+  }
   layout.fluid_mass = {p.fluid_density * (0.5 * twice * p.depth)};
   layout.check();
   return layout;
 }
 
 template <>
-SurfaceLayout round_layout<3>(const RoundCellParameters &p)
-{
+SurfaceLayout round_layout<3>(const RoundCellParameters &p) {
   p.check(3);
   const double r0 = p.radius / p.turgid_stretch(3);
   GeodesicSphere sphere = make_geodesic_sphere(p.frequency);
   std::vector<Vector<3>> nodes;
-  for (const Vector<3> &x : sphere.positions)
-    nodes.push_back(r0 * x);
+  for (const Vector<3> &x : sphere.positions) nodes.push_back(r0 * x);
   return {std::make_shared<const TriangleMesh>(std::move(sphere.mesh)), std::move(nodes), p, p};
 }
-} // namespace turgor
+}  // namespace turgor

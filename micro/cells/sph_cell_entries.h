@@ -4,11 +4,10 @@
 
 #include "micro/cells/sph_parenchyma.h"
 
-namespace turgor
-{
+namespace turgor {
 /// Declares both subsections in the current subsection of prm.
 void declare_sph_cell(InputEntries &prm, ParenchymaParameters &cell, SphParameters &sph);
 
 /// Throws std::invalid_argument, entry and allowed range in one sentence.
 void check_sph_cell(const ParenchymaParameters &cell, const SphParameters &sph);
-} // namespace turgor
+}  // namespace turgor

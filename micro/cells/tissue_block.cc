@@ -1,10 +1,8 @@
 #include "micro/cells/tissue_block.h"
 
-namespace turgor
-{
-TissueBlock make_tissue_block(const CellLayout &periodic, const SphParameters &sph, const std::vector<CellContents> &contents,
-                              const Surfaces surfaces)
-{
+namespace turgor {
+TissueBlock make_tissue_block(const CellLayout &periodic, const SphParameters &sph,
+                              const std::vector<CellContents> &contents, const Surfaces surfaces) {
   const CutBlock cut = cut_out(periodic, periodic, surfaces);
   TissueBlock block;
   block.cells = make_sph_patch(cut.layout, sph, contents);
@@ -14,15 +12,13 @@ TissueBlock make_tissue_block(const CellLayout &periodic, const SphParameters &s
   Particles<2> &particles = system.particles;
 
   std::vector<DeadForce<2>::Entry> forces;
-  for (const CutBlock::Pull &pull : cut.pulls([&](const std::uint32_t node) { return particles.position(block.cells->particle(node)); }))
+  for (const CutBlock::Pull &pull :
+       cut.pulls([&](const std::uint32_t node) { return particles.position(block.cells->particle(node)); }))
     forces.push_back({block.cells->particle(pull.node), pull.force});
-  if (!forces.empty())
-    system.add(std::make_unique<DeadForce<2>>(std::move(forces)));
+  if (!forces.empty()) system.add(std::make_unique<DeadForce<2>>(std::move(forces)));
   block.body_force = &system.add(std::make_unique<BodyForce<2>>(Vector<2>::Zero()));
-  for (const std::uint32_t node : cut.clamped)
-    particles.inverse_mass[block.cells->particle(node)] = 0.;
-  for (const std::uint32_t node : cut.probe)
-    block.probe.push_back(block.cells->particle(node));
+  for (const std::uint32_t node : cut.clamped) particles.inverse_mass[block.cells->particle(node)] = 0.;
+  for (const std::uint32_t node : cut.probe) block.probe.push_back(block.cells->particle(node));
   return block;
 }
-} // namespace turgor
+}  // namespace turgor

@@ -20,146 +20,155 @@
 #include <stdexcept>
 #include <utility>
 
-namespace turgor
-{
-namespace
-{
-CellLayout turned(CellLayout layout, const double angle)
-{
+namespace turgor {
+namespace {
+CellLayout turned(CellLayout layout, const double angle) {
   Tensor2<2> turn;
   turn << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
   layout.lattice = (turn * layout.lattice).eval();
-  for (Vector<2> &node : layout.nodes)
-    node = (turn * node).eval();
+  for (Vector<2> &node : layout.nodes) node = (turn * node).eval();
   return layout;
 }
 
-/// Rows of one cell after the other: its number, x, y. Corners nearer than a thousandth of the mean size are one.
-Tiling polygons_of(const std::string &file)
-{
+/// Rows of one cell after the other: its number, x, y. Corners nearer than a thousandth of the mean size are
+/// one.
+Tiling polygons_of(const std::string &file) {
   const CsvText table{file};
   std::vector<std::vector<Vector<2>>> polygons;
   double last = 0.;
-  for (const CsvRow &row : table.rows)
-    {
-      table.require_fields(row, 3);
-      const double cell = table.number(row, 0);
-      if (polygons.empty() || cell != last)
-        polygons.emplace_back();
-      last = cell;
-      polygons.back().push_back({table.number(row, 1), table.number(row, 2)});
-    }
+  for (const CsvRow &row : table.rows) {
+    table.require_fields(row, 3);
+    const double cell = table.number(row, 0);
+    if (polygons.empty() || cell != last) polygons.emplace_back();
+    last = cell;
+    polygons.back().push_back({table.number(row, 1), table.number(row, 2)});
+  }
   double area = 0.;
-  for (const auto &polygon : polygons)
-    area += std::abs(polygon_area(polygon)) / double(polygons.size());
+  for (const auto &polygon : polygons) area += std::abs(polygon_area(polygon)) / double(polygons.size());
   return join_polygons(polygons, nullptr, 1e-3 * std::sqrt(area));
 }
 
 /// Seeds anywhere in the box, areas log-normal about the same mean.
-Tiling random_laguerre(const TissueStructure &s, const double side, const unsigned int columns, const unsigned int rows)
-{
+Tiling random_laguerre(const TissueStructure &s, const double side, const unsigned int columns,
+                       const unsigned int rows) {
   const Vector<2> periods(columns * side, rows * side);
   const double width = std::sqrt(std::log1p(s.area_scatter * s.area_scatter));
   std::vector<Vector<2>> seeds;
   std::vector<double> areas;
-  for (std::uint64_t i = 0; i < std::uint64_t(columns) * rows; ++i)
-    {
-      seeds.push_back({periods[0] * random_uniform(s.seed, 2 * i), periods[1] * random_uniform(s.seed, 2 * i + 1)});
-      areas.push_back(std::exp(width * random_normals(s.seed, i, 0)[0]));
-    }
+  for (std::uint64_t i = 0; i < std::uint64_t(columns) * rows; ++i) {
+    seeds.push_back(
+        {periods[0] * random_uniform(s.seed, 2 * i), periods[1] * random_uniform(s.seed, 2 * i + 1)});
+    areas.push_back(std::exp(width * random_normals(s.seed, i, 0)[0]));
+  }
   return laguerre_tiling(periods, seeds, areas, s.ordering);
 }
-} // namespace
+}  // namespace
 
-void TissueStructure::add_parameters(InputEntries &prm)
-{
+void TissueStructure::add_parameters(InputEntries &prm) {
   using namespace Patterns;
   prm.add_parameter("Structure", kind,
-                    "How the cells lie: square cells, whose Cell/Period is the side at turgor; or, with a mean area of Cell/Period squared before "
-                    "turgor stretches the walls, regular hexagon cells, brick (square cells whose rows are moved by half a cell, thesis 3.3.2), "
-                    "voronoi (a random Laguerre tessellation), or voronoi cells as large, and as different in size, as those of Tissue file: "
-                    "polygons (a table) or image (a segmented picture); Cell/Period then counts for nothing. Other than square they find their periods at turgor themselves, free of stress. "
+                    "How the cells lie: square cells, whose Cell/Period is the side at turgor; or, with a "
+                    "mean area of Cell/Period squared before "
+                    "turgor stretches the walls, regular hexagon cells, brick (square cells whose rows are "
+                    "moved by half a cell, thesis 3.3.2), "
+                    "voronoi (a random Laguerre tessellation), or voronoi cells as large, and as different "
+                    "in size, as those of Tissue file: "
+                    "polygons (a table) or image (a segmented picture); Cell/Period then counts for nothing. "
+                    "Other than square they find their periods at turgor themselves, free of stress. "
                     "Units: none.");
-  prm.add_parameter("Structure seed", seed, "Seed of what is random in the tissue: Corner jitter, places and areas of voronoi cells. Units: none.", Integer(0));
-  prm.add_parameter("Rotation", rotation, "Angle by which the tissue is turned, counter-clockwise. Units: degrees.", Double(-360., 360.));
+  prm.add_parameter(
+      "Structure seed", seed,
+      "Seed of what is random in the tissue: Corner jitter, places and areas of voronoi cells. Units: none.",
+      Integer(0));
+  prm.add_parameter("Rotation", rotation,
+                    "Angle by which the tissue is turned, counter-clockwise. Units: degrees.",
+                    Double(-360., 360.));
   prm.add_parameter("Corner jitter", jitter,
-                    "Largest random displacement of a corner of hexagon or brick cells, in x and in y, over Cell/Period. Units: 1.", Double(0., 0.2));
-  prm.add_parameter("Area scatter", area_scatter,
-                    "Standard deviation of the areas of voronoi cells over their mean (log-normal). Units: 1.", Double(0., 0.6));
+                    "Largest random displacement of a corner of hexagon or brick cells, in x and in y, over "
+                    "Cell/Period. Units: 1.",
+                    Double(0., 0.2));
+  prm.add_parameter(
+      "Area scatter", area_scatter,
+      "Standard deviation of the areas of voronoi cells over their mean (log-normal). Units: 1.",
+      Double(0., 0.6));
   prm.add_parameter("Ordering", ordering,
-                    "Rounds in which the seeds of voronoi cells go to the centroids of their cells: none gives wild shapes, many a nearly regular "
+                    "Rounds in which the seeds of voronoi cells go to the centroids of their cells: none "
+                    "gives wild shapes, many a nearly regular "
                     "tissue. Units: 1.",
                     Integer(0, 1000));
   prm.add_parameter("Tissue file", file,
-                    "File of a tissue that is given. Structure polygons: a CSV with the columns cell, x, y, one row for each corner in m, those of a cell one "
-                    "after the other. Structure image: a PNG with one grey value or colour for each cell, 0 where there is none. Other structures: "
+                    "File of a tissue that is given. Structure polygons: a CSV with the columns cell, x, y, "
+                    "one row for each corner in m, those of a cell one "
+                    "after the other. Structure image: a PNG with one grey value or colour for each cell, 0 "
+                    "where there is none. Other structures: "
                     "none. Units: none.",
                     WordOrFile("none"));
   prm.add_parameter("Pixel size", pixel, "Side of a pixel of Structure image. Units: m.", Double(1e-9, 1e-3));
-  prm.add_parameter("Line width", line_width, "Pixels across the lines without a label that part the cells of Structure image: they go to the cells beside "
-                    "them, wider spaces stay spaces. Units: 1.", Integer(0, 100));
+  prm.add_parameter("Line width", line_width,
+                    "Pixels across the lines without a label that part the cells of Structure image: they go "
+                    "to the cells beside "
+                    "them, wider spaces stay spaces. Units: 1.",
+                    Integer(0, 100));
 }
 
-Tiling TissueStructure::given() const
-{
+Tiling TissueStructure::given() const {
   check();
-  try
-    {
-      if (kind == StructureKind::polygons)
-        return polygons_of(file);
-      LabelImage image = read_label_image(file);
-      close_lines(image, int(line_width));
-      return trace_cells(image, pixel);
-    }
-  catch (const std::invalid_argument &wrong)
-    {
-      throw InputError("Structure/Tissue file " + file + ": " + wrong.what());
-    }
+  try {
+    if (kind == StructureKind::polygons) return polygons_of(file);
+    LabelImage image = read_label_image(file);
+    close_lines(image, int(line_width));
+    return trace_cells(image, pixel);
+  } catch (const std::invalid_argument &wrong) {
+    throw InputError("Structure/Tissue file " + file + ": " + wrong.what());
+  }
 }
 
-void TissueStructure::check() const
-{
+void TissueStructure::check() const {
   if (measured() != (file != "none"))
-    throw std::invalid_argument("Structure/Tissue file is " + file + ", but Structure = " + word_of(kind) + (measured() ? " needs one." : " has none: use none, or polygons or image."));
+    throw std::invalid_argument("Structure/Tissue file is " + file + ", but Structure = " + word_of(kind) +
+                                (measured() ? " needs one." : " has none: use none, or polygons or image."));
   if (jitter > 0. && kind != StructureKind::hexagon && kind != StructureKind::brick)
-    throw std::invalid_argument("Structure/Corner jitter is " + number_text(jitter) + ", but with Structure = " + word_of(kind)
-                                + " corners are not displaced: use 0, or hexagon or brick.");
+    throw std::invalid_argument("Structure/Corner jitter is " + number_text(jitter) +
+                                ", but with Structure = " + word_of(kind) +
+                                " corners are not displaced: use 0, or hexagon or brick.");
 }
 
-Tiling TissueStructure::tiling(const double side, const unsigned int columns, const unsigned int rows, const double shortest) const
-{
+Tiling TissueStructure::tiling(const double side, const unsigned int columns, const unsigned int rows,
+                               const double shortest) const {
   check();
   if (kind == StructureKind::voronoi)
     return without_short_sides(random_laguerre(*this, side, columns, rows), shortest);
-  Tiling tiling = replicated(kind == StructureKind::hexagon ? hexagon_tiling(side) : kind == StructureKind::brick ? brick_tiling(side) : square_tiling(side), columns, rows);
+  Tiling tiling = replicated(kind == StructureKind::hexagon ? hexagon_tiling(side)
+                             : kind == StructureKind::brick ? brick_tiling(side)
+                                                            : square_tiling(side),
+                             columns, rows);
   for (std::size_t v = 0; v < tiling.vertices.size(); ++v)
     for (std::size_t d = 0; d < 2; ++d)
       tiling.vertices[v][d] += jitter * side * (2. * random_uniform(seed, 2 * v + d) - 1.);
   return without_short_sides(tiling, shortest);
 }
 
-CellLayout laid_tissue(const TissueStructure &structure, ParenchymaParameters cell, const unsigned int columns, const unsigned int rows)
-{
+CellLayout laid_tissue(const TissueStructure &structure, ParenchymaParameters cell,
+                       const unsigned int columns, const unsigned int rows) {
   structure.check();
-  if (structure.square())
-    return make_parenchyma(cell, columns, rows, true, true);
+  if (structure.square()) return make_parenchyma(cell, columns, rows, true, true);
   TissueStructure laid = structure;
-  if (structure.measured())
-    {
-      const TilingMeasures found(structure.given());
-      laid.kind = StructureKind::voronoi;
-      laid.file = "none";
-      laid.area_scatter = found.area_scatter();
-      cell.period = std::sqrt(found.mean_area());
-    }
+  if (structure.measured()) {
+    const TilingMeasures found(structure.given());
+    laid.kind = StructureKind::voronoi;
+    laid.file = "none";
+    laid.area_scatter = found.area_scatter();
+    cell.period = std::sqrt(found.mean_area());
+  }
   return lay_cells(laid.tiling(cell.period, columns, rows, cell.period / cell.nodes_per_side), cell);
 }
 
-CellLayout turgid_tissue(const TissueStructure &structure, const ParenchymaParameters &cell, const unsigned int columns, const unsigned int rows)
-{
+CellLayout turgid_tissue(const TissueStructure &structure, const ParenchymaParameters &cell,
+                         const unsigned int columns, const unsigned int rows) {
   structure.check();
-  CellLayout layout =
-    structure.square() ? turgid_parenchyma(cell, columns, rows, true, true) : turgid_with_lattice(laid_tissue(structure, cell, columns, rows));
-  return structure.rotation == 0. ? layout : turned(std::move(layout), structure.rotation * std::numbers::pi / 180.);
+  CellLayout layout = structure.square() ? turgid_parenchyma(cell, columns, rows, true, true)
+                                         : turgid_with_lattice(laid_tissue(structure, cell, columns, rows));
+  return structure.rotation == 0. ? layout
+                                  : turned(std::move(layout), structure.rotation * std::numbers::pi / 180.);
 }
-} // namespace turgor
+}  // namespace turgor

@@ -1,17 +1,20 @@
-// How the cells of a tissue lie: the entries of the subsection Structure, one set for every scene, and the tissue they make.
+// How the cells of a tissue lie: the entries of the subsection Structure, one set for every scene, and the
+// tissue they make.
 //
 //   square   square cells (parenchyma.h), of the inflated side Cell/Period
 //   hexagon  regular honeycomb            |
-//   brick    rows moved by half a cell    |  flat walls without stress, cells of the mean area Cell/Period^2 before turgor stretches them
+//   brick    rows moved by half a cell    |  flat walls without stress, cells of the mean area Cell/Period^2
+//            before turgor stretches them
 //   voronoi  Laguerre cells of given areas|
-//   polygons, image   Laguerre cells as large, and of areas as different, as the cells of a tissue that is given: corners in a table, or a
+//   polygons, image   Laguerre cells as large, and of areas as different, as the cells of a tissue that is
+//                     given: corners in a table, or a
 //            segmented picture; what is given is bounded, an RVE is periodic
 //
 //   TissueStructure structure; structure.add_parameters(prm); ... structure.check();
 //   HydrostaticNetwork network(turgid_tissue(structure, cell, 4, 4));
 //
-// A table of polygons has the columns cell, x, y (m): one row a corner, those of a cell one after the other. In and out: m, degrees where it
-// says so.
+// A table of polygons has the columns cell, x, y (m): one row a corner, those of a cell one after the other.
+// In and out: m, degrees where it says so.
 #pragma once
 
 #include "micro/cells/cell_layout.h"
@@ -20,32 +23,22 @@
 
 #include <string>
 
-namespace turgor
-{
+namespace turgor {
 class InputEntries;
-enum class StructureKind
-{
-  square,
-  hexagon,
-  brick,
-  voronoi,
-  polygons,
-  image
-};
+enum class StructureKind { square, hexagon, brick, voronoi, polygons, image };
 constexpr const char *words_of(StructureKind) { return "square|hexagon|brick|voronoi|polygons|image"; }
 
-struct TissueStructure
-{
+struct TissueStructure {
   StructureKind kind = StructureKind::square;
   unsigned int seed = 1;
-  double rotation = 0.;        ///< degrees, counter-clockwise
-  double jitter = 0.;          ///< of hexagons' and bricks' corners, over Cell/Period
-  double area_scatter = 0.2;   ///< of Laguerre cells: standard deviation of their areas over the mean
-  unsigned int ordering = 5;   ///< of Laguerre cells: rounds in which seeds go to the centroids of their cells
+  double rotation = 0.;       ///< degrees, counter-clockwise
+  double jitter = 0.;         ///< of hexagons' and bricks' corners, over Cell/Period
+  double area_scatter = 0.2;  ///< of Laguerre cells: standard deviation of their areas over the mean
+  unsigned int ordering = 5;  ///< of Laguerre cells: rounds in which seeds go to the centroids of their cells
 
-  std::string file = "none";   ///< of polygons or image
-  double pixel = 1e-6;         ///< m
-  unsigned int line_width = 2; ///< pixels, of the lines without label between cells
+  std::string file = "none";    ///< of polygons or image
+  double pixel = 1e-6;          ///< m
+  unsigned int line_width = 2;  ///< pixels, of the lines without label between cells
 
   bool measured() const { return kind == StructureKind::polygons || kind == StructureKind::image; }
   /// The tissue of the file, bounded. Throws InputError where it is none.
@@ -62,9 +55,12 @@ struct TissueStructure
   Tiling tiling(double side, unsigned int columns, unsigned int rows, double shortest) const;
 };
 
-/// columns x rows periodic cells as they are laid, before turgor: nodes, bonds and ties are those of turgid_tissue(). Throws std::invalid_argument.
-CellLayout laid_tissue(const TissueStructure &structure, ParenchymaParameters cell, unsigned int columns, unsigned int rows);
+/// columns x rows periodic cells as they are laid, before turgor: nodes, bonds and ties are those of
+/// turgid_tissue(). Throws std::invalid_argument.
+CellLayout laid_tissue(const TissueStructure &structure, ParenchymaParameters cell, unsigned int columns,
+                       unsigned int rows);
 
 /// The same at turgor, turned: the reference F = I of an RVE. Throws std::invalid_argument.
-CellLayout turgid_tissue(const TissueStructure &structure, const ParenchymaParameters &cell, unsigned int columns, unsigned int rows);
-} // namespace turgor
+CellLayout turgid_tissue(const TissueStructure &structure, const ParenchymaParameters &cell,
+                         unsigned int columns, unsigned int rows);
+}  // namespace turgor

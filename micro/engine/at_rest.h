@@ -9,29 +9,23 @@
 #include <algorithm>
 #include <cmath>
 
-namespace turgor
-{
+namespace turgor {
 /// N, of the force on a particle; not a number where one is none.
 template <int dim>
-double largest_force(const Particles<dim> &p)
-{
+double largest_force(const Particles<dim> &p) {
   double most = 0.;
-  for (std::size_t i = 0; i < p.size(); ++i)
-    {
-      double squared = 0.;
-      for (int d = 0; d < dim; ++d)
-        squared += p.f[d][i] * p.f[d][i];
-      if (!(squared <= most)) // keeps what is no number
-        most = squared;
-    }
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    double squared = 0.;
+    for (int d = 0; d < dim; ++d) squared += p.f[d][i] * p.f[d][i];
+    if (!(squared <= most))  // keeps what is no number
+      most = squared;
+  }
   return std::sqrt(most);
 }
 
 /// Velocities zero.
 template <int dim>
-void halt(Particles<dim> &p)
-{
-  for (int d = 0; d < dim; ++d)
-    std::fill(p.v[d].begin(), p.v[d].end(), 0.);
+void halt(Particles<dim> &p) {
+  for (int d = 0; d < dim; ++d) std::fill(p.v[d].begin(), p.v[d].end(), 0.);
 }
-} // namespace turgor
+}  // namespace turgor

@@ -2,31 +2,25 @@
 
 #include <cmath>
 
-namespace turgor
-{
+namespace turgor {
 template <int dim>
-KickDriftKick<dim>::KickDriftKick(ParticleSystem<dim> &system_)
-  : system(system_)
-{}
+KickDriftKick<dim>::KickDriftKick(ParticleSystem<dim> &system_) : system(system_) {}
 
 template <int dim>
-void KickDriftKick<dim>::step(const double dt, const double damping)
-{
+void KickDriftKick<dim>::step(const double dt, const double damping) {
   Particles<dim> &p = system.particles;
   const double half = 0.5 * dt;
   system.for_groups([&](std::size_t group) {
     const Group &g = p.groups[group];
     const double *im = p.inverse_mass.data();
-    for (int d = 0; d < dim; ++d)
-      {
-        double *x = p.x[d].data(), *v = p.v[d].data();
-        const double *f = p.f[d].data();
-        for (std::uint32_t i = g.begin; i < g.end; ++i)
-          {
-            v[i] += half * f[i] * im[i];
-            x[i] += dt * v[i];
-          }
+    for (int d = 0; d < dim; ++d) {
+      double *x = p.x[d].data(), *v = p.v[d].data();
+      const double *f = p.f[d].data();
+      for (std::uint32_t i = g.begin; i < g.end; ++i) {
+        v[i] += half * f[i] * im[i];
+        x[i] += dt * v[i];
       }
+    }
     system.drift_of_group(group, dt);
   });
   system.advance(dt);
@@ -37,21 +31,18 @@ void KickDriftKick<dim>::step(const double dt, const double damping)
     const Group &g = p.groups[group];
     system.forces_of_group(group);
     const double *im = p.inverse_mass.data();
-    for (int d = 0; d < dim; ++d)
-      {
-        double *v = p.v[d].data();
-        const double *f = p.f[d].data();
-        if (damping > 0.)
-          for (std::uint32_t i = g.begin; i < g.end; ++i)
-            v[i] = keep * (v[i] + half * f[i] * im[i]);
-        else
-          for (std::uint32_t i = g.begin; i < g.end; ++i)
-            v[i] += half * f[i] * im[i];
-      }
+    for (int d = 0; d < dim; ++d) {
+      double *v = p.v[d].data();
+      const double *f = p.f[d].data();
+      if (damping > 0.)
+        for (std::uint32_t i = g.begin; i < g.end; ++i) v[i] = keep * (v[i] + half * f[i] * im[i]);
+      else
+        for (std::uint32_t i = g.begin; i < g.end; ++i) v[i] += half * f[i] * im[i];
+    }
     system.damp_group(group, dt);
   });
 }
 
 template class KickDriftKick<2>;
 template class KickDriftKick<3>;
-} // namespace turgor
+}  // namespace turgor

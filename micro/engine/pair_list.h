@@ -1,9 +1,9 @@
-// Pairs of spheres that touch or may soon do so: a Verlet list, each pair once (i < j), and for every sphere the pairs it is
-// in. Pairs are computed once, in parallel over pairs; then every sphere gathers from its own: no two threads
-// write to one place, and every sum has one order.
+// Pairs of spheres that touch or may soon do so: a Verlet list, each pair once (i < j), and for every sphere
+// the pairs it is in. Pairs are computed once, in parallel over pairs; then every sphere gathers from its
+// own: no two threads write to one place, and every sum has one order.
 //
-// A pair is listed when its distance is below R_i + R_j + skin; the list is good while nothing has moved or grown
-// by half a skin together (moved + grown <= skin/2).
+// A pair is listed when its distance is below R_i + R_j + skin; the list is good while nothing has moved or
+// grown by half a skin together (moved + grown <= skin/2).
 #pragma once
 
 #include "micro/engine/particles.h"
@@ -12,26 +12,24 @@
 #include <cstdint>
 #include <vector>
 
-namespace turgor
-{
-struct Pair
-{
+namespace turgor {
+struct Pair {
   std::uint32_t i = 0, j = 0;
 };
 
 template <int dim>
-class PairList
-{
-public:
+class PairList {
+ public:
   /// m
   explicit PairList(double skin);
 
-  bool stale(const Particles<dim> &particles, const std::vector<double> &radius, unsigned int threads = 1) const;
+  bool stale(const Particles<dim> &particles, const std::vector<double> &radius,
+             unsigned int threads = 1) const;
 
-  /// touching: history of the pairs, kept for those that stay (false for new ones); same order as pairs(). Empty before: no
-  /// history is looked for.
-  void build(const Particles<dim> &particles, const std::vector<double> &radius, std::vector<unsigned char> &touching,
-             unsigned int threads = 1);
+  /// touching: history of the pairs, kept for those that stay (false for new ones); same order as pairs().
+  /// Empty before: no history is looked for.
+  void build(const Particles<dim> &particles, const std::vector<double> &radius,
+             std::vector<unsigned char> &touching, unsigned int threads = 1);
 
   const std::vector<Pair> &pairs() const { return list; }
   /// Pairs of sphere i: entries [first[i], first[i + 1]) of own(); the other sphere is in other().
@@ -50,17 +48,18 @@ public:
   std::size_t builds() const { return build_count; }
   std::size_t memory_bytes() const;
 
-private:
-  void find(const std::array<const double *, dim> &x, const std::vector<double> &radius, const Chunks &chunks, unsigned int threads);
+ private:
+  void find(const std::array<const double *, dim> &x, const std::vector<double> &radius, const Chunks &chunks,
+            unsigned int threads);
 
   double skin;
   std::vector<Pair> list;
   std::vector<std::uint32_t> first_of, pair_of, other_of, first_pair;
   std::vector<double> built_at[dim], built_radius;
-  std::vector<std::vector<std::uint32_t>> found; ///< by chunks of spheres: the other ones of their pairs
+  std::vector<std::vector<std::uint32_t>> found;  ///< by chunks of spheres: the other ones of their pairs
   std::size_t build_count = 0;
 };
 
 extern template class PairList<2>;
 extern template class PairList<3>;
-} // namespace turgor
+}  // namespace turgor

@@ -12,28 +12,20 @@
 #include <string>
 #include <vector>
 
-namespace turgor
-{
+namespace turgor {
 /// Which terms: all, those that are stepped within a step (Term::fast), or the others.
-enum class Pace
-{
-  all,
-  slow,
-  fast
-};
+enum class Pace { all, slow, fast };
 
 template <int dim>
-class ParticleSystem
-{
-public:
+class ParticleSystem {
+ public:
   Particles<dim> particles;
   Box<dim> box;
   unsigned int threads = 1;
 
   /// Adds a term and declares its fields; groups must be final. Returns the term.
   template <class T>
-  T &add(std::unique_ptr<T> term)
-  {
+  T &add(std::unique_ptr<T> term) {
     T &reference = *term;
     reference.declare(particles);
     terms.push_back(std::move(term));
@@ -71,18 +63,20 @@ public:
 
   /// J, after compute_forces at the same positions.
   double potential_energy() const;
-  Energies energies() const; ///< the same, group by group on all threads
-  double active_work(double h) const; ///< J, of all terms over h (s), after compute_forces at the same positions
+  Energies energies() const;  ///< the same, group by group on all threads
+  double active_work(
+      double h) const;  ///< J, of all terms over h (s), after compute_forces at the same positions
   double kinetic_energy() const;
-  double heat() const; ///< J, what the terms' impulses have taken from the motion so far
-  Vector<dim> momentum() const; ///< kg m/s, of the particles that are not clamped
+  double heat() const;           ///< J, what the terms' impulses have taken from the motion so far
+  Vector<dim> momentum() const;  ///< kg m/s, of the particles that are not clamped
 
   /// N m: stress times volume, sum over pairs (half sum f_ij (x) x_ij, thesis Eq. 3.17). Because every
   /// group's own forces balance it equals -sum_k f_k (x) x_k plus what images add, which costs one pass
   /// over the particles instead of a second pair loop. Only for systems without external forces.
   Tensor2<dim> virial() const;
 
-  /// s; largest stable step of kick-drift-kick, from the sum of the rates of all terms or of those of one pace.
+  /// s; largest stable step of kick-drift-kick, from the sum of the rates of all terms or of those of one
+  /// pace.
   double stable_time_step() const { return stable_time_step(Pace::all); }
   double stable_time_step(Pace pace) const;
 
@@ -94,14 +88,14 @@ public:
   /// Positions, velocities, forces, masses, box and the terms' history; sizes must fit.
   void archive(Archive &a);
 
-protected:
-  void archive_terms(Archive &a); ///< their history alone
+ protected:
+  void archive_terms(Archive &a);  ///< their history alone
 
-private:
+ private:
   std::vector<std::unique_ptr<Term<dim>>> terms;
-  mutable std::vector<Energies> energy_of; ///< of each group; kept for its memory
+  mutable std::vector<Energies> energy_of;  ///< of each group; kept for its memory
 };
 
 extern template class ParticleSystem<2>;
 extern template class ParticleSystem<3>;
-} // namespace turgor
+}  // namespace turgor

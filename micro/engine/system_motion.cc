@@ -4,110 +4,91 @@
 
 #include <algorithm>
 
-namespace turgor
-{
-namespace
-{
+namespace turgor {
+namespace {
 /// So little is done to a particle here that a few thousand are worth no second thread.
 Chunks particles_of(const std::size_t n) { return Chunks(n, 4096); }
-} // namespace
+}  // namespace
 
 template <int dim>
 SystemMotion<dim>::SystemMotion(ParticleSystem<dim> &system_, const SolveParameters &solve)
-  : system(system_)
-  , matrix(solve)
-  , friction(solve)
-{}
+    : system(system_), matrix(solve), friction(solve) {}
 
 template <int dim>
-void SystemMotion<dim>::forces(Particles<dim> &, const bool trial)
-{
+void SystemMotion<dim>::forces(Particles<dim> &, const bool trial) {
   friction_collected = false;
   system.compute_forces(trial);
 }
 
 template <int dim>
-void SystemMotion<dim>::velocities(Particles<dim> &particles, const double h)
-{
+void SystemMotion<dim>::velocities(Particles<dim> &particles, const double h) {
   matrix.clear(medium);
   system.collect(matrix, h);
-  if (correct_clusters)
-    matrix.template correct_clusters<dim>(particles.x);
+  if (correct_clusters) matrix.template correct_clusters<dim>(particles.x);
   matrix.template solve<dim>(particles.f, particles.v, system.threads);
 }
 
 template <int dim>
-void SystemMotion<dim>::accept(Particles<dim> &)
-{
+void SystemMotion<dim>::accept(Particles<dim> &) {
   system.accept();
 }
 
 template <int dim>
-Energies SystemMotion<dim>::energy(const Particles<dim> &) const
-{
+Energies SystemMotion<dim>::energy(const Particles<dim> &) const {
   return system.energies();
 }
 
 template <int dim>
-MotionMatrix::Power SystemMotion<dim>::friction_power(const Particles<dim> &particles)
-{
-  if (!friction_collected)
-    {
-      friction.clear(medium);
-      system.collect(friction, 0.);
-      friction_collected = true;
-    }
+MotionMatrix::Power SystemMotion<dim>::friction_power(const Particles<dim> &particles) {
+  if (!friction_collected) {
+    friction.clear(medium);
+    system.collect(friction, 0.);
+    friction_collected = true;
+  }
   return friction.template power<dim>(particles.v, system.threads);
 }
 
 template <int dim>
-double SystemMotion<dim>::dissipation(Particles<dim> &particles)
-{
+double SystemMotion<dim>::dissipation(Particles<dim> &particles) {
   return friction_power(particles).lost;
 }
 
 template <int dim>
-double SystemMotion<dim>::work_of_bodies(Particles<dim> &particles, const double h)
-{
+double SystemMotion<dim>::work_of_bodies(Particles<dim> &particles, const double h) {
   double total = system.active_work(h);
-  if (matrix.moves_bodies())
-    { // by friction; and the push that h K foresees
-      const MotionMatrix::Power by_friction = friction_power(particles);
-      total += h * (by_friction.given + matrix.template power<dim>(particles.v, system.threads).pushed - by_friction.pushed);
-    }
+  if (matrix.moves_bodies()) {  // by friction; and the push that h K foresees
+    const MotionMatrix::Power by_friction = friction_power(particles);
+    total += h * (by_friction.given + matrix.template power<dim>(particles.v, system.threads).pushed -
+                  by_friction.pushed);
+  }
   return total;
 }
 
 template <int dim>
-void SystemMotion<dim>::again(Particles<dim> &particles)
-{
+void SystemMotion<dim>::again(Particles<dim> &particles) {
   matrix.template again<dim>(particles.f, particles.v, system.threads);
 }
 
 template <int dim>
-bool SystemMotion<dim>::random_forces(Particles<dim> &particles, const double h, const std::uint64_t step)
-{
-  if (random)
-    random(particles, h, step);
+bool SystemMotion<dim>::random_forces(Particles<dim> &particles, const double h, const std::uint64_t step) {
+  if (random) random(particles, h, step);
   return bool(random);
 }
 
 template <int dim>
-double SystemMotion<dim>::length(const Particles<dim> &particles) const
-{
-  if (own_length > 0.)
-    return own_length;
+double SystemMotion<dim>::length(const Particles<dim> &particles) const {
+  if (own_length > 0.) return own_length;
   const std::vector<double> &radius = particles.field("radius");
   std::vector<double> parts;
-  const double sum = sum_chunks(system.threads, particles_of(radius.size()), parts, [&](std::size_t begin, std::size_t end) {
-    double part = 0.;
-    for (std::size_t i = begin; i < end; ++i)
-      part += radius[i];
-    return part;
-  });
+  const double sum =
+      sum_chunks(system.threads, particles_of(radius.size()), parts, [&](std::size_t begin, std::size_t end) {
+        double part = 0.;
+        for (std::size_t i = begin; i < end; ++i) part += radius[i];
+        return part;
+      });
   return sum / double(std::max<std::size_t>(radius.size(), 1));
 }
 
 template class SystemMotion<2>;
 template class SystemMotion<3>;
-} // namespace turgor
+}  // namespace turgor

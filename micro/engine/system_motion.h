@@ -1,11 +1,13 @@
-// Over-damped motion of a system of particles: forces of its terms, and the matrix that its terms and the medium make (motion_matrix.h).
+// Over-damped motion of a system of particles: forces of its terms, and the matrix that its terms and the
+// medium make (motion_matrix.h).
 //
 //   SystemMotion<3> motion(system, {.tolerance = 1e-5});
 //   motion.medium.assign(n, 0.3);                      N s/m, of each particle
 //   Overdamped<3> stepper(parameters, motion, system.threads);
 //   stepper.step(system.particles, limit);
 //
-// All forces are those of terms. What has no energy does work (Term::active_work), which a step that checks its energy counts.
+// All forces are those of terms. What has no energy does work (Term::active_work), which a step that checks
+// its energy counts.
 #pragma once
 
 #include "micro/engine/motion.h"
@@ -14,19 +16,18 @@
 
 #include <functional>
 
-namespace turgor
-{
+namespace turgor {
 template <int dim>
-class SystemMotion final : public Motion<dim>
-{
-public:
+class SystemMotion final : public Motion<dim> {
+ public:
   SystemMotion(ParticleSystem<dim> &system, const SolveParameters &solve);
 
-  std::vector<double> medium; ///< N s/m, of each particle
+  std::vector<double> medium;  ///< N s/m, of each particle
   /// particles.f = the random forces (N) of step number `step` of length h (s).
   std::function<void(Particles<dim> &, double h, std::uint64_t step)> random;
-  bool correct_clusters = false; ///< clusters' net force and torque exactly (motion_matrix.h), where the medium is much weaker than the links
-  double own_length = 0.;        ///< m, of length(); 0: the mean of the field `radius`
+  bool correct_clusters = false;  ///< clusters' net force and torque exactly (motion_matrix.h), where the
+                                  ///< medium is much weaker than the links
+  double own_length = 0.;         ///< m, of length(); 0: the mean of the field `radius`
 
   // particles: always those of the system
   void forces(Particles<dim> &particles, bool trial) override;
@@ -41,15 +42,15 @@ public:
 
   const MotionMatrix &solver() const { return matrix; }
 
-private:
+ private:
   MotionMatrix::Power friction_power(const Particles<dim> &particles);
 
   ParticleSystem<dim> &system;
   MotionMatrix matrix;
-  MotionMatrix friction; ///< without h K, where a step checks its energy
-  bool friction_collected = false; ///< at the positions of the last forces()
+  MotionMatrix friction;            ///< without h K, where a step checks its energy
+  bool friction_collected = false;  ///< at the positions of the last forces()
 };
 
 extern template class SystemMotion<2>;
 extern template class SystemMotion<3>;
-} // namespace turgor
+}  // namespace turgor

@@ -2,32 +2,25 @@
 
 #include "run/archive.h"
 
-namespace turgor
-{
-void Table::resize(const std::size_t n)
-{
+namespace turgor {
+void Table::resize(const std::size_t n) {
   rows = n;
-  for (auto &[name, column] : columns)
-    std::visit([n](auto &values) { values.resize(n); }, column);
+  for (auto &[name, column] : columns) std::visit([n](auto &values) { values.resize(n); }, column);
 }
 
-std::vector<std::string> Table::names() const
-{
+std::vector<std::string> Table::names() const {
   std::vector<std::string> result;
-  for (const auto &[name, column] : columns)
-    result.push_back(name);
+  for (const auto &[name, column] : columns) result.push_back(name);
   return result;
 }
 
-void Table::gather(const Rearrangement &places)
-{
+void Table::gather(const Rearrangement &places) {
   rows = places.size();
   for (auto &[name, column] : columns)
     std::visit([&places](auto &values) { values = places.of(values); }, column);
 }
 
-void Table::archive(Archive &a)
-{
+void Table::archive(Archive &a) {
   std::uint64_t n = rows;
   std::vector<std::string> there = names();
   a(n, there);
@@ -38,4 +31,4 @@ void Table::archive(Archive &a)
     if (std::visit([&a](auto &values) { return a(values), values.size(); }, column) != rows)
       throw ArchiveError("The checkpoint holds a field " + name + " of another length than its others.");
 }
-} // namespace turgor
+}  // namespace turgor

@@ -10,27 +10,22 @@
 #include <limits>
 #include <string>
 
-namespace turgor
-{
+namespace turgor {
 class MotionMatrix;
 class Archive;
 
 /// How fast a law can make particles move, by kind of particle: squared angular frequency (1/s^2) of its
 /// stiffest mode and decay rate (1/s) of its strongest drag. Rates of several laws on one kind add up.
-struct Rates
-{
-  struct OfKind
-  {
+struct Rates {
+  struct OfKind {
     double frequency_squared = 0., drag = 0.;
-    OfKind &operator+=(const OfKind &other)
-    {
+    OfKind &operator+=(const OfKind &other) {
       frequency_squared += other.frequency_squared;
       drag += other.drag;
       return *this;
     }
     /// Largest stable step of kick-drift-kick with half-step drag: w^2 dt^2 + 2 drag dt = 4.
-    double stable_time_step() const
-    {
+    double stable_time_step() const {
       const double root = drag + std::sqrt(drag * drag + 4. * frequency_squared);
       return root > 0. ? 4. / root : std::numeric_limits<double>::infinity();
     }
@@ -39,9 +34,8 @@ struct Rates
 };
 
 template <int dim>
-class Term
-{
-public:
+class Term {
+ public:
   virtual ~Term() = default;
 
   virtual std::string name() const = 0;
@@ -53,61 +47,70 @@ public:
   /// rate (a density by continuity) are brought along, before the forces.
   virtual void drift(Particles<dim> &, std::size_t /*group*/, double /*dt*/) {}
 
-  /// Bodies of the term's own (a plate) move by dt (s) in the forces of the last step, the particles are where they end it; once a step,
-  /// before any group.
+  /// Bodies of the term's own (a plate) move by dt (s) in the forces of the last step, the particles are
+  /// where they end it; once a step, before any group.
   virtual void advance(const Particles<dim> &, double /*dt*/) {}
 
   /// The particles have other places; groups and fields are already those of afterwards.
   virtual void gather(const Rearrangement &) {}
 
-  /// All positions are those of the coming force evaluation; once before any group: what looks at several groups (lists of contacts, pairs) is
-  /// brought up to date, on up to `threads` threads. trial: positions that may be taken back; what has a history (who touches) does not follow.
+  /// All positions are those of the coming force evaluation; once before any group: what looks at several
+  /// groups (lists of contacts, pairs) is brought up to date, on up to `threads` threads. trial: positions
+  /// that may be taken back; what has a history (who touches) does not follow.
   virtual void prepare(const Particles<dim> &, const Box<dim> &, unsigned int /*threads*/, bool /*trial*/) {}
 
-  /// The positions of the last prepare(), which were a trial, are those of the step: what has a history follows them now.
+  /// The positions of the last prepare(), which were a trial, are those of the step: what has a history
+  /// follows them now.
   virtual void accept() {}
 
   /// f += forces on the particles of the group.
   virtual void add_forces(Particles<dim> &particles, const Box<dim> &box, std::size_t group) = 0;
 
-  /// The same for groups [begin, end), where they are so small (a cell of one particle) that a call for each would cost.
-  virtual void add_forces_of(Particles<dim> &particles, const Box<dim> &box, const std::size_t begin, const std::size_t end)
-  {
-    for (std::size_t group = begin; group < end; ++group)
-      add_forces(particles, box, group);
+  /// The same for groups [begin, end), where they are so small (a cell of one particle) that a call for each
+  /// would cost.
+  virtual void add_forces_of(Particles<dim> &particles, const Box<dim> &box, const std::size_t begin,
+                             const std::size_t end) {
+    for (std::size_t group = begin; group < end; ++group) add_forces(particles, box, group);
   }
 
-  /// What it adds to the matrix of over-damped motion (motion_matrix.h) at the positions of the last prepare(): its friction, and for implicit steps
-  /// of h (s) h times the positive part of its stiffness; h = 0: explicit. Links and products that are given by reference last until the next prepare().
+  /// What it adds to the matrix of over-damped motion (motion_matrix.h) at the positions of the last
+  /// prepare(): its friction, and for implicit steps of h (s) h times the positive part of its stiffness; h =
+  /// 0: explicit. Links and products that are given by reference last until the next prepare().
   virtual void collect(MotionMatrix &, const Particles<dim> &, double /*h*/) {}
 
-  /// A step of dt (s) has ended, forces are those of the present positions: a drag that acts by impulses changes the group's velocities. Its
-  /// forces are then in no f; a mode that it damps loses energy whatever its phase, where a drag in f sees half a step before.
+  /// A step of dt (s) has ended, forces are those of the present positions: a drag that acts by impulses
+  /// changes the group's velocities. Its forces are then in no f; a mode that it damps loses energy whatever
+  /// its phase, where a drag in f sees half a step before.
   virtual void damp(Particles<dim> &, const Box<dim> &, std::size_t /*group*/, double /*dt*/) {}
 
   /// J; what damp() has taken from the motion so far, of all groups.
   virtual double heat() const { return 0.; }
 
   /// N m; -sum f_k (x) x_k of what damp() does, for the virial.
-  virtual Tensor2<dim> damping_virial(const Particles<dim> &, std::size_t /*group*/) const { return Tensor2<dim>::Zero(); }
+  virtual Tensor2<dim> damping_virial(const Particles<dim> &, std::size_t /*group*/) const {
+    return Tensor2<dim>::Zero();
+  }
 
   /// J; the part of the term's energy that belongs to the group. 0 for dissipative laws.
   /// Valid after add_forces at the same positions.
   virtual double energy(const Particles<dim> &particles, const Box<dim> &box, std::size_t group) const = 0;
 
-  /// J; what forces that are no slope of the energy (active ones) do on the group over h (s) at the velocities it carries: sum of f . v h.
-  /// After add_forces at the same positions. Friction that is collected and bodies of given velocity are counted by the matrix of motion.
-  virtual double active_work(const Particles<dim> &, const Box<dim> &, std::size_t /*group*/, double /*h*/) const { return 0.; }
+  /// J; what forces that are no slope of the energy (active ones) do on the group over h (s) at the
+  /// velocities it carries: sum of f . v h. After add_forces at the same positions. Friction that is
+  /// collected and bodies of given velocity are counted by the matrix of motion.
+  virtual double active_work(const Particles<dim> &, const Box<dim> &, std::size_t /*group*/,
+                             double /*h*/) const {
+    return 0.;
+  }
 
   /// N m; what periodic images add to the virial -sum_k f_k (x) x_k of the group's own
   /// forces. Zero for laws within a group.
-  virtual Tensor2<dim> image_virial(const Particles<dim> &, const Box<dim> &, std::size_t) const
-  {
+  virtual Tensor2<dim> image_virial(const Particles<dim> &, const Box<dim> &, std::size_t) const {
     return Tensor2<dim>::Zero();
   }
 
-  /// virial[i] += sum of f (x) r over the term's contacts with particle i (N m): f on the particle, r from its place to the contact. The stress
-  /// that a cell of one particle feels.
+  /// virial[i] += sum of f (x) r over the term's contacts with particle i (N m): f on the particle, r from
+  /// its place to the contact. The stress that a cell of one particle feels.
   virtual void add_virials(const Particles<dim> &, std::vector<Tensor2<dim>> & /*virial*/) const {}
 
   /// Cheap, stiff and without drag: may be evaluated several times within a step of the others (respa.h).
@@ -119,4 +122,4 @@ public:
   /// History that affects later bits (the positions at which lists were built, a density by continuity).
   virtual void archive(Archive &, Particles<dim> &) {}
 };
-} // namespace turgor
+}  // namespace turgor

@@ -9,35 +9,29 @@
 #include <array>
 #include <cmath>
 
-namespace turgor
-{
+namespace turgor {
 template <int dim>
-struct Box
-{
-  std::array<bool, dim> periodic{};                 ///< all false: open
-  Tensor2<dim> H = Tensor2<dim>::Identity();        ///< m
-  Tensor2<dim> H_dot = Tensor2<dim>::Zero();        ///< m/s
+struct Box {
+  std::array<bool, dim> periodic{};           ///< all false: open
+  Tensor2<dim> H = Tensor2<dim>::Identity();  ///< m
+  Tensor2<dim> H_dot = Tensor2<dim>::Zero();  ///< m/s
 
-  double volume() const { return H.determinant(); } ///< m^dim
+  double volume() const { return H.determinant(); }  ///< m^dim
 
-  Vector<dim> image(const std::array<int, dim> &shift) const
-  {
+  Vector<dim> image(const std::array<int, dim> &shift) const {
     Vector<dim> result = Vector<dim>::Zero();
     for (int d = 0; d < dim; ++d)
-      if (shift[d] != 0)
-        result += double(shift[d]) * H.col(d);
+      if (shift[d] != 0) result += double(shift[d]) * H.col(d);
     return result;
   }
 
   /// r (m) brought to the nearest image in the periodic directions (exact for
   /// |r| below half the smallest lattice plane distance).
-  Vector<dim> minimum_image(Vector<dim> r) const
-  {
+  Vector<dim> minimum_image(Vector<dim> r) const {
     const Vector<dim> fraction = H.inverse() * r;
     for (int d = 0; d < dim; ++d)
-      if (periodic[d])
-        r -= std::round(fraction[d]) * H.col(d);
+      if (periodic[d]) r -= std::round(fraction[d]) * H.col(d);
     return r;
   }
 };
-} // namespace turgor
+}  // namespace turgor

@@ -4,26 +4,21 @@
 
 #include <algorithm>
 
-namespace turgor
-{
+namespace turgor {
 template <int dim>
-std::size_t Obstacle<dim>::declare_pusher()
-{
+std::size_t Obstacle<dim>::declare_pusher() {
   pushes.emplace_back();
   return pushes.size() - 1;
 }
 
 template <int dim>
-void Obstacle<dim>::set_groups(const std::size_t pusher, const std::size_t groups)
-{
-  if (pushes[pusher].size() != groups)
-    pushes[pusher].assign(groups, Push());
+void Obstacle<dim>::set_groups(const std::size_t pusher, const std::size_t groups) {
+  if (pushes[pusher].size() != groups) pushes[pusher].assign(groups, Push());
 }
 
 template <int dim>
-void Obstacle<dim>::push(const std::size_t pusher, const std::size_t group, const Vector<dim> &x, const Contact &contact,
-                         const double pressing_now, const Vector<dim> &drag)
-{
+void Obstacle<dim>::push(const std::size_t pusher, const std::size_t group, const Vector<dim> &x,
+                         const Contact &contact, const double pressing_now, const Vector<dim> &drag) {
   Push &sum = pushes[pusher][group];
   const Vector<dim> f = drag - pressing_now * contact.normal;
   sum.pressing += pressing_now;
@@ -33,64 +28,53 @@ void Obstacle<dim>::push(const std::size_t pusher, const std::size_t group, cons
 }
 
 template <int dim>
-double Obstacle<dim>::pressing() const
-{
+double Obstacle<dim>::pressing() const {
   double total = 0.;
   for (const auto &groups : pushes)
-    for (const Push &push : groups)
-      total += push.pressing;
+    for (const Push &push : groups) total += push.pressing;
   return total;
 }
 
 template <int dim>
-Vector<dim> Obstacle<dim>::force() const
-{
+Vector<dim> Obstacle<dim>::force() const {
   Vector<dim> total = Vector<dim>::Zero();
   for (const auto &groups : pushes)
-    for (const Push &push : groups)
-      total += push.force;
+    for (const Push &push : groups) total += push.force;
   return total;
 }
 
 template <int dim>
-Moment<dim> Obstacle<dim>::moment() const
-{
+Moment<dim> Obstacle<dim>::moment() const {
   Moment<dim> total = Moment<dim>::Zero();
   for (const auto &groups : pushes)
-    for (const Push &push : groups)
-      total += push.moment;
+    for (const Push &push : groups) total += push.moment;
   return total;
 }
 
 template <int dim>
-double Obstacle<dim>::deepest() const
-{
+double Obstacle<dim>::deepest() const {
   double most = 0.;
   for (const auto &groups : pushes)
-    for (const Push &push : groups)
-      most = std::max(most, push.deepest);
+    for (const Push &push : groups) most = std::max(most, push.deepest);
   return most;
 }
 
 template <int dim>
-double Obstacle<dim>::work_over(const Step &step) const
-{
+double Obstacle<dim>::work_over(const Step &step) const {
   return pressing() * step.growth - force().dot(step.way) - moment().dot(step.turn);
 }
 
 template <int dim>
-double Obstacle<dim>::work_of_last_step() const
-{
+double Obstacle<dim>::work_of_last_step() const {
   return work_over({0.5 * last.way, 0.5 * last.turn, 0.5 * last.growth});
 }
 
 template <int dim>
-double Obstacle<dim>::advance(const double dt)
-{
-  if (mass > 0.)
-    velocity += dt * (load + force()) / mass;
+double Obstacle<dim>::advance(const double dt) {
+  if (mass > 0.) velocity += dt * (load + force()) / mass;
   const Step step{dt * velocity, dt * spin, dt * growth};
-  const double work = work_over({0.5 * (last.way + step.way), 0.5 * (last.turn + step.turn), 0.5 * (last.growth + step.growth)});
+  const double work = work_over(
+      {0.5 * (last.way + step.way), 0.5 * (last.turn + step.turn), 0.5 * (last.growth + step.growth)});
   last = step;
   gone += step.way.norm() + std::abs(step.growth);
   turned += step.turn.norm();
@@ -101,19 +85,17 @@ double Obstacle<dim>::advance(const double dt)
 }
 
 template <int dim>
-std::string Obstacle<dim>::passed(const std::size_t particle, const double, const double) const
-{
-  return "the centre of cell " + number_text(particle) + " has passed a rigid wall: take shorter steps, or a slower or smaller load.";
+std::string Obstacle<dim>::passed(const std::size_t particle, const double, const double) const {
+  return "the centre of cell " + number_text(particle) +
+         " has passed a rigid wall: take shorter steps, or a slower or smaller load.";
 }
 
 template <int dim>
-void Obstacle<dim>::archive(Archive &a)
-{
+void Obstacle<dim>::archive(Archive &a) {
   a(centre, velocity, spin, growth, load, last);
-  for (auto &groups : pushes)
-    a(groups);
+  for (auto &groups : pushes) a(groups);
 }
 
 template class Obstacle<2>;
 template class Obstacle<3>;
-} // namespace turgor
+}  // namespace turgor

@@ -6,8 +6,7 @@
 
 #include <Eigen/Dense>
 
-namespace turgor
-{
+namespace turgor {
 template <int dim>
 using Vector = Eigen::Matrix<double, dim, 1>;
 
@@ -18,4 +17,4 @@ using Tensor2 = Eigen::Matrix<double, dim, dim>;
 /// dP/dF as a (dim*dim) x (dim*dim) matrix; row and column index a*dim+b of P_ab, F_ab.
 template <int dim>
 using Tensor4 = Eigen::Matrix<double, dim * dim, dim * dim>;
-} // namespace turgor
+}  // namespace turgor

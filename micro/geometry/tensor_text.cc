@@ -3,20 +3,17 @@
 #include "run/run_context.h"
 #include "run/user_text.h"
 
-namespace turgor
-{
-Tensor2<2> parse_tensor(const std::string &text, const std::string &entry)
-{
+namespace turgor {
+Tensor2<2> parse_tensor(const std::string &text, const std::string &entry) {
   const std::string written = "xx, xy; yx, yy";
   const std::vector<std::string> rows = split_trimmed(text + ";", ';');
   if (rows.size() != 2)
     throw InputError(entry + " is '" + text + "', but a matrix is written as: " + written);
   Tensor2<2> result;
-  for (int a = 0; a < 2; ++a)
-    {
-      const std::vector<double> row = read_numbers(rows[a], 2, entry, written);
-      result.row(a) << row[0], row[1];
-    }
+  for (int a = 0; a < 2; ++a) {
+    const std::vector<double> row = read_numbers(rows[a], 2, entry, written);
+    result.row(a) << row[0], row[1];
+  }
   return result;
 }
-} // namespace turgor
+}  // namespace turgor

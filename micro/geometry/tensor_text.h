@@ -7,8 +7,7 @@
 
 #include <string>
 
-namespace turgor
-{
+namespace turgor {
 /// "xx, xy; yx, yy" as a matrix. Throws InputError naming the entry.
 Tensor2<2> parse_tensor(const std::string &text, const std::string &entry);
-} // namespace turgor
+}  // namespace turgor

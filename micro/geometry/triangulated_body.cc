@@ -7,40 +7,34 @@
 
 #include <algorithm>
 
-namespace turgor
-{
-TriangulatedBody::TriangulatedBody(TriangleMesh mesh_, const std::vector<Vector<3>> &nodes, const ParticlesAre side_)
-  : surface(std::move(mesh_))
-  , side(side_)
-{
+namespace turgor {
+TriangulatedBody::TriangulatedBody(TriangleMesh mesh_, const std::vector<Vector<3>> &nodes,
+                                   const ParticlesAre side_)
+    : surface(std::move(mesh_)), side(side_) {
   complete_closed_surface(surface, nodes, "a body");
-  for (const Vector<3> &node : nodes)
-    centre += node / double(nodes.size());
-  for (const Vector<3> &node : nodes)
-    at_rest.push_back(node - centre);
+  for (const Vector<3> &node : nodes) centre += node / double(nodes.size());
+  for (const Vector<3> &node : nodes) at_rest.push_back(node - centre);
   of_edge.assign(surface.edges.size(), Vector<3>::Zero());
   of_node.assign(nodes.size(), Vector<3>::Zero());
-  for (std::size_t f = 0; f < surface.faces.size(); ++f)
-    {
-      const auto &[a, b, c] = surface.faces[f];
-      const Vector<3> twice_area = (at_rest[b] - at_rest[a]).cross(at_rest[c] - at_rest[a]);
-      of_face.push_back(twice_area.normalized());
-      for (int k = 0; k < 3; ++k)
-        {
-          of_edge[surface.edges_of_face[f][k]] += of_face[f];
-          const std::uint16_t here = surface.faces[f][k], next = surface.faces[f][(k + 1) % 3], third = surface.faces[f][(k + 2) % 3];
-          const Vector<3> u = (at_rest[next] - at_rest[here]).normalized(), v = (at_rest[third] - at_rest[here]).normalized();
-          of_node[here] += std::acos(std::clamp(u.dot(v), -1., 1.)) * of_face[f];
-        }
+  for (std::size_t f = 0; f < surface.faces.size(); ++f) {
+    const auto &[a, b, c] = surface.faces[f];
+    const Vector<3> twice_area = (at_rest[b] - at_rest[a]).cross(at_rest[c] - at_rest[a]);
+    of_face.push_back(twice_area.normalized());
+    for (int k = 0; k < 3; ++k) {
+      of_edge[surface.edges_of_face[f][k]] += of_face[f];
+      const std::uint16_t here = surface.faces[f][k], next = surface.faces[f][(k + 1) % 3],
+                          third = surface.faces[f][(k + 2) % 3];
+      const Vector<3> u = (at_rest[next] - at_rest[here]).normalized(),
+                      v = (at_rest[third] - at_rest[here]).normalized();
+      of_node[here] += std::acos(std::clamp(u.dot(v), -1., 1.)) * of_face[f];
     }
+  }
   for (auto *normals : {&of_edge, &of_node})
-    for (Vector<3> &n : *normals)
-      n.normalize();
+    for (Vector<3> &n : *normals) n.normalize();
   grid = FacetGrid(at_rest, surface.faces);
 }
 
-TriangulatedBody::Contact TriangulatedBody::at(const Vector<3> &x, const double within) const
-{
+TriangulatedBody::Contact TriangulatedBody::at(const Vector<3> &x, const double within) const {
   const Vector<3> p = turned.transpose() * (x - centre);
   // Only outside of a body that is met from there nothing nearer than `within` means nothing.
   const double limit = side == ParticlesAre::outside && grid.surely_outside(p) ? within : HUGE_VAL;
@@ -52,65 +46,54 @@ TriangulatedBody::Contact TriangulatedBody::at(const Vector<3> &x, const double 
     const auto &[a, b, c] = surface.faces[f];
     const ClosestPoint q = closest_point(p, at_rest[a], at_rest[b], at_rest[c]);
     const double d2 = (p - q.point).squaredNorm();
-    if (d2 < best || (d2 == best && f < face))
-      {
-        best = d2;
-        nearest = q;
-        face = f;
-      }
+    if (d2 < best || (d2 == best && f < face)) {
+      best = d2;
+      nearest = q;
+      face = f;
+    }
     return best;
   });
-  if (!(best < HUGE_VAL))
-    return contact;
+  if (!(best < HUGE_VAL)) return contact;
   const Vector<3> *normal = nullptr;
-  if (nearest.on == ClosestPoint::inside)
-    {
-      contact.feature = Feature::face;
-      contact.number = face;
-      normal = &of_face[face];
-    }
-  else if (nearest.on == ClosestPoint::edge)
-    {
-      contact.feature = Feature::edge;
-      contact.number = surface.edges_of_face[face][nearest.which];
-      normal = &of_edge[contact.number];
-    }
-  else
-    {
-      contact.feature = Feature::vertex;
-      contact.number = surface.faces[face][nearest.which];
-      normal = &of_node[contact.number];
-    }
+  if (nearest.on == ClosestPoint::inside) {
+    contact.feature = Feature::face;
+    contact.number = face;
+    normal = &of_face[face];
+  } else if (nearest.on == ClosestPoint::edge) {
+    contact.feature = Feature::edge;
+    contact.number = surface.edges_of_face[face][nearest.which];
+    normal = &of_edge[contact.number];
+  } else {
+    contact.feature = Feature::vertex;
+    contact.number = surface.faces[face][nearest.which];
+    normal = &of_node[contact.number];
+  }
   const Vector<3> from = p - nearest.point;
-  const double away = std::sqrt(best), sign = from.dot(*normal) < 0. ? -1. : 1., out = side == ParticlesAre::outside ? 1. : -1.;
+  const double away = std::sqrt(best), sign = from.dot(*normal) < 0. ? -1. : 1.,
+               out = side == ParticlesAre::outside ? 1. : -1.;
   const double size = at_rest[surface.faces[face][0]].norm();
   contact.distance = out * sign * away;
   contact.normal = turned * Vector<3>(out * (away > 1e-12 * size ? Vector<3>(sign / away * from) : *normal));
   return contact;
 }
 
-void TriangulatedBody::turn(const Vector<3> &by)
-{
+void TriangulatedBody::turn(const Vector<3> &by) {
   const double angle = by.norm();
-  if (angle > 0.)
-    {
-      turned = Eigen::AngleAxisd(angle, by / angle).toRotationMatrix() * turned;
-      // Orthogonal to round-off after any number of steps.
-      turned.col(0).normalize();
-      turned.col(1) = (turned.col(1) - turned.col(0).dot(turned.col(1)) * turned.col(0)).normalized();
-      turned.col(2) = turned.col(0).cross(turned.col(1));
-    }
+  if (angle > 0.) {
+    turned = Eigen::AngleAxisd(angle, by / angle).toRotationMatrix() * turned;
+    // Orthogonal to round-off after any number of steps.
+    turned.col(0).normalize();
+    turned.col(1) = (turned.col(1) - turned.col(0).dot(turned.col(1)) * turned.col(0)).normalized();
+    turned.col(2) = turned.col(0).cross(turned.col(1));
+  }
 }
 
-void TriangulatedBody::grow(const double by)
-{
-  if (by != 0.)
-    throw std::logic_error("a triangulated body does not grow");
+void TriangulatedBody::grow(const double by) {
+  if (by != 0.) throw std::logic_error("a triangulated body does not grow");
 }
 
-void TriangulatedBody::archive(Archive &a)
-{
+void TriangulatedBody::archive(Archive &a) {
   Obstacle<3>::archive(a);
   a(turned);
 }
-} // namespace turgor
+}  // namespace turgor

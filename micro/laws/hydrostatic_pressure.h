@@ -7,23 +7,19 @@
 
 #include "micro/laws/equation_of_state.h"
 
-namespace turgor
-{
-struct HydrostaticPressure
-{
+namespace turgor {
+struct HydrostaticPressure {
   EquationOfState fluid;
 
-  double energy(const double mass, const double volume) const
-  {
+  double energy(const double mass, const double volume) const {
     return volume > 0. ? mass * fluid.energy(mass / volume) : HUGE_VAL;
   }
   double pressure(const double mass, const double volume) const { return fluid.pressure(mass / volume); }
 
   /// d2E/dV2, Pa/m^3.
-  double stiffness(const double mass, const double volume) const
-  {
+  double stiffness(const double mass, const double volume) const {
     const double rho = mass / volume;
     return rho * fluid.slope(rho) / volume;
   }
 };
-} // namespace turgor
+}  // namespace turgor

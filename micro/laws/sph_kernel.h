@@ -8,32 +8,27 @@
 
 #include <numbers>
 
-namespace turgor
-{
+namespace turgor {
 template <int dim>
-class WendlandC2
-{
-public:
+class WendlandC2 {
+ public:
   /// R, m.
   explicit WendlandC2(const double support)
-    : inverse_support(1. / support)
-    , peak(dim == 2 ? 7. / std::numbers::pi / (support * support) :
-                      21. / (2. * std::numbers::pi) / (support * support * support))
-  {}
+      : inverse_support(1. / support),
+        peak(dim == 2 ? 7. / std::numbers::pi / (support * support)
+                      : 21. / (2. * std::numbers::pi) / (support * support * support)) {}
 
-  double value(const double r) const
-  {
+  double value(const double r) const {
     const double q = r * inverse_support, s = 1. - q;
     return q < 1. ? peak * s * s * s * s * (1. + 4. * q) : 0.;
   }
 
-  double slope_over_r(const double r) const
-  {
+  double slope_over_r(const double r) const {
     const double q = r * inverse_support, s = 1. - q;
     return q < 1. ? -20. * peak * inverse_support * inverse_support * s * s * s : 0.;
   }
 
-private:
+ private:
   double inverse_support, peak;
 };
-} // namespace turgor
+}  // namespace turgor

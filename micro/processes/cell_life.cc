@@ -10,12 +10,10 @@
 
 #include <algorithm>
 
-namespace turgor
-{
-// The order is that of a cell's day: who dies now begins to drain in the next interval, and remains count as neighbours of those that divide.
-CellLife::CellLife(const CellLifeParameters &parameters_)
-  : parameters(parameters_)
-{
+namespace turgor {
+// The order is that of a cell's day: who dies now begins to drain in the next interval, and remains count as
+// neighbours of those that divide.
+CellLife::CellLife(const CellLifeParameters &parameters_) : parameters(parameters_) {
   add(std::make_unique<ViableRim>(parameters));
   add(std::make_unique<StrainRelaxation>(parameters));
   add(std::make_unique<Division>(parameters));
@@ -24,14 +22,11 @@ CellLife::CellLife(const CellLifeParameters &parameters_)
   add(std::make_unique<Proliferation>(parameters));
 }
 
-void CellLife::declare(Particles<3> &particles) const
-{
-  for (const auto &process : processes)
-    process->declare(particles);
+void CellLife::declare(Particles<3> &particles) const {
+  for (const auto &process : processes) process->declare(particles);
 }
 
-void CellLife::add(CellPopulation &cells, const Vector<3> &x, const double phase) const
-{
+void CellLife::add(CellPopulation &cells, const Vector<3> &x, const double phase) const {
   const std::size_t i = cells.add(x, parameters.birth_radius, parameters.modulus);
   parameters.draw(cells, i);
   const double T = cells.particles.cells.column("cycle_time")[i];
@@ -42,47 +37,44 @@ void CellLife::add(CellPopulation &cells, const Vector<3> &x, const double phase
   cells.particles.field("radius")[i] = sphere_radius(V_ref);
 }
 
-double CellLife::volume(const CellPopulation &cells, const std::size_t i) const
-{
-  return compressed_volume(cells.particles.field("reference_volume")[i], cells.particles.cells.column("strain")[i]);
+double CellLife::volume(const CellPopulation &cells, const std::size_t i) const {
+  return compressed_volume(cells.particles.field("reference_volume")[i],
+                           cells.particles.cells.column("strain")[i]);
 }
 
-const std::vector<double> &CellLife::measure_pressures(const CellPopulation &cells, const SphereContacts &contacts, const unsigned int threads)
-{
+const std::vector<double> &CellLife::measure_pressures(const CellPopulation &cells,
+                                                       const SphereContacts &contacts,
+                                                       const unsigned int threads) {
   cell_virials(cells.particles, contacts, threads, virial);
   cells.add_virials(virial);
-  const std::vector<double> &V_ref = cells.particles.field("reference_volume"), &eps = cells.particles.cells.column("strain");
+  const std::vector<double> &V_ref = cells.particles.field("reference_volume"),
+                            &eps = cells.particles.cells.column("strain");
   pressure.resize(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
     pressure[i] = -virial[i].trace() / (3. * compressed_volume(V_ref[i], eps[i]));
   return pressure;
 }
 
-void CellLife::advance(CellPopulation &cells, const SphereContacts &contacts, const Surroundings &surroundings, const double dt,
-                       const std::uint64_t steps, const unsigned int threads, const std::function<void(const Rearrangement &)> &gather_others)
-{
+void CellLife::advance(CellPopulation &cells, const SphereContacts &contacts,
+                       const Surroundings &surroundings, const double dt, const std::uint64_t steps,
+                       const unsigned int threads,
+                       const std::function<void(const Rearrangement &)> &gather_others) {
   measure_pressures(cells, contacts, threads);
-  Interval now{cells, contacts, surroundings, dt, threads, steps, pressure, virial, gather_others, count, {}, {}};
-  for (const auto &process : processes)
-    process->change(now);
+  Interval now{cells,    contacts, surroundings,  dt,    threads, steps,
+               pressure, virial,   gather_others, count, {},      {}};
+  for (const auto &process : processes) process->change(now);
   std::vector<double> &R = cells.particles.field("radius");
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    R[i] = sphere_radius(volume(cells, i));
-  for (const auto &process : processes)
-    process->rearrange(now);
+  for (std::size_t i = 0; i < cells.size(); ++i) R[i] = sphere_radius(volume(cells, i));
+  for (const auto &process : processes) process->rearrange(now);
 }
 
-void CellLife::after_step(CellPopulation &cells, const double dt, const std::uint64_t step)
-{
-  for (const auto &process : processes)
-    process->after_step(cells, dt, step);
+void CellLife::after_step(CellPopulation &cells, const double dt, const std::uint64_t step) {
+  for (const auto &process : processes) process->after_step(cells, dt, step);
 }
 
-double CellLife::longest_step() const
-{
+double CellLife::longest_step() const {
   double longest = HUGE_VAL;
-  for (const auto &process : processes)
-    longest = std::min(longest, process->longest_step());
+  for (const auto &process : processes) longest = std::min(longest, process->longest_step());
   return longest;
 }
-} // namespace turgor
+}  // namespace turgor

@@ -8,30 +8,23 @@
 #include "micro/engine/particle_system.h"
 #include "micro/terms/cell_fluid.h"
 
-namespace turgor
-{
-class Osmosis
-{
-public:
+namespace turgor {
+class Osmosis {
+ public:
   /// target: mean EOS pressure (Pa) at which transport stops; rate: 1/s; bulk modulus 7 K (Pa).
   Osmosis(const double target_, const double rate_, const double bulk_modulus_)
-    : target(target_)
-    , rate(rate_)
-    , bulk_modulus(bulk_modulus_)
-  {}
+      : target(target_), rate(rate_), bulk_modulus(bulk_modulus_) {}
 
   /// Transport over dt (s) into every cell.
   template <int dim>
-  void apply(ParticleSystem<dim> &system, CellFluid<dim> &fluid, const double dt) const
-  {
-    for (std::size_t group = 0; group < system.particles.groups.size(); ++group)
-      {
-        const double gain = rate * dt * (target - fluid.mean_pressure(system.particles, group)) / bulk_modulus;
-        fluid.set_particle_mass(system.particles, group, fluid.particle_mass()[group] * (1. + gain));
-      }
+  void apply(ParticleSystem<dim> &system, CellFluid<dim> &fluid, const double dt) const {
+    for (std::size_t group = 0; group < system.particles.groups.size(); ++group) {
+      const double gain = rate * dt * (target - fluid.mean_pressure(system.particles, group)) / bulk_modulus;
+      fluid.set_particle_mass(system.particles, group, fluid.particle_mass()[group] * (1. + gain));
+    }
   }
 
-private:
+ private:
   double target, rate, bulk_modulus;
 };
-} // namespace turgor
+}  // namespace turgor

@@ -1,27 +1,20 @@
-// Living cells rest or go on in their cycle and grow (cell_cycle.h, cell_growth.h, thesis 5.3.1 H.III, C.3.2); who comes to the end of the cycle is due
-// to divide (Interval::divisions).
-// Columns of a cell: phase (none), cycle_time (s), strain (none). Of a sphere: reference_volume (m^3).
+// Living cells rest or go on in their cycle and grow (cell_cycle.h, cell_growth.h, thesis 5.3.1 H.III,
+// C.3.2); who comes to the end of the cycle is due to divide (Interval::divisions). Columns of a cell: phase
+// (none), cycle_time (s), strain (none). Of a sphere: reference_volume (m^3).
 #pragma once
 
 #include "micro/processes/cell_life_parameters.h"
 #include "micro/processes/process.h"
 
-namespace turgor
-{
-class Proliferation final : public Process
-{
-public:
-  explicit Proliferation(const CellLifeParameters &parameters_)
-    : parameters(parameters_)
-  {}
-  void declare(Particles<3> &particles) const override
-  {
+namespace turgor {
+class Proliferation final : public Process {
+ public:
+  explicit Proliferation(const CellLifeParameters &parameters_) : parameters(parameters_) {}
+  void declare(Particles<3> &particles) const override {
     particles.declare("reference_volume");
-    for (const char *name : {"phase", "cycle_time"})
-      particles.cells.declare(name);
+    for (const char *name : {"phase", "cycle_time"}) particles.cells.declare(name);
   }
-  void change(Interval &now) override
-  {
+  void change(Interval &now) override {
     CellPopulation &cells = now.cells;
     Table &table = cells.particles.cells;
     std::vector<double> &V_ref = cells.particles.field("reference_volume"), &phase = table.column("phase");
@@ -29,25 +22,22 @@ public:
     const CellStates state = cells.state();
     const CellCycle &cycle = parameters.cycle;
     const double V_0 = parameters.birth_volume();
-    for (std::uint32_t i = 0; i < cells.size(); ++i)
-      {
-        if (!state.alive(i))
-          continue;
-        const double f = parameters.growth.factor(eps[i]);
-        const bool resting = state[i] == CellState::quiescent;
-        const bool rests = (now.deep[i] && parameters.death.rim == Rim::quiescent) || cycle.rests(resting, phase[i], f);
-        cells.set_state(i, rests ? CellState::quiescent : CellState::proliferating);
-        if (rests)
-          continue;
-        const double before = V_ref[i];
-        const double left = cycle.advance(parameters.growth, V_0, T[i], f, now.dt, phase[i], V_ref[i]);
-        now.count.grown += V_ref[i] - before;
-        if (left >= 0.)
-          now.divisions.push_back({i, left});
-      }
+    for (std::uint32_t i = 0; i < cells.size(); ++i) {
+      if (!state.alive(i)) continue;
+      const double f = parameters.growth.factor(eps[i]);
+      const bool resting = state[i] == CellState::quiescent;
+      const bool rests =
+          (now.deep[i] && parameters.death.rim == Rim::quiescent) || cycle.rests(resting, phase[i], f);
+      cells.set_state(i, rests ? CellState::quiescent : CellState::proliferating);
+      if (rests) continue;
+      const double before = V_ref[i];
+      const double left = cycle.advance(parameters.growth, V_0, T[i], f, now.dt, phase[i], V_ref[i]);
+      now.count.grown += V_ref[i] - before;
+      if (left >= 0.) now.divisions.push_back({i, left});
+    }
   }
 
-private:
+ private:
   const CellLifeParameters &parameters;
 };
-} // namespace turgor
+}  // namespace turgor

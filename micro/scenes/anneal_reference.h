@@ -3,10 +3,10 @@
 
 #include "micro/cells/annealed_cells.h"
 
-namespace turgor
-{
+namespace turgor {
 class RunContext;
 
 /// Throws RunStopped: there is nothing to save yet, a resumed run anneals again.
-ReferenceCell anneal_reference(RunContext &context, const ParenchymaParameters &cell, const SphParameters &sph);
-} // namespace turgor
+ReferenceCell anneal_reference(RunContext &context, const ParenchymaParameters &cell,
+                               const SphParameters &sph);
+}  // namespace turgor

@@ -8,12 +8,10 @@
 
 #include <cmath>
 
-namespace turgor
-{
+namespace turgor {
 /// J, of the step that has just been taken. dt: s, damping: 1/s.
 template <int dim>
-double heat_of_damping(const ParticleSystem<dim> &system, const double damping, const double dt)
-{
+double heat_of_damping(const ParticleSystem<dim> &system, const double damping, const double dt) {
   return damping > 0. ? system.kinetic_energy() * std::expm1(2. * damping * dt) : 0.;
 }
-} // namespace turgor
+}  // namespace turgor

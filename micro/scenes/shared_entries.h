@@ -6,8 +6,7 @@
 
 #include <string>
 
-namespace turgor
-{
+namespace turgor {
 class InputEntries;
 struct SphParameters;
 
@@ -24,4 +23,4 @@ void declare_substeps(InputEntries &prm, unsigned int &substeps);
 void check_substeps(unsigned int substeps, const SphParameters &sph);
 
 void declare_checkpoints(InputEntries &prm, unsigned int &checkpoints);
-} // namespace turgor
+}  // namespace turgor

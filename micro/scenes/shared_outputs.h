@@ -3,8 +3,7 @@
 
 #include "run/output_list.h"
 
-namespace turgor
-{
+namespace turgor {
 /// wall.xdmf and fluid.xdmf of RoundCellFields.
 Outputs round_cell_field_outputs();
 
@@ -19,4 +18,4 @@ Outputs block_outputs();
 
 /// What the energy of a particle system is called in the tables: potential, kinetic.
 std::vector<OutputDefinition> energy_columns();
-} // namespace turgor
+}  // namespace turgor

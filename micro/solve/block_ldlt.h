@@ -16,20 +16,17 @@
 #include <utility>
 #include <vector>
 
-namespace turgor
-{
+namespace turgor {
 /// Column-major: {a_00, a_10, a_01, a_11}.
 using Block2 = std::array<double, 4>;
 
-class BlockLdlt
-{
-public:
+class BlockLdlt {
+ public:
   /// The off-diagonal pairs (i, j) that may hold a block; order and repetition do not matter.
   void analyse(std::uint32_t n_blocks, const std::vector<std::pair<std::uint32_t, std::uint32_t>> &pairs);
 
   /// Where block (i, j) is kept in values(), and whether it is kept transposed, as (j, i).
-  struct Place
-  {
+  struct Place {
     std::uint32_t index;
     bool transposed;
   };
@@ -46,20 +43,19 @@ public:
   /// In place: b (2 per block, in the order of the blocks) becomes the solution.
   void solve(double *b);
 
-  std::size_t fill() const { return rows_of_L.size(); } ///< blocks of L below the diagonal
+  std::size_t fill() const { return rows_of_L.size(); }  ///< blocks of L below the diagonal
 
-private:
+ private:
   void order(const std::vector<std::pair<std::uint32_t, std::uint32_t>> &pairs);
 
   std::uint32_t n = 0;
-  std::vector<std::uint32_t> position; ///< block -> place in the elimination order
+  std::vector<std::uint32_t> position;  ///< block -> place in the elimination order
   // A, by columns k of the permuted upper triangle: diagonal first
   std::vector<std::uint32_t> start_of_A, rows_of_A;
   std::vector<Block2> input;
   // L by columns; the pattern of row k of L as (column, index of the block in L), columns rising
   std::vector<std::uint32_t> start_of_L, rows_of_L, start_of_row;
-  struct InRow
-  {
+  struct InRow {
     std::uint32_t column, index;
   };
   std::vector<InRow> row_pattern;
@@ -67,4 +63,4 @@ private:
   std::vector<double> right;
   unsigned int negative = 0;
 };
-} // namespace turgor
+}  // namespace turgor

@@ -1,11 +1,14 @@
-// Velocities from forces where nothing has inertia: the one sparse, symmetric, positive definite system under over-damped motion, in 2D and 3D,
+// Velocities from forces where nothing has inertia: the one sparse, symmetric, positive definite system under
+// over-damped motion, in 2D and 3D,
 //
 //   Gamma v = F      or, linearly implicit,   (Gamma + h K) v = F,   K = -dF/dx
 //
 // made of
 //   medium    N s/m of each body, > 0: the same in all directions
-//   links     of two bodies (links.h): contacts, dashpots, walls; one by one, or by a list that holds its pairs itself
-//   rows      c (sum_k g_k . v_k)^2 with a vector a body (row_matrix.h): hinges, areas, facets' contact; `whole`: volume and area of a cell
+//   links     of two bodies (links.h): contacts, dashpots, walls; one by one, or by a list that holds its
+//             pairs itself
+//   rows      c (sum_k g_k . v_k)^2 with a vector a body (row_matrix.h): hinges, areas, facets' contact;
+//             `whole`: volume and area of a cell
 //   products  of terms that multiply by themselves (own_product.h)
 // A body may be of given velocity (a wall that moves): it enters links and rows as others do.
 //
@@ -13,36 +16,36 @@
 //   matrix.medium[i] = 6 pi mu R;  matrix.link<3>(i, j, e, normal, tangential);  matrix.row<3>(bodies, g, c);
 //   matrix.solve<3>(particles.f, particles.v, threads);       v: where the search starts, and the solution
 //
-// How it is solved: conjugate gradients in single precision (link_matrix.h), which is what a core can stream, with the 3 x 3 diagonal blocks as
-// preconditioner; their sums in double. The residual that counts is the exact matrix's in double, computed at the start and the end; where it is
-// above the tolerance, a correction is solved for (iterative refinement). With nothing but the medium v = F/medium and nothing is solved.
-// Products are computed by one thread a body, sums in the order of chunks: same bits on any number of threads.
+// How it is solved: conjugate gradients in single precision (link_matrix.h), which is what a core can stream,
+// with the 3 x 3 diagonal blocks as preconditioner; their sums in double. The residual that counts is the
+// exact matrix's in double, computed at the start and the end; where it is above the tolerance, a correction
+// is solved for (iterative refinement). With nothing but the medium v = F/medium and nothing is solved.
+// Products are computed by one thread a body, sums in the order of chunks: same bits on any number of
+// threads.
 //
-// correct_clusters: the net force and torque of the residual on every connected cluster are made to vanish (rigid_clusters.h), for a medium that is
-// much weaker than what holds the bodies together. Eight exact products a solution more.
+// correct_clusters: the net force and torque of the residual on every connected cluster are made to vanish
+// (rigid_clusters.h), for a medium that is much weaker than what holds the bodies together. Eight exact
+// products a solution more.
 #pragma once
 
 #include "micro/solve/link_matrix.h"
 #include "micro/solve/rigid_clusters.h"
 #include "micro/solve/row_matrix.h"
 
-namespace turgor
-{
-struct SolveParameters
-{
-  double tolerance = 1e-6; ///< residual over the forces, both in the norm of all bodies
+namespace turgor {
+struct SolveParameters {
+  double tolerance = 1e-6;  ///< residual over the forces, both in the norm of all bodies
   unsigned int max_iterations = 2000;
 };
 
-class MotionMatrix
-{
-public:
+class MotionMatrix {
+ public:
   explicit MotionMatrix(const SolveParameters &parameters);
 
   /// A new matrix of n bodies, all zero, or of as many as there are numbers of their medium.
   void clear(std::size_t n);
   void clear(const std::vector<double> &of_medium);
-  std::vector<double> medium; ///< N s/m
+  std::vector<double> medium;  ///< N s/m
 
   /// A body of given velocity (m/s): its index among the others.
   template <int dim>
@@ -65,17 +68,19 @@ public:
 
   /// v (m/s) from f (N), started from v. Throws NotSolved with the residual.
   template <int dim>
-  void solve(const std::array<std::vector<double>, dim> &f, std::array<std::vector<double>, dim> &v, unsigned int threads);
+  void solve(const std::array<std::vector<double>, dim> &f, std::array<std::vector<double>, dim> &v,
+             unsigned int threads);
   /// The same matrix for other forces.
   template <int dim>
-  void again(const std::array<std::vector<double>, dim> &f, std::array<std::vector<double>, dim> &v, unsigned int threads);
+  void again(const std::array<std::vector<double>, dim> &f, std::array<std::vector<double>, dim> &v,
+             unsigned int threads);
 
   /// What velocities cost by the matrix as it was collected, whether it has been solved or not; exact.
-  struct Power
-  {
+  struct Power {
     double lost = 0.;   ///< W, v'Av of all bodies, those of given velocity included
     double given = 0.;  ///< W, of it what those of given velocity put in
-    double pushed = 0.; ///< W, what their motion does on the others: -v'A (velocities given, all else at rest)
+    double pushed =
+        0.;  ///< W, what their motion does on the others: -v'A (velocities given, all else at rest)
   };
   template <int dim>
   Power power(const std::array<std::vector<double>, dim> &v, unsigned int threads);
@@ -86,7 +91,7 @@ public:
   std::uint64_t total_iterations() const { return all_iterations; }
   std::size_t memory_bytes() const;
 
-private:
+ private:
   bool none() const { return sources.empty() && products.empty(); }
   /// F and v; the square of the forces.
   template <int dim>
@@ -104,10 +109,10 @@ private:
   template <class Store>
   double residual_of(const Forces &forces, const std::vector<BodyVector> &v, const Store &store);
   double exact_residual();
-  std::vector<BodyVector> product_of(const std::vector<BodyVector> &v); ///< A v, exact
+  std::vector<BodyVector> product_of(const std::vector<BodyVector> &v);  ///< A v, exact
   void measure_clusters();
   double correct_as_rigid();
-  std::vector<BodyVector> given_alone() const; ///< those of given velocity move, all others are at rest
+  std::vector<BodyVector> given_alone() const;  ///< those of given velocity move, all others are at rest
   double scale_of_forces(double forces);
   void correct(double target, double start, double allowed);
   double product(std::size_t begin, std::size_t last);
@@ -117,8 +122,8 @@ private:
   RowMatrix own_rows;
   std::vector<const LinkSource *> sources;
   std::vector<OwnProduct *> products;
-  bool listed = false;                 ///< what was pushed is sorted
-  std::function<void()> find_clusters; ///< empty: none are corrected
+  bool listed = false;                  ///< what was pushed is sorted
+  std::function<void()> find_clusters;  ///< empty: none are corrected
   RigidClusters clusters;
 
   unsigned int threads = 1;
@@ -132,4 +137,4 @@ private:
   unsigned int last_iterations = 0;
   std::uint64_t all_iterations = 0;
 };
-} // namespace turgor
+}  // namespace turgor

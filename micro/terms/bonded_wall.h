@@ -10,12 +10,10 @@
 #include <cstdint>
 #include <memory>
 
-namespace turgor
-{
+namespace turgor {
 template <int dim>
-class BondedWall : public Term<dim>
-{
-public:
+class BondedWall : public Term<dim> {
+ public:
   virtual std::size_t bond_count(const Particles<dim> &particles, std::size_t group) const = 0;
 
   /// Length over the length at rest before any flow.
@@ -24,11 +22,12 @@ public:
   /// The faces at a bond; in 2D the bond itself, twice.
   virtual std::array<std::uint32_t, 2> faces_at(std::size_t bond) const = 0;
 
-  /// Largest elastic stretch that a bond can bear when it is stretched to `stretch` in all: where the elastic law carries
-  /// what the yield curve allows there, F_elastic(result) = g(stretch) F_elastic(stretch).
+  /// Largest elastic stretch that a bond can bear when it is stretched to `stretch` in all: where the elastic
+  /// law carries what the yield curve allows there, F_elastic(result) = g(stretch) F_elastic(stretch).
   virtual double bearable_stretch(double stretch) const = 0;
 
-  /// False where a bond with that permanent stretch surely stays below the yield curve: spares bearable_stretch.
+  /// False where a bond with that permanent stretch surely stays below the yield curve: spares
+  /// bearable_stretch.
   virtual bool may_yield(double /*stretch*/, double /*permanent*/) const { return true; }
 
   /// Broken bonds carry nothing. Shared with the fluid and the process that breaks them.
@@ -36,8 +35,8 @@ public:
   /// Bonds are at rest at permanent x rest length.
   void set_flow(std::shared_ptr<const WallFlow> flow_) { flow = std::move(flow_); }
 
-protected:
+ protected:
   std::shared_ptr<const WallDamage> damage;
   std::shared_ptr<const WallFlow> flow;
 };
-} // namespace turgor
+}  // namespace turgor

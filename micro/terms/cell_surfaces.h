@@ -1,12 +1,14 @@
-// The surfaces of deformable cells (thesis 2.3.2): each cell is a group of nodes on a closed triangulated surface. Who is joined to whom, and what each edge,
-// triangle and cell is at rest; its terms (cortex_edges.h, cortex_hinges.h, cortex_area.h, cytoplasm.h) share it.
+// The surfaces of deformable cells (thesis 2.3.2): each cell is a group of nodes on a closed triangulated
+// surface. Who is joined to whom, and what each edge, triangle and cell is at rest; its terms
+// (cortex_edges.h, cortex_hinges.h, cortex_area.h, cytoplasm.h) share it.
 //
 //   const auto surfaces = std::make_shared<CellSurfaces>();
-//   surfaces->add(particles, mesh, nodes);                       // one more group, free of stress as it lies there
+//   surfaces->add(particles, mesh, nodes);
+//     // one more group, free of stress as it lies there
 //   system.add(std::make_unique<Cytoplasm>(surfaces, 2500.));
 //
-// Columns of the tables: edges rest_length (m), rest_angle (rad), flowed (m: how much longer a spring without tension is by its flow); triangles
-// rest_area (m^2); cells rest_volume (m^3), rest_area (m^2).
+// Columns of the tables: edges rest_length (m), rest_angle (rad), flowed (m: how much longer a spring without
+// tension is by its flow); triangles rest_area (m^2); cells rest_volume (m^3), rest_area (m^2).
 #pragma once
 
 #include "micro/engine/particles.h"
@@ -16,52 +18,55 @@
 #include <cstdint>
 #include <vector>
 
-namespace turgor
-{
-class CellSurfaces
-{
-public:
-  struct Edge ///< particles: a and b its ends, c the third node of the triangle in which it runs a -> b, d that of the other
+namespace turgor {
+class CellSurfaces {
+ public:
+  struct Edge  ///< particles: a and b its ends, c the third node of the triangle in which it runs a -> b, d
+               ///< that of the other
   {
     std::uint32_t a, b, c, d;
   };
-  using Triangle = std::array<std::uint32_t, 3>; ///< particles, counter-clockwise seen from outside
+  using Triangle = std::array<std::uint32_t, 3>;  ///< particles, counter-clockwise seen from outside
 
   CellSurfaces();
 
-  /// One more cell: a group behind all particles. nodes: m. Throws std::invalid_argument where they are no closed surface (closed_surface.h).
+  /// One more cell: a group behind all particles. nodes: m. Throws std::invalid_argument where they are no
+  /// closed surface (closed_surface.h).
   void add(Particles<3> &particles, TriangleMesh mesh, const std::vector<Vector<3>> &nodes);
 
-  std::size_t size() const { return first_edge.size() - 1; } ///< cells
+  std::size_t size() const { return first_edge.size() - 1; }  ///< cells
   /// Of a cell: [begin, end) of its edges, of its triangles.
-  std::array<std::uint32_t, 2> edges_of(const std::size_t cell) const { return {first_edge[cell], first_edge[cell + 1]}; }
-  std::array<std::uint32_t, 2> triangles_of(const std::size_t cell) const { return {first_triangle[cell], first_triangle[cell + 1]}; }
+  std::array<std::uint32_t, 2> edges_of(const std::size_t cell) const {
+    return {first_edge[cell], first_edge[cell + 1]};
+  }
+  std::array<std::uint32_t, 2> triangles_of(const std::size_t cell) const {
+    return {first_triangle[cell], first_triangle[cell + 1]};
+  }
 
-  double volume(const Particles<3> &particles, std::size_t cell) const; ///< m^3
-  double area(const Particles<3> &particles, std::size_t cell) const;   ///< m^2
-  /// gradient += dV/dx (m^2) of every node of the cell: where it is, a third of its triangles' areas times their normals.
-  void add_volume_gradient(const Particles<3> &particles, std::size_t cell, std::vector<Vector<3>> &gradient) const;
+  double volume(const Particles<3> &particles, std::size_t cell) const;  ///< m^3
+  double area(const Particles<3> &particles, std::size_t cell) const;    ///< m^2
+  /// gradient += dV/dx (m^2) of every node of the cell: where it is, a third of its triangles' areas times
+  /// their normals.
+  void add_volume_gradient(const Particles<3> &particles, std::size_t cell,
+                           std::vector<Vector<3>> &gradient) const;
 
   std::vector<Edge> edges;
   std::vector<Triangle> triangles;
   Table edge_table, triangle_table, cells;
 
-  void archive(Archive &a); ///< the tables; who is joined to whom follows from the input
+  void archive(Archive &a);  ///< the tables; who is joined to whom follows from the input
 
-private:
+ private:
   std::vector<std::uint32_t> first_edge{0}, first_triangle{0};
 };
 
 /// (m) twice the area of a triangle times its normal.
-inline Vector<3> twice_area(const Vector<3> &a, const Vector<3> &b, const Vector<3> &c)
-{
+inline Vector<3> twice_area(const Vector<3> &a, const Vector<3> &b, const Vector<3> &c) {
   const Vector<3> u = b - a, v = c - a;
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
-inline void add_force(Particles<3> &particles, const std::uint32_t i, const Vector<3> &force)
-{
-  for (int d = 0; d < 3; ++d)
-    particles.f[d][i] += force[d];
+inline void add_force(Particles<3> &particles, const std::uint32_t i, const Vector<3> &force) {
+  for (int d = 0; d < 3; ++d) particles.f[d][i] += force[d];
 }
-} // namespace turgor
+}  // namespace turgor

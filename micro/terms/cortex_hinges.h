@@ -1,9 +1,11 @@
 // Bending of the cortex of deformable cells: a hinge at every edge,
 //
-//   E = k_b (1 - cos(theta - theta_0)),   moment k_b sin(theta - theta_0)          thesis B.7 (corrected: theta with its sign, geometry/triangle_hinge.h)
+//   E = k_b (1 - cos(theta - theta_0)),   moment k_b sin(theta - theta_0)          thesis B.7 (corrected:
+//     theta with its sign, geometry/triangle_hinge.h)
 //
-// k_b = (2/sqrt 3) D (errata B.9), D = E h^3/(12 (1 - nu^2)) of the cortex, N m. theta_0 is the angle at rest (rad). Net force and torque vanish.
-// Implicit steps see k_b cos(theta - theta_0) g g', g = d theta/dx, where it is positive; theta's second derivative is left out.
+// k_b = (2/sqrt 3) D (errata B.9), D = E h^3/(12 (1 - nu^2)) of the cortex, N m. theta_0 is the angle at rest
+// (rad). Net force and torque vanish. Implicit steps see k_b cos(theta - theta_0) g g', g = d theta/dx, where
+// it is positive; theta's second derivative is left out.
 #pragma once
 
 #include "micro/engine/term.h"
@@ -11,16 +13,16 @@
 
 #include <memory>
 
-namespace turgor
-{
-class CortexHinges final : public Term<3>
-{
-public:
+namespace turgor {
+class CortexHinges final : public Term<3> {
+ public:
   /// stiffness: k_b, N m.
   CortexHinges(std::shared_ptr<CellSurfaces> surfaces, double stiffness);
 
   /// N m, of a cortex with modulus E (Pa), thickness h (m), Poisson's ratio nu.
-  static double stiffness_of(const double E, const double h, const double nu) { return 2. / std::sqrt(3.) * E * h * h * h / (12. * (1. - nu * nu)); }
+  static double stiffness_of(const double E, const double h, const double nu) {
+    return 2. / std::sqrt(3.) * E * h * h * h / (12. * (1. - nu * nu));
+  }
 
   std::string name() const override { return "cortex_hinges"; }
   void declare(Particles<3> &) override {}
@@ -28,8 +30,8 @@ public:
   void collect(MotionMatrix &matrix, const Particles<3> &particles, double h) override;
   double energy(const Particles<3> &particles, const Box<3> &box, std::size_t group) const override;
 
-private:
+ private:
   std::shared_ptr<CellSurfaces> surfaces;
   double stiffness;
 };
-} // namespace turgor
+}  // namespace turgor

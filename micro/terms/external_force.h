@@ -7,31 +7,24 @@
 #include <utility>
 #include <vector>
 
-namespace turgor
-{
+namespace turgor {
 template <int dim>
-class BodyForce final : public Term<dim>
-{
-public:
-  explicit BodyForce(const Vector<dim> &acceleration_)
-    : acceleration(acceleration_)
-  {}
+class BodyForce final : public Term<dim> {
+ public:
+  explicit BodyForce(const Vector<dim> &acceleration_) : acceleration(acceleration_) {}
   std::string name() const override { return "body_force"; }
   void declare(Particles<dim> &) override {}
   void set(const Vector<dim> &value) { acceleration = value; }
 
-  void add_forces(Particles<dim> &particles, const Box<dim> &, const std::size_t group) override
-  {
+  void add_forces(Particles<dim> &particles, const Box<dim> &, const std::size_t group) override {
     const Group &g = particles.groups[group];
     for (std::uint32_t i = g.begin; i < g.end; ++i)
       if (particles.inverse_mass[i] > 0.)
-        for (int d = 0; d < dim; ++d)
-          particles.f[d][i] += acceleration[d] / particles.inverse_mass[i];
+        for (int d = 0; d < dim; ++d) particles.f[d][i] += acceleration[d] / particles.inverse_mass[i];
   }
 
   /// J, zero at the coordinates' origin.
-  double energy(const Particles<dim> &particles, const Box<dim> &, const std::size_t group) const override
-  {
+  double energy(const Particles<dim> &particles, const Box<dim> &, const std::size_t group) const override {
     const Group &g = particles.groups[group];
     double total = 0.;
     for (std::uint32_t i = g.begin; i < g.end; ++i)
@@ -40,27 +33,22 @@ public:
     return total;
   }
 
-private:
+ private:
   Vector<dim> acceleration;
 };
 
 template <int dim>
-class DeadForce final : public Term<dim>
-{
-public:
-  struct Entry
-  {
+class DeadForce final : public Term<dim> {
+ public:
+  struct Entry {
     std::uint32_t particle;
-    Vector<dim> force; ///< N
+    Vector<dim> force;  ///< N
   };
 
-  explicit DeadForce(std::vector<Entry> entries_)
-    : entries(std::move(entries_))
-  {}
+  explicit DeadForce(std::vector<Entry> entries_) : entries(std::move(entries_)) {}
   std::string name() const override { return "dead_force"; }
 
-  void declare(Particles<dim> &particles) override
-  {
+  void declare(Particles<dim> &particles) override {
     of_group.assign(particles.groups.size(), {});
     for (const Entry &entry : entries)
       for (std::size_t group = 0; group < particles.groups.size(); ++group)
@@ -69,23 +57,19 @@ public:
     entries.clear();
   }
 
-  void add_forces(Particles<dim> &particles, const Box<dim> &, const std::size_t group) override
-  {
+  void add_forces(Particles<dim> &particles, const Box<dim> &, const std::size_t group) override {
     for (const Entry &entry : of_group[group])
-      for (int d = 0; d < dim; ++d)
-        particles.f[d][entry.particle] += entry.force[d];
+      for (int d = 0; d < dim; ++d) particles.f[d][entry.particle] += entry.force[d];
   }
 
-  double energy(const Particles<dim> &particles, const Box<dim> &, const std::size_t group) const override
-  {
+  double energy(const Particles<dim> &particles, const Box<dim> &, const std::size_t group) const override {
     double total = 0.;
-    for (const Entry &entry : of_group[group])
-      total -= entry.force.dot(particles.position(entry.particle));
+    for (const Entry &entry : of_group[group]) total -= entry.force.dot(particles.position(entry.particle));
     return total;
   }
 
-private:
+ private:
   std::vector<Entry> entries;
   std::vector<std::vector<Entry>> of_group;
 };
-} // namespace turgor
+}  // namespace turgor

@@ -2,8 +2,8 @@
 // also across the periodic boundary. Evaluated from both sides, so that a group's forces
 // are written by one thread.
 //
-// Failure (thesis 3.3.3): a tie that pulls with more than its breaking force is gone for good. It is decided between steps, once for
-// both sides, and the list of broken ties is the term's history.
+// Failure (thesis 3.3.3): a tie that pulls with more than its breaking force is gone for good. It is decided
+// between steps, once for both sides, and the list of broken ties is the term's history.
 #pragma once
 
 #include "micro/engine/term.h"
@@ -11,13 +11,11 @@
 
 #include <vector>
 
-namespace turgor
-{
-class LamellaTies final : public Term<2>
-{
-public:
-  /// Tie entries a, b are particle indices here (not node indices of the layout). node_mass: kg, of the lightest node that is tied;
-  /// breaking_force: N, 0 for ties that do not break.
+namespace turgor {
+class LamellaTies final : public Term<2> {
+ public:
+  /// Tie entries a, b are particle indices here (not node indices of the layout). node_mass: kg, of the
+  /// lightest node that is tied; breaking_force: N, 0 for ties that do not break.
   LamellaTies(std::vector<LamellaTie> ties, double node_mass, double breaking_force = 0.);
 
   std::string name() const override { return "lamella_ties"; }
@@ -36,8 +34,8 @@ public:
   bool is_broken(const std::size_t tie) const { return !broken.empty() && broken[tie]; }
   const std::vector<LamellaTie> &all() const { return ties; }
 
-private:
-  struct Side ///< a tie seen from the group's own node
+ private:
+  struct Side  ///< a tie seen from the group's own node
   {
     std::uint32_t own, other;
     std::array<int, 2> shift;
@@ -46,7 +44,7 @@ private:
   };
   std::vector<LamellaTie> ties;
   double node_mass, breaking_force;
-  std::vector<unsigned char> broken; ///< one a tie; empty where ties do not break
-  std::vector<std::vector<Side>> sides; ///< per group
+  std::vector<unsigned char> broken;     ///< one a tie; empty where ties do not break
+  std::vector<std::vector<Side>> sides;  ///< per group
 };
-} // namespace turgor
+}  // namespace turgor

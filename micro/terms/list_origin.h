@@ -7,16 +7,14 @@
 
 #include <vector>
 
-namespace turgor
-{
+namespace turgor {
 class Archive;
 
 template <int dim>
-class ListOrigin
-{
-public:
-  /// Has a particle of the group moved more than half a skin (m) relative to the wall's mean translation, or is
-  /// nothing known yet?
+class ListOrigin {
+ public:
+  /// Has a particle of the group moved more than half a skin (m) relative to the wall's mean translation, or
+  /// is nothing known yet?
   bool stale(const Particles<dim> &particles, const Group &group, double skin) const;
   /// The lists are to be built from these positions (m).
   void take(const typename Particles<dim>::Components &x, const Group &group);
@@ -31,10 +29,10 @@ public:
   std::size_t memory_bytes() const { return 8 * dim * positions[0].capacity(); }
   void archive(Archive &a);
 
-private:
+ private:
   std::vector<double> positions[dim];
 };
 
 extern template class ListOrigin<2>;
 extern template class ListOrigin<3>;
-} // namespace turgor
+}  // namespace turgor

@@ -6,11 +6,9 @@
 #include <stdexcept>
 #include <string>
 
-namespace turgor::sph
-{
+namespace turgor::sph {
 template <int dim>
-const std::vector<const Sweeps<dim> *> &known_sweeps()
-{
+const std::vector<const Sweeps<dim> *> &known_sweeps() {
   static const std::vector<const Sweeps<dim> *> known = [] {
     std::vector<const Sweeps<dim> *> all{&sweeps_portable<dim>()};
 #if !defined(TURGOR_PORTABLE)
@@ -24,21 +22,19 @@ const std::vector<const Sweeps<dim> *> &known_sweeps()
 }
 
 template <int dim>
-const Sweeps<dim> &sweeps()
-{
-  static const Sweeps<dim> &chosen = [] () -> const Sweeps<dim> & {
+const Sweeps<dim> &sweeps() {
+  static const Sweeps<dim> &chosen = []() -> const Sweeps<dim> & {
     const char *wish = std::getenv("TURGOR_SIMD");
-    if (wish == nullptr || *wish == '\0')
-      return *known_sweeps<dim>().back();
+    if (wish == nullptr || *wish == '\0') return *known_sweeps<dim>().back();
     std::string words;
-    for (const Sweeps<dim> *one : known_sweeps<dim>())
-      {
-        if (std::string(one->name) == wish)
-          return *one;
-        words += std::string(words.empty() ? "" : ", ") + one->name;
-      }
-    throw InputError("TURGOR_SIMD=" + std::string(wish) + " in the environment is not among what this program has for this"
-                                " processor: " + words + ".");
+    for (const Sweeps<dim> *one : known_sweeps<dim>()) {
+      if (std::string(one->name) == wish) return *one;
+      words += std::string(words.empty() ? "" : ", ") + one->name;
+    }
+    throw InputError("TURGOR_SIMD=" + std::string(wish) +
+                     " in the environment is not among what this program has for this"
+                     " processor: " +
+                     words + ".");
   }();
   return chosen;
 }
@@ -47,4 +43,4 @@ template const std::vector<const Sweeps<2> *> &known_sweeps<2>();
 template const std::vector<const Sweeps<3> *> &known_sweeps<3>();
 template const Sweeps<2> &sweeps<2>();
 template const Sweeps<3> &sweeps<3>();
-} // namespace turgor::sph
+}  // namespace turgor::sph

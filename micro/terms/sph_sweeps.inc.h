@@ -1,6 +1,6 @@
-// The sweeps of sph_sweeps.h put together; included by one file per instruction set. Everything here and in the files
-// below is in an anonymous namespace and calls no inline function of a shared header: a copy compiled
-// for a wide machine must never be the one the linker keeps for all.
+// The sweeps of sph_sweeps.h put together; included by one file per instruction set. Everything here and in
+// the files below is in an anonymous namespace and calls no inline function of a shared header: a copy
+// compiled for a wide machine must never be the one the linker keeps for all.
 #pragma once
 
 #include "micro/terms/sph_viscous_edges.inc.h"
@@ -8,13 +8,10 @@
 #include "micro/terms/sph_wall_edges.inc.h"
 #include "micro/terms/sph_wall_triangles.inc.h"
 
-namespace turgor::sph
-{
-namespace
-{
+namespace turgor::sph {
+namespace {
 template <int dim, bool fourth_order>
-void density(CellView<dim> &c)
-{
+void density(CellView<dim> &c) {
   c.crossed = 0;
   fill_rows<dim>(c);
   sum_kernels<dim, fourth_order>(c);
@@ -24,15 +21,13 @@ void density(CellView<dim> &c)
 }
 
 template <int dim>
-void density_any(CellView<dim> &c)
-{
+void density_any(CellView<dim> &c) {
   c.fourth_order ? density<dim, true>(c) : density<dim, false>(c);
 }
 
 template <int dim>
-void force_any(CellView<dim> &c)
-{
+void force_any(CellView<dim> &c) {
   c.fourth_order ? force<dim, true>(c) : force<dim, false>(c);
 }
-} // namespace
-} // namespace turgor::sph
+}  // namespace
+}  // namespace turgor::sph

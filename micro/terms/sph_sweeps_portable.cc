@@ -2,15 +2,13 @@
 #define TURGOR_PORTABLE_LANES
 #include "micro/terms/sph_sweeps.inc.h"
 
-namespace turgor::sph
-{
+namespace turgor::sph {
 template <int dim>
-const Sweeps<dim> &sweeps_portable()
-{
+const Sweeps<dim> &sweeps_portable() {
   static const Sweeps<dim> chosen{&density_any<dim>, &force_any<dim>, &viscosity<dim>, "portable"};
   return chosen;
 }
 
 template const Sweeps<2> &sweeps_portable<2>();
 template const Sweeps<3> &sweeps_portable<3>();
-} // namespace turgor::sph
+}  // namespace turgor::sph

@@ -9,34 +9,30 @@
 
 #include <cstddef>
 
-namespace turgor
-{
-struct WallSettings
-{
-  double depth = 1.; ///< m, 2D
-  bool viscous = false; ///< for the viscous sweep: velocities, and in 3D room for its rays
-  const TriangleMesh *mesh = nullptr; ///< 3D
+namespace turgor {
+struct WallSettings {
+  double depth = 1.;                   ///< m, 2D
+  bool viscous = false;                ///< for the viscous sweep: velocities, and in 3D room for its rays
+  const TriangleMesh *mesh = nullptr;  ///< 3D
 };
 
 /// How the nodes of a wall act on the bulk of the fluid inside.
-struct WallBulk
-{
-  double volume = 0.;         ///< m^3
-  double slopes_squared = 0.; ///< sum over the nodes of |d volume / d node|^2, or a bound of it, m^4
-  double node_area = 0.;      ///< m^2 of wall for one node
+struct WallBulk {
+  double volume = 0.;          ///< m^3
+  double slopes_squared = 0.;  ///< sum over the nodes of |d volume / d node|^2, or a bound of it, m^4
+  double node_area = 0.;       ///< m^2 of wall for one node
 };
 
 template <int dim>
-class WallView
-{
-public:
+class WallView {
+ public:
   using Lists = std::conditional_t<dim == 2, WallArcs, WallFaces>;
 
   WallView(const Lists &lists, const Group &group, const WallSettings &settings);
-  std::size_t doubles() const; ///< of scratch needed, a multiple of 8
+  std::size_t doubles() const;  ///< of scratch needed, a multiple of 8
   /// Points the view to memory (64-byte aligned), with positions, velocities and lists filled in.
   void attach(sph::CellView<dim> &view, const Particles<dim> &particles, double *memory);
-  double volume() const { return enclosed; } ///< m^3; after attach
+  double volume() const { return enclosed; }  ///< m^3; after attach
   /// Adds the wall's forces (N) to f of the wall's nodes.
   void add_forces(const sph::CellView<dim> &view, double *const (&f)[dim]) const;
   /// Adds the wall's forces, and pressure (Pa) times d volume / d node, to the wall's nodes.
@@ -44,11 +40,11 @@ public:
 
   static WallBulk bulk(const Particles<dim> &particles, const Group &group, const WallSettings &settings);
 
-private:
+ private:
   const Lists &lists;
   const Group group;
   const WallSettings settings;
   double enclosed = 0.;
-  const double *slopes = nullptr; ///< 3D: 6 dV/dx, 4 doubles a node
+  const double *slopes = nullptr;  ///< 3D: 6 dV/dx, 4 doubles a node
 };
-} // namespace turgor
+}  // namespace turgor

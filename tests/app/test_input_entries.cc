@@ -15,8 +15,7 @@ using namespace turgor;
 
 BOOST_AUTO_TEST_SUITE(input_entries)
 
-BOOST_AUTO_TEST_CASE(a_number_is_the_whole_text)
-{
+BOOST_AUTO_TEST_CASE(a_number_is_the_whole_text) {
   BOOST_TEST(read_number(" 3e-5 ").value() == 3e-5);
   BOOST_TEST(read_number("+2").value() == 2.);
   BOOST_TEST(std::isnan(read_number("nan").value()));
@@ -27,8 +26,7 @@ BOOST_AUTO_TEST_CASE(a_number_is_the_whole_text)
     BOOST_TEST(!read_whole_number(text), text);
 }
 
-BOOST_AUTO_TEST_CASE(numbers_keep_their_size_in_words)
-{
+BOOST_AUTO_TEST_CASE(numbers_keep_their_size_in_words) {
   BOOST_TEST(number_text(3.5e-9) == "3.5e-09");
   BOOST_TEST(number_text(1.25) == "1.25");
   BOOST_TEST(number_text(-7) == "-7");
@@ -36,8 +34,7 @@ BOOST_AUTO_TEST_CASE(numbers_keep_their_size_in_words)
     BOOST_TEST(read_number(exact_text(value)).value() == value);
 }
 
-BOOST_AUTO_TEST_CASE(patterns_say_what_they_take)
-{
+BOOST_AUTO_TEST_CASE(patterns_say_what_they_take) {
   BOOST_TEST(Patterns::Double(0., 1e5).in_words() == "a finite number from 0 to 100000");
   BOOST_TEST(Patterns::Double(1e-12).in_words() == "a finite number not below 1e-12");
   BOOST_TEST(Patterns::Double(0., 1e20).in_words() == "a finite number from 0 to 1e+20");
@@ -55,8 +52,7 @@ BOOST_AUTO_TEST_CASE(patterns_say_what_they_take)
   BOOST_TEST(!Patterns::List(Patterns::Double(), 2, 2).matches("1, 2, 3"));
 }
 
-BOOST_AUTO_TEST_CASE(every_kind_of_variable_takes_its_value)
-{
+BOOST_AUTO_TEST_CASE(every_kind_of_variable_takes_its_value) {
   double a = 1.;
   unsigned int n = 2;
   bool yes = false;
@@ -75,7 +71,9 @@ BOOST_AUTO_TEST_CASE(every_kind_of_variable_takes_its_value)
   BOOST_TEST(entries.entries()[5].default_value == "1, 2");
   BOOST_TEST(entries.entries()[4].default_value == "3, 4");
   BOOST_TEST(entries.entries()[4].path() == "S/pair");
-  entries.read("set a = 2.5 # words\nsubsection S\n set n = 7\n set yes = true\n set word = y\n set pair = -1, 1e3\n set series = 1, 2, 3\nend\n");
+  entries.read(
+      "set a = 2.5 # words\nsubsection S\n set n = 7\n set yes = true\n set word = y\n set pair = -1, 1e3\n "
+      "set series = 1, 2, 3\nend\n");
   BOOST_TEST((series == std::vector<double>{1., 2., 3.}));
   BOOST_TEST((a == 2.5 && n == 7 && yes && word == "y" && pair[0] == -1. && pair[1] == 1e3));
   BOOST_CHECK_THROW(entries.read("set b = 1\n"), std::invalid_argument);
@@ -84,8 +82,7 @@ BOOST_AUTO_TEST_CASE(every_kind_of_variable_takes_its_value)
   BOOST_CHECK_THROW(entries.add_parameter("a", a, ""), std::logic_error);
 }
 
-BOOST_AUTO_TEST_CASE(former_names_are_taken)
-{
+BOOST_AUTO_TEST_CASE(former_names_are_taken) {
   InputEntries entries;
   double a = 1.5;
   entries.enter_subsection("S");
@@ -101,37 +98,33 @@ BOOST_AUTO_TEST_CASE(former_names_are_taken)
 }
 
 // Files written for one are files for the other: the inputs of the repository, read by both.
-BOOST_AUTO_TEST_CASE(deal_ii_reads_every_input_the_same_way)
-{
+BOOST_AUTO_TEST_CASE(deal_ii_reads_every_input_the_same_way) {
   unsigned int files = 0;
-  for (const auto &item : std::filesystem::directory_iterator(std::filesystem::path(TURGOR_SOURCE_DIR) / "inputs"))
-    if (item.path().extension() == ".prm")
-      {
-        BOOST_TEST_CONTEXT(item.path().string())
-        {
-          const Input input = load_input(item.path(), {}, product_registry());
-          const PrmText all = parse_prm(input.text, "echo");
-          dealii::ParameterHandler prm;
-          const auto in_section = [&](const PrmSetting &setting, const auto &action) {
-            for (const std::string &part : setting.section)
-              prm.enter_subsection(part);
-            action();
-            for (std::size_t i = 0; i < setting.section.size(); ++i)
-              prm.leave_subsection();
-          };
-          for (const PrmSetting &setting : all.settings)
-            in_section(setting, [&] { prm.declare_entry(setting.name, setting.value); });
-          prm.parse_input(item.path().string());
-          for (const PrmSetting &setting : all.settings)
-            in_section(setting, [&] {
-              std::string value = prm.get(setting.name);
-              if (setting.value.starts_with("input_files/")) // of a file the run has a copy
-                value = "input_files/" + std::filesystem::path(value).filename().string();
-              BOOST_TEST(value == setting.value);
-            });
-          ++files;
-        }
+  for (const auto &item :
+       std::filesystem::directory_iterator(std::filesystem::path(TURGOR_SOURCE_DIR) / "inputs"))
+    if (item.path().extension() == ".prm") {
+      BOOST_TEST_CONTEXT(item.path().string()) {
+        const Input input = load_input(item.path(), {}, product_registry());
+        const PrmText all = parse_prm(input.text, "echo");
+        dealii::ParameterHandler prm;
+        const auto in_section = [&](const PrmSetting &setting, const auto &action) {
+          for (const std::string &part : setting.section) prm.enter_subsection(part);
+          action();
+          for (std::size_t i = 0; i < setting.section.size(); ++i) prm.leave_subsection();
+        };
+        for (const PrmSetting &setting : all.settings)
+          in_section(setting, [&] { prm.declare_entry(setting.name, setting.value); });
+        prm.parse_input(item.path().string());
+        for (const PrmSetting &setting : all.settings)
+          in_section(setting, [&] {
+            std::string value = prm.get(setting.name);
+            if (setting.value.starts_with("input_files/"))  // of a file the run has a copy
+              value = "input_files/" + std::filesystem::path(value).filename().string();
+            BOOST_TEST(value == setting.value);
+          });
+        ++files;
       }
+    }
   BOOST_TEST(files >= 20u);
 }
 

@@ -12,35 +12,31 @@ using namespace turgor::test;
 
 BOOST_AUTO_TEST_SUITE(validation)
 
-namespace
-{
-std::string error_of(const std::string &json)
-{
+namespace {
+std::string error_of(const std::string &json) {
   const TemporaryDirectory directory;
   set_content(directory / "a.json", json);
-  try
-    {
-      load_validations((directory / "a.json").parent_path());
-    }
-  catch (const InputError &problem)
-    {
-      return problem.what();
-    }
+  try {
+    load_validations((directory / "a.json").parent_path());
+  } catch (const InputError &problem) {
+    return problem.what();
+  }
   return "";
 }
 const std::string runs = R"("runs": {"": {"input": "x.prm"}})";
-} // namespace
+}  // namespace
 
-BOOST_AUTO_TEST_CASE(values_and_verdicts_by_hand)
-{
+BOOST_AUTO_TEST_CASE(values_and_verdicts_by_hand) {
   const TemporaryDirectory directory;
-  set_content(directory / "summary.json", R"({"results": {"p": {"value": 2.02, "unit": "Pa"}, "exact": {"value": 2.0, "unit": "Pa"}}})");
-  const std::map<std::string, std::filesystem::path> runs_at = {{"", (directory / "summary.json").parent_path()}, {"two", (directory / "summary.json").parent_path()}};
+  set_content(directory / "summary.json",
+              R"({"results": {"p": {"value": 2.02, "unit": "Pa"}, "exact": {"value": 2.0, "unit": "Pa"}}})");
+  const std::map<std::string, std::filesystem::path> runs_at = {
+      {"", (directory / "summary.json").parent_path()}, {"two", (directory / "summary.json").parent_path()}};
   ValidationRow row;
   row.result = "p";
   row.relative_to = "two:exact";
   row.most = 1.1;
-  BOOST_TEST(value_of(row, runs_at).value == 1., boost::test_tools::tolerance(1e-12)); // 100 (2.02/2 - 1) %
+  BOOST_TEST(value_of(row, runs_at).value == 1., boost::test_tools::tolerance(1e-12));  // 100 (2.02/2 - 1) %
   BOOST_TEST(verdict_of(row, {-1.0}) == "met");
   BOOST_TEST(verdict_of(row, {-1.2}) == "missed");
   row.relative_to = "4.04";
@@ -61,17 +57,20 @@ BOOST_AUTO_TEST_CASE(values_and_verdicts_by_hand)
   BOOST_CHECK_THROW(value_of(row, runs_at), std::runtime_error);
 }
 
-// Means 2 and 4 of two runs each, standard errors 1 and 1: 100 (2/4 - 1) = -50 %, error 100 sqrt((1/4)^2 + (2/4 1/4)^2) = 28 %.
-BOOST_AUTO_TEST_CASE(means_over_runs_have_a_standard_error)
-{
+// Means 2 and 4 of two runs each, standard errors 1 and 1: 100 (2/4 - 1) = -50 %, error 100 sqrt((1/4)^2 +
+// (2/4 1/4)^2) = 28 %.
+BOOST_AUTO_TEST_CASE(means_over_runs_have_a_standard_error) {
   const TemporaryDirectory directory;
   const auto at = [&](const std::string &name, const std::string &value) {
     std::filesystem::create_directory(directory / name);
-    set_content(directory / name / "summary.json", R"({"results": {"p": {"value": )" + value + R"(, "unit": "Pa"}}})");
+    set_content(directory / name / "summary.json",
+                R"({"results": {"p": {"value": )" + value + R"(, "unit": "Pa"}}})");
     return (directory / name / "summary.json").parent_path();
   };
-  const std::map<std::string, std::filesystem::path> runs_at = {{"a 1", at("a1", "1")}, {"a 2", at("a2", "3")}, {"b 1", at("b1", "3")}, {"b 2", at("b2", "5")}};
-  const std::map<std::string, std::vector<std::string>> means = {{"a", {"a 1", "a 2"}}, {"b", {"b 1", "b 2"}}};
+  const std::map<std::string, std::filesystem::path> runs_at = {
+      {"a 1", at("a1", "1")}, {"a 2", at("a2", "3")}, {"b 1", at("b1", "3")}, {"b 2", at("b2", "5")}};
+  const std::map<std::string, std::vector<std::string>> means = {{"a", {"a 1", "a 2"}},
+                                                                 {"b", {"b 1", "b 2"}}};
   ValidationRow row;
   row.result = "a:p";
   row.most = 10.;
@@ -86,7 +85,8 @@ BOOST_AUTO_TEST_CASE(means_over_runs_have_a_standard_error)
   BOOST_TEST(ratio.error == 100. * std::hypot(0.25, 0.125), boost::test_tools::tolerance(1e-14));
   row.least = -100.;
   row.most = -10.;
-  BOOST_TEST(verdict_of(row, ratio) == "within the scatter"); // 40 % from the end of the target, less than twice 28 %
+  BOOST_TEST(verdict_of(row, ratio) ==
+             "within the scatter");  // 40 % from the end of the target, less than twice 28 %
   row.most = 20.;
   row.least = -150.;
   BOOST_TEST(verdict_of(row, ratio) == "met");
@@ -95,15 +95,16 @@ BOOST_AUTO_TEST_CASE(means_over_runs_have_a_standard_error)
   row.result = "c:p";
   BOOST_CHECK_THROW(value_of(row, runs_at, means), std::runtime_error);
   auto lacking = means;
-  lacking["a"].push_back("a 3"); // one run did not finish: no mean of the others
+  lacking["a"].push_back("a 3");  // one run did not finish: no mean of the others
   row.result = "a:p";
   BOOST_CHECK_THROW(value_of(row, runs_at, lacking), std::runtime_error);
 }
 
-BOOST_AUTO_TEST_CASE(a_run_for_each_value)
-{
+BOOST_AUTO_TEST_CASE(a_run_for_each_value) {
   const TemporaryDirectory directory;
-  set_content(directory / "a.json", R"({"runs": {"dense": {"input": "x.prm", "overrides": ["B=2"], "each": "Tissue seed = 1 | 2\\|3|5"}},
+  set_content(
+      directory / "a.json",
+      R"({"runs": {"dense": {"input": "x.prm", "overrides": ["B=2"], "each": "Tissue seed = 1 | 2\\|3|5"}},
                                         "rows": [{"quantity": "x", "source": "y", "result": "dense:p"}]})");
   const Validation validation = load_validations((directory / "a.json").parent_path()).at(0);
   BOOST_TEST(validation.runs.size() == 3u);
@@ -113,11 +114,12 @@ BOOST_AUTO_TEST_CASE(a_run_for_each_value)
   BOOST_REQUIRE(last.overrides.size() == 2u);
   BOOST_TEST(last.overrides[1] == "Tissue seed=5");
   for (const char *wrong : {"Tissue seed", "Tissue seed = 1"})
-    BOOST_TEST(error_of(std::string(R"({"runs": {"": {"input": "x.prm", "each": ")") + wrong + R"("}}, "rows": []})").find("two values or more") != std::string::npos);
+    BOOST_TEST(
+        error_of(std::string(R"({"runs": {"": {"input": "x.prm", "each": ")") + wrong + R"("}}, "rows": []})")
+            .find("two values or more") != std::string::npos);
 }
 
-BOOST_AUTO_TEST_CASE(the_table_goes_between_its_marks)
-{
+BOOST_AUTO_TEST_CASE(the_table_goes_between_its_marks) {
   const std::string once = with_table("# Head\n", "| a |\n");
   BOOST_TEST(once.find("# Head\n") == 0u);
   const std::string twice = with_table(once + "\nbehind\n", "| b |\n");
@@ -127,8 +129,7 @@ BOOST_AUTO_TEST_CASE(the_table_goes_between_its_marks)
 }
 
 // A row that another program computed, or none, is not taken for one of today's.
-BOOST_AUTO_TEST_CASE(the_table_says_which_program_computed_it)
-{
+BOOST_AUTO_TEST_CASE(the_table_says_which_program_computed_it) {
   Validation validation;
   validation.name = "ring";
   validation.rows.resize(2);
@@ -136,17 +137,21 @@ BOOST_AUTO_TEST_CASE(the_table_says_which_program_computed_it)
   validation.rows[1].quantity = "b";
   Validation other = validation;
   other.name = "ball";
-  std::vector<ValidationResult> results = {{"ring", "a", "1", "%", "2", "met", "1234 avx2", "2026-11-29"}, {"ring", "b", "1", "%", "2", "met", "1234 avx2", "2026-11-29"}};
-  BOOST_TEST(markdown({validation}, results).find("Computed by 1234 avx2 on 2026-11-29: all 2 rows.\n\n| scene |") == 0u);
+  std::vector<ValidationResult> results = {{"ring", "a", "1", "%", "2", "met", "1234 avx2", "2026-11-29"},
+                                           {"ring", "b", "1", "%", "2", "met", "1234 avx2", "2026-11-29"}};
+  BOOST_TEST(
+      markdown({validation}, results).find("Computed by 1234 avx2 on 2026-11-29: all 2 rows.\n\n| scene |") ==
+      0u);
   results[1].program = "";
   const std::string mixed = markdown({validation, other}, results);
-  BOOST_TEST(mixed.find("Computed by 1234 avx2 on 2026-11-29: 1 row (ring). By a program that was not noted: 1 row (ring). Not run: 2 rows (ball).\n") == 0u);
+  BOOST_TEST(mixed.find("Computed by 1234 avx2 on 2026-11-29: 1 row (ring). By a program that was not noted: "
+                        "1 row (ring). Not run: 2 rows (ball).\n") == 0u);
 }
 
-BOOST_AUTO_TEST_CASE(results_survive_the_file)
-{
+BOOST_AUTO_TEST_CASE(results_survive_the_file) {
   const TemporaryDirectory directory;
-  write_results(directory / "r.csv", {{"name", "a \"quantity\", with a comma", "1.5", "%", "3", "met", "1234abcd avx2", "2026-11-29"}});
+  write_results(directory / "r.csv", {{"name", "a \"quantity\", with a comma", "1.5", "%", "3", "met",
+                                       "1234abcd avx2", "2026-11-29"}});
   const std::vector<ValidationResult> back = read_results(directory / "r.csv");
   BOOST_REQUIRE(back.size() == 1u);
   BOOST_TEST(back[0].quantity == "a \"quantity\", with a comma");
@@ -159,15 +164,22 @@ BOOST_AUTO_TEST_CASE(results_survive_the_file)
   BOOST_TEST(read_results(directory / "none.csv").empty());
 }
 
-BOOST_AUTO_TEST_CASE(mistakes_are_named)
-{
-  const auto has = [](const std::string &text, const std::string &part) { return text.find(part) != std::string::npos; };
+BOOST_AUTO_TEST_CASE(mistakes_are_named) {
+  const auto has = [](const std::string &text, const std::string &part) {
+    return text.find(part) != std::string::npos;
+  };
   BOOST_TEST(has(error_of("{" + runs + R"(, "rows": [{"quantitie": "x"}]})"), "Did you mean 'quantity'?"));
   BOOST_TEST(has(error_of("{" + runs + "}"), "at least one of 'runs' and one of 'rows'"));
-  BOOST_TEST(has(error_of("{" + runs + R"(, "rows": [{"quantity": "x", "source": "y"}]})"), "'result' is missing"));
-  BOOST_TEST(has(error_of("{" + runs + R"(, "rows": [{"quantity": "x", "source": "y", "result": "p", "relative_to": "q", "unit": "Pa"}]})"), "is in %"));
+  BOOST_TEST(
+      has(error_of("{" + runs + R"(, "rows": [{"quantity": "x", "source": "y"}]})"), "'result' is missing"));
+  BOOST_TEST(has(
+      error_of(
+          "{" + runs +
+          R"(, "rows": [{"quantity": "x", "source": "y", "result": "p", "relative_to": "q", "unit": "Pa"}]})"),
+      "is in %"));
   const std::string row = R"({"quantity": "x", "source": "y", "result": "p"})";
-  BOOST_TEST(has(error_of("{" + runs + ", \"rows\": [" + row + ", " + row + "]}"), "a quantity needs a name of its own"));
+  BOOST_TEST(has(error_of("{" + runs + ", \"rows\": [" + row + ", " + row + "]}"),
+                 "a quantity needs a name of its own"));
   BOOST_TEST(has(error_of("{"), "a.json"));
 }
 

@@ -6,8 +6,7 @@ using turgor::PointShares;
 
 BOOST_AUTO_TEST_SUITE(point_shares)
 
-BOOST_AUTO_TEST_CASE(without_mpi_all_points_are_mine)
-{
+BOOST_AUTO_TEST_CASE(without_mpi_all_points_are_mine) {
   PointShares shares;
   shares.set_points(5);
   BOOST_TEST(shares.ranks() == 1u);
@@ -20,11 +19,10 @@ BOOST_AUTO_TEST_CASE(without_mpi_all_points_are_mine)
   BOOST_TEST(shares.sum(2.5) == 2.5);
 }
 
-BOOST_AUTO_TEST_CASE(imbalance_by_hand)
-{
+BOOST_AUTO_TEST_CASE(imbalance_by_hand) {
   PointShares shares;
   shares.set_points(3);
-  BOOST_TEST(shares.imbalance({1., 2., 3.}, {0, 0, 0}) == 1.); // one rank is always balanced
+  BOOST_TEST(shares.imbalance({1., 2., 3.}, {0, 0, 0}) == 1.);  // one rank is always balanced
   BOOST_TEST(shares.imbalance({0., 0., 0.}, {0, 0, 0}) == 1.);
 }
 

@@ -12,25 +12,19 @@
 using namespace turgor;
 using turgor::test::FakeRve;
 
-namespace
-{
+namespace {
 template <int dim>
-struct Batch
-{
+struct Batch {
   std::vector<dealii::Point<dim>> points;
   std::vector<dealii::Tensor<2, dim>> F, F_dot;
 
-  explicit Batch(std::size_t n)
-  {
-    for (std::size_t p = 0; p < n; ++p)
-    {
+  explicit Batch(std::size_t n) {
+    for (std::size_t p = 0; p < n; ++p) {
       dealii::Point<dim> x;
       dealii::Tensor<2, dim> f, g;
-      for (int i = 0; i < dim; ++i)
-      {
+      for (int i = 0; i < dim; ++i) {
         x[i] = 1e-4 * static_cast<double>(p + 1);
-        for (int j = 0; j < dim; ++j)
-        {
+        for (int j = 0; j < dim; ++j) {
           f[i][j] = (i == j ? 1. : 0.) + 0.05 * std::sin(1. + static_cast<double>(p) + 3. * i + 7. * j);
           g[i][j] = 1e3 * std::cos(2. + static_cast<double>(p) + 5. * i + 11. * j);
         }
@@ -42,20 +36,18 @@ struct Batch
   }
 };
 
-std::vector<std::size_t> all(std::size_t n)
-{
+std::vector<std::size_t> all(std::size_t n) {
   std::vector<std::size_t> result(n);
-  for (std::size_t p = 0; p < n; ++p)
-    result[p] = p;
+  for (std::size_t p = 0; p < n; ++p) result[p] = p;
   return result;
 }
-} // namespace
+}  // namespace
 
 BOOST_AUTO_TEST_SUITE(rve_law)
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(equals_the_closed_form, Dim,
-                              decltype(std::tuple<std::integral_constant<int, 2>, std::integral_constant<int, 3>>()))
-{
+BOOST_AUTO_TEST_CASE_TEMPLATE(
+    equals_the_closed_form, Dim,
+    decltype(std::tuple<std::integral_constant<int, 2>, std::integral_constant<int, 3>>())) {
   constexpr int dim = Dim::value;
   const auto rve = std::make_shared<FakeRve<dim>>();
   RveLaw<dim> law(rve, {});
@@ -68,21 +60,19 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(equals_the_closed_form, Dim,
   request.tangents = request.rate_tangents = true;
   law.evaluate(batch.F, batch.F_dot, request, answer);
   BOOST_TEST(answer.failed.empty());
-  for (std::size_t p = 0; p < 7; ++p)
-  {
+  for (std::size_t p = 0; p < 7; ++p) {
     double square = 0.;
     for (int a = 0; a < dim; ++a)
-      for (int b = 0; b < dim; ++b)
-      {
+      for (int b = 0; b < dim; ++b) {
         const double E = batch.F[p][a][b] - (a == b ? 1. : 0.);
         square += E * E;
-        BOOST_TEST(answer.P[p][a][b] == 2. * 1e6 * E + 10. * batch.F_dot[p][a][b]); // same operations: same bits
+        BOOST_TEST(answer.P[p][a][b] ==
+                   2. * 1e6 * E + 10. * batch.F_dot[p][a][b]);  // same operations: same bits
         for (int c = 0; c < dim; ++c)
-          for (int d = 0; d < dim; ++d)
-            {
-              BOOST_TEST(answer.tangent[p][a][b][c][d] == (a == c && b == d ? 2e6 : 0.));
-              BOOST_TEST(answer.rate_tangent[p][a][b][c][d] == (a == c && b == d ? 10. : 0.));
-            }
+          for (int d = 0; d < dim; ++d) {
+            BOOST_TEST(answer.tangent[p][a][b][c][d] == (a == c && b == d ? 2e6 : 0.));
+            BOOST_TEST(answer.rate_tangent[p][a][b][c][d] == (a == c && b == d ? 10. : 0.));
+          }
       }
     BOOST_TEST(answer.energy[p] == 1e6 * square, boost::test_tools::tolerance(1e-14));
   }
@@ -93,43 +83,37 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(equals_the_closed_form, Dim,
   BOOST_TEST(law.statistics().iterations == 42u);
 }
 
-BOOST_AUTO_TEST_CASE(evaluate_changes_no_history_and_commit_takes_the_last)
-{
+BOOST_AUTO_TEST_CASE(evaluate_changes_no_history_and_commit_takes_the_last) {
   RveLaw<2> law(std::make_shared<FakeRve<2>>(), {});
   Batch<2> batch(5);
   law.set_points(batch.points);
   LawAnswer<2> first, again, other;
   law.evaluate(batch.F, batch.F_dot, {}, first);
-  for (int k = 0; k < 3; ++k)
-    law.evaluate(batch.F, batch.F_dot, {}, again);
+  for (int k = 0; k < 3; ++k) law.evaluate(batch.F, batch.F_dot, {}, again);
   BOOST_TEST((first.P == again.P));
-  for (const RveState<2> &s : law.states(all(5)))
-    BOOST_TEST(s.unknowns[0] == 0.); // nothing committed
+  for (const RveState<2> &s : law.states(all(5))) BOOST_TEST(s.unknowns[0] == 0.);  // nothing committed
 
   Batch<2> last = batch;
   last.F[2][0][0] = 1.125;
   law.evaluate(last.F, last.F_dot, {}, other);
   law.commit();
-  law.commit(); // no batch since: nothing happens
+  law.commit();  // no batch since: nothing happens
   const auto states = law.states(all(5));
-  for (const RveState<2> &s : states)
-    BOOST_TEST(s.unknowns[0] == 1.); // one commit, not five evaluations
+  for (const RveState<2> &s : states) BOOST_TEST(s.unknowns[0] == 1.);  // one commit, not five evaluations
   BOOST_TEST(states[2].unknowns[1] == 1.125);
   BOOST_TEST(states[2].F(0, 0) == 1.125);
 }
 
-BOOST_AUTO_TEST_CASE(failures_are_answers_with_place_and_reason)
-{
+BOOST_AUTO_TEST_CASE(failures_are_answers_with_place_and_reason) {
   const auto rve = std::make_shared<FakeRve<2>>();
   rve->fails_above = 1.2;
   rve->throws_above = 1.4;
   rve->nan_above = 1.1;
   Batch<2> batch(6);
-  batch.F[1][0][0] = 1.3;  // does not converge
-  batch.F[3][0][0] = 1.5;  // throws
-  batch.F[4][0][0] = 1.15; // NaN
-  for (const unsigned int threads : {1u, 2u})
-  {
+  batch.F[1][0][0] = 1.3;   // does not converge
+  batch.F[3][0][0] = 1.5;   // throws
+  batch.F[4][0][0] = 1.15;  // NaN
+  for (const unsigned int threads : {1u, 2u}) {
     RveLawSettings settings;
     settings.threads = threads;
     RveLaw<2> law(rve, settings);
@@ -147,10 +131,9 @@ BOOST_AUTO_TEST_CASE(failures_are_answers_with_place_and_reason)
     BOOST_TEST(answer.failed[2].reason.find("non-finite") != std::string::npos);
     BOOST_TEST(law.statistics().failed_calls == 3u);
     BOOST_CHECK_THROW(law.commit(), std::logic_error);
-    for (const RveState<2> &s : law.states(all(6)))
-      BOOST_TEST(s.unknowns[0] == 0.);
+    for (const RveState<2> &s : law.states(all(6))) BOOST_TEST(s.unknowns[0] == 0.);
 
-    batch.F[1][0][0] = 1.; // a shorter step: the law goes on
+    batch.F[1][0][0] = 1.;  // a shorter step: the law goes on
     batch.F[3][0][0] = 1.;
     batch.F[4][0][0] = 1.;
     law.evaluate(batch.F, batch.F_dot, {}, answer);
@@ -164,15 +147,13 @@ BOOST_AUTO_TEST_CASE(failures_are_answers_with_place_and_reason)
 }
 
 // Answers that drag has helped to are counted by themselves, and so is what they leave out of balance.
-BOOST_AUTO_TEST_CASE(answers_under_drag_are_counted)
-{
+BOOST_AUTO_TEST_CASE(answers_under_drag_are_counted) {
   auto rve = std::make_shared<FakeRve<2>>();
   rve->drags_above = 1.25;
   RveLaw<2> law(rve, {});
   Batch<2> batch(5);
   law.set_points(batch.points);
-  for (auto &f : batch.F)
-    f[0][0] = 1.;
+  for (auto &f : batch.F) f[0][0] = 1.;
   LawAnswer<2> answer;
   law.evaluate(batch.F, batch.F_dot, {}, answer);
   BOOST_TEST(law.statistics().dragged_calls == 0u);
@@ -184,22 +165,18 @@ BOOST_AUTO_TEST_CASE(answers_under_drag_are_counted)
   BOOST_TEST(law.statistics().max_residual == 1e-9);
 }
 
-BOOST_AUTO_TEST_CASE(same_bits_on_one_and_two_threads)
-{
+BOOST_AUTO_TEST_CASE(same_bits_on_one_and_two_threads) {
   std::vector<std::string> bytes;
   std::vector<std::vector<dealii::Tensor<2, 2>>> stresses;
-  for (const unsigned int threads : {1u, 2u})
-  {
+  for (const unsigned int threads : {1u, 2u}) {
     RveLawSettings settings;
     settings.threads = threads;
     RveLaw<2> law(std::make_shared<FakeRve<2>>(), settings);
     Batch<2> batch(203);
     law.set_points(batch.points);
     LawAnswer<2> answer;
-    for (int step = 0; step < 20; ++step)
-    {
-      for (auto &f : batch.F)
-        f[0][0] *= 1.001;
+    for (int step = 0; step < 20; ++step) {
+      for (auto &f : batch.F) f[0][0] *= 1.001;
       law.evaluate(batch.F, batch.F_dot, {}, answer);
       law.commit();
     }
@@ -213,18 +190,16 @@ BOOST_AUTO_TEST_CASE(same_bits_on_one_and_two_threads)
   BOOST_TEST((bytes[0] == bytes[1]));
 }
 
-BOOST_AUTO_TEST_CASE(save_and_load_bitwise)
-{
+BOOST_AUTO_TEST_CASE(save_and_load_bitwise) {
   Batch<2> batch(9);
   RveLaw<2> law(std::make_shared<FakeRve<2>>(), {});
   law.set_points(batch.points);
   LawAnswer<2> answer, resumed_answer;
-  for (int step = 0; step < 3; ++step)
-  {
+  for (int step = 0; step < 3; ++step) {
     law.evaluate(batch.F, batch.F_dot, {}, answer);
     law.commit();
   }
-  law.evaluate(batch.F, batch.F_dot, {}, answer); // a trial is no history: not saved
+  law.evaluate(batch.F, batch.F_dot, {}, answer);  // a trial is no history: not saved
   const std::string text = archived(law);
 
   RveLaw<2> resumed(std::make_shared<FakeRve<2>>(), {});
@@ -237,12 +212,10 @@ BOOST_AUTO_TEST_CASE(save_and_load_bitwise)
   resumed.commit();
   BOOST_TEST((answer.P == resumed_answer.P));
   const auto a = law.states(all(9)), b = resumed.states(all(9));
-  for (std::size_t p = 0; p < 9; ++p)
-    BOOST_TEST((a[p].unknowns == b[p].unknowns));
+  for (std::size_t p = 0; p < 9; ++p) BOOST_TEST((a[p].unknowns == b[p].unknowns));
 }
 
-BOOST_AUTO_TEST_CASE(damaged_checkpoints_are_refused)
-{
+BOOST_AUTO_TEST_CASE(damaged_checkpoints_are_refused) {
   Batch<2> batch(4);
   RveLaw<2> law(std::make_shared<FakeRve<2>>(), {});
   law.set_points(batch.points);
@@ -252,13 +225,14 @@ BOOST_AUTO_TEST_CASE(damaged_checkpoints_are_refused)
   RveLaw<2> other(std::make_shared<FakeRve<2>>(), {});
   other.set_points(Batch<2>(3).points);
   BOOST_CHECK_EXCEPTION(restore(text, other), ArchiveError, [](const ArchiveError &e) {
-    return std::string(e.what()) == "The checkpoint belongs to another mesh or scene: it holds 4 entries in its section 'RVEs' where this run has 3.";
+    return std::string(e.what()) ==
+           "The checkpoint belongs to another mesh or scene: it holds 4 entries in its section 'RVEs' where "
+           "this run has 3.";
   });
 }
 
 // A batch may last for minutes: the wish to stop ends it between two RVEs, and nothing of it stays.
-BOOST_AUTO_TEST_CASE(a_wish_to_stop_ends_a_batch)
-{
+BOOST_AUTO_TEST_CASE(a_wish_to_stop_ends_a_batch) {
   RveLaw<2> law(std::make_shared<FakeRve<2>>(), {});
   const Batch<2> batch(7);
   law.set_points(batch.points);

@@ -16,48 +16,42 @@
 
 namespace fs = std::filesystem;
 
-namespace
-{
+namespace {
 const std::string program = std::string(TURGOR_BINARY_DIR) + "/app/turgor";
 const std::string input = std::string(TURGOR_SOURCE_DIR) + "/inputs/tissue_gravity.prm";
 
-struct Folder
-{
+struct Folder {
   fs::path path = fs::temp_directory_path() / ("turgor_gravity_" + std::to_string(::getpid()));
   Folder() { fs::create_directories(path); }
   ~Folder() { fs::remove_all(path); }
 };
 
 // A small piece for a short time; 4 elements, 16 RVEs.
-std::string command(const fs::path &directory, const std::string &more)
-{
+std::string command(const fs::path &directory, const std::string &more) {
   std::string text = program + " run " + input + " -o " + directory.string() + " --quiet";
-  for (const char *set : {"Tissue gravity/Cells=4", "Tissue/Elements x=2", "Tissue/Elements y=2", "Tissue/Degree=1",
-                          "Cell/Nodes per side=8", "Time/End time=4e-5", "Time/Checkpoint interval=0",
-                          "Time/Output interval=1.5e-5", "Tissue gravity/Steps between rebalances=3"})
+  for (const char *set :
+       {"Tissue gravity/Cells=4", "Tissue/Elements x=2", "Tissue/Elements y=2", "Tissue/Degree=1",
+        "Cell/Nodes per side=8", "Time/End time=4e-5", "Time/Checkpoint interval=0",
+        "Time/Output interval=1.5e-5", "Tissue gravity/Steps between rebalances=3"})
     text += std::string(" --set '") + set + "'";
   return text + " " + more + " > " + directory.string() + ".log 2>&1";
 }
 
-std::string read(const fs::path &file)
-{
+std::string read(const fs::path &file) {
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
   text << in.rdbuf();
   return text.str();
 }
 
-void compare(const fs::path &a, const fs::path &b)
-{
-  for (const char *name : {"probe.csv", "energies.csv", "cell_displacement.csv", "rve_outlines.csv"})
-  {
+void compare(const fs::path &a, const fs::path &b) {
+  for (const char *name : {"probe.csv", "energies.csv", "cell_displacement.csv", "rve_outlines.csv"}) {
     BOOST_TEST(fs::exists(a / name), name);
     BOOST_TEST((read(a / name) == read(b / name)), b.string() << "/" << name << " differs");
   }
 }
 // Every RVE called, and with answers from the table.
-void same_bits(const std::string &entries)
-{
+void same_bits(const std::string &entries) {
   BOOST_REQUIRE_MESSAGE(fs::exists(program), program << " is not built");
   const Folder folder;
   const auto run = [&](const std::string &name, const std::string &more) {
@@ -68,22 +62,19 @@ void same_bits(const std::string &entries)
   const fs::path alone = run("alone", "--threads 1");
   compare(alone, run("threads", "--threads 2"));
   compare(alone, run("ranks", "--threads 1 --ranks 2"));
-  if (!entries.empty())
-    compare(alone, run("three_ranks", "--threads 1 --ranks 3"));
+  if (!entries.empty()) compare(alone, run("three_ranks", "--threads 1 --ranks 3"));
 
   // Killed three times at unequal moments of its work, then left to finish.
   const fs::path killed = folder.path / "killed";
-  for (const int rows : {3, 12, 30})
-  {
+  for (const int rows : {3, 12, 30}) {
     const pid_t child = ::fork();
-    if (child == 0)
-    {
-      const std::string line = "exec " + command(killed, entries + (rows == 3 ? " --threads 1" : " --threads 1 --resume"));
+    if (child == 0) {
+      const std::string line =
+          "exec " + command(killed, entries + (rows == 3 ? " --threads 1" : " --threads 1 --resume"));
       ::execl("/bin/sh", "sh", "-c", line.c_str(), static_cast<char *>(nullptr));
       ::_exit(127);
     }
-    for (int wait = 0; wait < 2000; ++wait)
-    {
+    for (int wait = 0; wait < 2000; ++wait) {
       const std::string text = read(killed / "probe.csv");
       if (std::count(text.begin(), text.end(), '\n') > rows || ::waitpid(child, nullptr, WNOHANG) == child)
         break;
@@ -94,17 +85,13 @@ void same_bits(const std::string &entries)
   }
   compare(alone, run("killed", "--threads 1 --resume"));
 }
-} // namespace
+}  // namespace
 
 BOOST_AUTO_TEST_SUITE(tissue_gravity)
 
-BOOST_AUTO_TEST_CASE(same_bits_on_threads_ranks_and_after_kill)
-{
-  same_bits("");
-}
+BOOST_AUTO_TEST_CASE(same_bits_on_threads_ranks_and_after_kill) { same_bits(""); }
 
-BOOST_AUTO_TEST_CASE(same_bits_with_certified_skipping)
-{
+BOOST_AUTO_TEST_CASE(same_bits_with_certified_skipping) {
   same_bits("--set 'Skipping/Skipping=certified' --set 'Skipping/Audit share=0.05'");
 }
 

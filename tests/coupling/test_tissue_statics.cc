@@ -14,24 +14,27 @@ using turgor::test::MemoryContext;
 
 BOOST_AUTO_TEST_SUITE(tissue_statics)
 
-// The cells' own tolerance follows the load: at the default, they would not feel loads below 0.2 mPa and answer too stiffly.
-BOOST_AUTO_TEST_CASE(displacement_is_linear_in_small_loads)
-{
+// The cells' own tolerance follows the load: at the default, they would not feel loads below 0.2 mPa and
+// answer too stiffly.
+BOOST_AUTO_TEST_CASE(displacement_is_linear_in_small_loads) {
   double per_load = 0.;
-  for (const std::string load : {"1e5", "1", "1e-2", "1e-4", "1e-5"}) // Pa; 1e-6 drowns in rounding, and the run says so
+  for (const std::string load :
+       {"1e5", "1", "1e-2", "1e-4", "1e-5"})  // Pa; 1e-6 drowns in rounding, and the run says so
   {
     TissueStatics scene;
     InputEntries prm;
     scene.declare_parameters(prm);
-    prm.read("subsection Tissue statics\n set Cells = 4\n set Load = " + load + "\n set Elements = 2\nend\n"
+    prm.read("subsection Tissue statics\n set Cells = 4\n set Load = " + load +
+             "\n set Elements = 2\nend\n"
              "subsection Cell\n set Nodes per side = 6\nend\n");
     scene.check();
     Disk disk;
     MemoryContext context(disk, false);
     scene.run(context);
-    const double now = context.results.at("tip_displacement_y") / std::stod(load), residual = context.results.at("residual");
-    BOOST_TEST_MESSAGE("load " << load << " Pa: " << now << " m/Pa, residual " << residual << ", of round-off "
-                               << context.results.at("residual_of_round_off"));
+    const double now = context.results.at("tip_displacement_y") / std::stod(load),
+                 residual = context.results.at("residual");
+    BOOST_TEST_MESSAGE("load " << load << " Pa: " << now << " m/Pa, residual " << residual
+                               << ", of round-off " << context.results.at("residual_of_round_off"));
     BOOST_TEST(context.results.at("load_increments") <= 4.);
     if (load == "1")
       per_load = now;

@@ -6,12 +6,11 @@
 
 #include <cmath>
 
-namespace turgor::test
-{
+namespace turgor::test {
 constexpr double mu = 0.2e6, lambda = 50.6e6, rho = 1057., width = 1.6e-3;
 
-inline TissueParameters<2> gravity(unsigned int elements, unsigned int degree = 1, const std::string &locking = "f_bar")
-{
+inline TissueParameters<2> gravity(unsigned int elements, unsigned int degree = 1,
+                                   const std::string &locking = "f_bar") {
   TissueParameters<2> p;
   p.size = {width, width};
   p.elements = {elements, elements};
@@ -23,8 +22,7 @@ inline TissueParameters<2> gravity(unsigned int elements, unsigned int degree = 
 
 /// Smooth, not symmetric nodal values of the given size.
 template <int dim>
-std::vector<double> wavy(const TissueMesh<dim> &mesh, double size, double phase)
-{
+std::vector<double> wavy(const TissueMesh<dim> &mesh, double size, double phase) {
   std::vector<double> u;
   for (const auto &x : mesh.node_position)
     for (unsigned int c = 0; c < dim; ++c)
@@ -33,25 +31,22 @@ std::vector<double> wavy(const TissueMesh<dim> &mesh, double size, double phase)
 }
 
 /// A law that answers like another one but fails in chosen calls.
-class FailingLaw : public NeoHookeanLaw<2>
-{
-public:
+class FailingLaw : public NeoHookeanLaw<2> {
+ public:
   using NeoHookeanLaw<2>::NeoHookeanLaw;
-  unsigned long calls = 0, fail_from = 0, fail_to = 0; // fails in calls fail_from <= n < fail_to
+  unsigned long calls = 0, fail_from = 0, fail_to = 0;  // fails in calls fail_from <= n < fail_to
   unsigned int commits = 0;
 
   void evaluate(const std::vector<dealii::Tensor<2, 2>> &F, const std::vector<dealii::Tensor<2, 2>> &F_dot,
-                const LawRequest &request, LawAnswer<2> &answer) override
-  {
+                const LawRequest &request, LawAnswer<2> &answer) override {
     NeoHookeanLaw<2>::evaluate(F, F_dot, request, answer);
     if (calls >= fail_from && calls < fail_to)
       answer.failed.push_back({5, "the cell wall cannot be balanced"});
     ++calls;
   }
-  void commit() override
-  {
+  void commit() override {
     NeoHookeanLaw<2>::commit();
     ++commits;
   }
 };
-} // namespace turgor::test
+}  // namespace turgor::test

@@ -1,4 +1,5 @@
-// Runs a scene in memory: one of its tables (of growing cells growth.csv) and its results, at once or with a stop and a resumed run.
+// Runs a scene in memory: one of its tables (of growing cells growth.csv) and its results, at once or with a
+// stop and a resumed run.
 #pragma once
 
 #include "run/input_entries.h"
@@ -10,17 +11,14 @@
 #include <string>
 #include <vector>
 
-namespace turgor::test
-{
-struct Outcome
-{
+namespace turgor::test {
+struct Outcome {
   std::vector<std::vector<double>> rows;
   std::map<std::string, double> results;
 };
 
 template <class Scene>
-void read(Scene &scene, const std::string &text)
-{
+void read(Scene &scene, const std::string &text) {
   InputEntries prm;
   scene.declare_parameters(prm);
   prm.read(text);
@@ -28,25 +26,21 @@ void read(Scene &scene, const std::string &text)
 }
 
 template <class Scene>
-Outcome run(const std::string &text, const unsigned int threads = 1, const unsigned long stop_at = 0, const std::string &table = "growth")
-{
+Outcome run(const std::string &text, const unsigned int threads = 1, const unsigned long stop_at = 0,
+            const std::string &table = "growth") {
   Disk disk;
-  for (bool resume = false;; resume = true)
-    {
-      Scene scene;
-      read(scene, text);
-      MemoryContext context(disk, resume);
-      context.use_threads = threads;
-      context.stop_at = resume ? 0 : stop_at;
-      try
-        {
-          scene.run(context);
-          return {disk.series.at(table), context.results};
-        }
-      catch (const RunStopped &)
-        {
-          BOOST_REQUIRE(!resume);
-        }
+  for (bool resume = false;; resume = true) {
+    Scene scene;
+    read(scene, text);
+    MemoryContext context(disk, resume);
+    context.use_threads = threads;
+    context.stop_at = resume ? 0 : stop_at;
+    try {
+      scene.run(context);
+      return {disk.series.at(table), context.results};
+    } catch (const RunStopped &) {
+      BOOST_REQUIRE(!resume);
     }
+  }
 }
-} // namespace turgor::test
+}  // namespace turgor::test

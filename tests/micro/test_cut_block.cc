@@ -1,4 +1,5 @@
-// Blocks cut out of periodic tissue: their sides, and that frozen surfaces keep what the missing neighbours pull, whatever the cells.
+// Blocks cut out of periodic tissue: their sides, and that frozen surfaces keep what the missing neighbours
+// pull, whatever the cells.
 #include "micro/cells/cut_block.h"
 #include "micro/cells/parenchyma.h"
 #include "micro/cells/tissue_block.h"
@@ -16,30 +17,34 @@ using namespace turgor;
 
 BOOST_AUTO_TEST_SUITE(cut_block)
 
-// By hand: the left sides of the first column, corners included; the two corners that meet in the middle of the right side.
-BOOST_AUTO_TEST_CASE(sides_of_squares)
-{
+// By hand: the left sides of the first column, corners included; the two corners that meet in the middle of
+// the right side.
+BOOST_AUTO_TEST_CASE(sides_of_squares) {
   ParenchymaParameters cell;
   cell.nodes_per_side = 4;
   const CellLayout whole = make_parenchyma(cell, 3, 2, true, true);
   const CutBlock block = cut_out(whole, whole, Surfaces::frozen);
-  BOOST_TEST(block.clamped == (std::vector<std::uint32_t>{0, 12, 13, 14, 15, 48, 60, 61, 62, 63}), boost::test_tools::per_element());
-  BOOST_TEST(block.probe == (std::vector<std::uint32_t>{2 * 16 + 8, 5 * 16 + 4}), boost::test_tools::per_element());
+  BOOST_TEST(block.clamped == (std::vector<std::uint32_t>{0, 12, 13, 14, 15, 48, 60, 61, 62, 63}),
+             boost::test_tools::per_element());
+  BOOST_TEST(block.probe == (std::vector<std::uint32_t>{2 * 16 + 8, 5 * 16 + 4}),
+             boost::test_tools::per_element());
   BOOST_TEST(block.width == 3. * cell.period);
   BOOST_TEST(block.cut.size() == 5u * (2 + 3));
-  const CellLayout bounded = make_parenchyma(cell, 3, 2, false, false), slab = make_parenchyma(cell, 3, 2, false, true);
+  const CellLayout bounded = make_parenchyma(cell, 3, 2, false, false),
+                   slab = make_parenchyma(cell, 3, 2, false, true);
   BOOST_TEST(block.layout.ties.size() == bounded.ties.size());
   BOOST_TEST(cut_out(whole, whole, Surfaces::slab).layout.ties.size() == slab.ties.size());
-  BOOST_TEST(block.density * whole.lattice.determinant() * cell.depth == whole.total_fluid_mass() + whole.total_wall_mass(),
+  BOOST_TEST(block.density * whole.lattice.determinant() * cell.depth ==
+                 whole.total_fluid_mass() + whole.total_wall_mass(),
              boost::test_tools::tolerance(1e-14));
   BOOST_CHECK_THROW(cut_out(bounded, bounded, Surfaces::frozen), std::invalid_argument);
 }
 
-// Cells of five shapes filled with particles: every force is that of the periodic tissue, those of free surfaces are not.
-BOOST_AUTO_TEST_CASE(frozen_surfaces_pull_as_the_neighbours_did)
-{
+// Cells of five shapes filled with particles: every force is that of the periodic tissue, those of free
+// surfaces are not.
+BOOST_AUTO_TEST_CASE(frozen_surfaces_pull_as_the_neighbours_did) {
   CellLayout layout = test::unlike_cells(10e-6);
-  for (std::size_t i = 0; i < layout.nodes.size(); ++i) // apart, so that ties pull
+  for (std::size_t i = 0; i < layout.nodes.size(); ++i)  // apart, so that ties pull
     for (int d = 0; d < 2; ++d)
       layout.nodes[i][d] += 0.05 * layout.spacing * (random_uniform(3, 2 * i + d) - 0.5);
   SphParameters sph;
@@ -58,9 +63,9 @@ BOOST_AUTO_TEST_CASE(frozen_surfaces_pull_as_the_neighbours_did)
   BOOST_TEST(difference(Surfaces::free) > 1e-3 * scale);
 }
 
-// A network of those cells at turgor: at rest as it is cut out; under load the clamp and the missing neighbours carry the weight.
-BOOST_AUTO_TEST_CASE(a_block_of_unlike_cells_keeps_its_reference)
-{
+// A network of those cells at turgor: at rest as it is cut out; under load the clamp and the missing
+// neighbours carry the weight.
+BOOST_AUTO_TEST_CASE(a_block_of_unlike_cells_keeps_its_reference) {
   const CellLayout laid = test::unlike_cells(), reference = turgid(laid);
   LatticeBlock block(laid, reference, Surfaces::frozen);
   const EquilibriumSettings settings{1e-9, 300};
@@ -70,7 +75,8 @@ BOOST_AUTO_TEST_CASE(a_block_of_unlike_cells_keeps_its_reference)
     shift = std::max(shift, std::abs(block.relaxed[i] - block.reference[i]));
   BOOST_TEST(shift < 1e-7 * block.width);
   block.load(5e3, settings);
-  BOOST_TEST((block.clamp_reaction() + block.weight() + block.dead_force()).norm() < 1e-5 * block.weight().norm());
+  BOOST_TEST((block.clamp_reaction() + block.weight() + block.dead_force()).norm() <
+             1e-5 * block.weight().norm());
   BOOST_TEST(block.probe_displacement()[1] < 0.);
 }
 

@@ -9,16 +9,19 @@ using namespace turgor;
 using test::Disk;
 using test::MemoryContext;
 
-namespace
-{
+namespace {
 /// Two small cells under load for a few dozen steps.
-void run_small(MemoryContext &context, const std::string &surfaces)
-{
+void run_small(MemoryContext &context, const std::string &surfaces) {
   FullMicro scene;
   InputEntries prm;
   scene.declare_parameters(prm);
-  for (const auto &[name, value] : {std::pair{"Columns", "2"}, {"Rows", "1"}, {"End time", "2e-7"}, {"Relax steps", "100"},
-                                    {"Samples", "10"}, {"Frames", "0"}, {"Checkpoints", "0"}})
+  for (const auto &[name, value] : {std::pair{"Columns", "2"},
+                                    {"Rows", "1"},
+                                    {"End time", "2e-7"},
+                                    {"Relax steps", "100"},
+                                    {"Samples", "10"},
+                                    {"Frames", "0"},
+                                    {"Checkpoints", "0"}})
     prm.set(name, std::string(value));
   prm.set("Surfaces", surfaces);
   prm.enter_subsection("Cell");
@@ -32,30 +35,29 @@ void run_small(MemoryContext &context, const std::string &surfaces)
   scene.run(context);
 }
 
-struct Says
-{
+struct Says {
   std::string text;
-  bool operator()(const std::exception &e) const { return std::string(e.what()).find(text) != std::string::npos; }
+  bool operator()(const std::exception &e) const {
+    return std::string(e.what()).find(text) != std::string::npos;
+  }
 };
-} // namespace
+}  // namespace
 
 BOOST_AUTO_TEST_SUITE(full_micro)
 
-BOOST_AUTO_TEST_CASE(a_stop_before_the_first_step_saves_nothing)
-{
-  for (const auto &[work, sentence] : {std::pair{"annealing", "stopped while the reference cell was annealed"},
-                                       {"relaxing the free surface", "stopped while the free surface was relaxed"}})
-    {
-      Disk disk;
-      MemoryContext context(disk, false);
-      context.stop_while = work;
-      BOOST_CHECK_EXCEPTION(run_small(context, "free"), RunStopped, Says{sentence});
-      BOOST_TEST(disk.checkpoint.empty());
-    }
+BOOST_AUTO_TEST_CASE(a_stop_before_the_first_step_saves_nothing) {
+  for (const auto &[work, sentence] :
+       {std::pair{"annealing", "stopped while the reference cell was annealed"},
+        {"relaxing the free surface", "stopped while the free surface was relaxed"}}) {
+    Disk disk;
+    MemoryContext context(disk, false);
+    context.stop_while = work;
+    BOOST_CHECK_EXCEPTION(run_small(context, "free"), RunStopped, Says{sentence});
+    BOOST_TEST(disk.checkpoint.empty());
+  }
 }
 
-BOOST_AUTO_TEST_CASE(a_stop_between_steps_goes_on_with_the_same_bits)
-{
+BOOST_AUTO_TEST_CASE(a_stop_between_steps_goes_on_with_the_same_bits) {
   Disk whole, parts;
   MemoryContext uninterrupted(whole, false);
   run_small(uninterrupted, "frozen");

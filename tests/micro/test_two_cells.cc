@@ -10,10 +10,8 @@
 
 using namespace turgor;
 
-namespace
-{
-double result(const std::string &text, const std::string &name)
-{
+namespace {
+double result(const std::string &text, const std::string &name) {
   TwoCells scene;
   InputEntries prm;
   scene.declare_parameters(prm);
@@ -24,49 +22,50 @@ double result(const std::string &text, const std::string &name)
   scene.run(context);
   return context.results.at(name);
 }
-} // namespace
+}  // namespace
 
 BOOST_AUTO_TEST_SUITE(two_cells)
 
-BOOST_AUTO_TEST_CASE(pull_off_is_found_by_moving_the_cells)
-{
+BOOST_AUTO_TEST_CASE(pull_off_is_found_by_moving_the_cells) {
   BOOST_CHECK_SMALL(result("set Law = jkr", "pull_off_error"), 1e-6);
   BOOST_CHECK_SMALL(result("set Law = extended_hertz", "pull_off_error"), 1e-6);
-  BOOST_CHECK_SMALL(result("set Law = hertz", "hertz_force_error"), 1e-11); // overlap is a small difference of radii
+  BOOST_CHECK_SMALL(result("set Law = hertz", "hertz_force_error"),
+                    1e-11);  // overlap is a small difference of radii
 }
 
-BOOST_AUTO_TEST_CASE(rest_is_judged_by_the_net_force)
-{
-  // Where the medium's drag is nothing beside the friction between the cells, velocity says nothing about the force that is left.
+BOOST_AUTO_TEST_CASE(rest_is_judged_by_the_net_force) {
+  // Where the medium's drag is nothing beside the friction between the cells, velocity says nothing about the
+  // force that is left.
   for (const std::string gamma : {"1e-9", "2.6e-7"})
     for (const std::string law : {"jkr", "extended_hertz"})
-      BOOST_CHECK_SMALL(result("set Law = " + law + "\nset Medium friction = " + gamma, "pull_off_error"), 1e-6);
+      BOOST_CHECK_SMALL(result("set Law = " + law + "\nset Medium friction = " + gamma, "pull_off_error"),
+                        1e-6);
   // a contact that holds beyond a fifth of the radius
   BOOST_CHECK_SMALL(result("set Adhesion = 3e-4", "pull_off_error"), 1e-6);
 }
 
-BOOST_AUTO_TEST_CASE(a_bracket_has_ends)
-{
+BOOST_AUTO_TEST_CASE(a_bracket_has_ends) {
   const auto below_two = [](const double x) { return x * x < 2.; };
   BOOST_TEST(bisect(1., 2., below_two, "a root") == std::sqrt(2.), boost::test_tools::tolerance(1e-15));
   for (const auto &[low, high] : {std::pair(1.5, 2.), std::pair(0., 1.)})
-    BOOST_CHECK_EXCEPTION(bisect(low, high, below_two, "a root"), std::runtime_error, [](const std::runtime_error &e) {
-      return std::string(e.what()).find("a root does not lie between") == 0;
-    });
+    BOOST_CHECK_EXCEPTION(bisect(low, high, below_two, "a root"), std::runtime_error,
+                          [](const std::runtime_error &e) {
+                            return std::string(e.what()).find("a root does not lie between") == 0;
+                          });
 }
 
-BOOST_AUTO_TEST_CASE(only_jkr_loses_work_in_a_cycle)
-{
-  const double jkr = result("set Law = jkr", "hysteresis_work"), hertz = result("set Law = hertz", "hysteresis_work");
+BOOST_AUTO_TEST_CASE(only_jkr_loses_work_in_a_cycle) {
+  const double jkr = result("set Law = jkr", "hysteresis_work"),
+               hertz = result("set Law = hertz", "hysteresis_work");
   BOOST_TEST(jkr > 0.);
   BOOST_CHECK_SMALL(hertz, 1e-9 * jkr);
   BOOST_TEST(result("set Law = jkr", "momentum_imbalance") < 1e-13);
 }
 
-BOOST_AUTO_TEST_CASE(adhesion_has_to_suit_the_law)
-{
-  BOOST_CHECK_EXCEPTION(result("set Law = jkr\nset Adhesion = 0", "pull_off"), InputError,
-                        [](const InputError &e) { return std::string(e.what()).find("Adhesion is 0") != std::string::npos; });
+BOOST_AUTO_TEST_CASE(adhesion_has_to_suit_the_law) {
+  BOOST_CHECK_EXCEPTION(
+      result("set Law = jkr\nset Adhesion = 0", "pull_off"), InputError,
+      [](const InputError &e) { return std::string(e.what()).find("Adhesion is 0") != std::string::npos; });
   BOOST_CHECK_THROW(result("set Adhesion = 1", "pull_off"), InputError);
 }
 

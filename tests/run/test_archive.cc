@@ -1,4 +1,5 @@
-// One list for saving and loading: every bit comes back, whatever is cut or laid out otherwise is told with the section's name.
+// One list for saving and loading: every bit comes back, whatever is cut or laid out otherwise is told with
+// the section's name.
 #include "run/archive.h"
 
 #include <boost/test/unit_test.hpp>
@@ -9,23 +10,18 @@
 
 using namespace turgor;
 
-namespace
-{
-struct Inner
-{
+namespace {
+struct Inner {
   double x = 0.;
   std::string name;
-  void archive(Archive &a)
-  {
+  void archive(Archive &a) {
     a.section("inner");
     a(x, name);
   }
 };
 
-struct Outer
-{
-  struct Counts
-  {
+struct Outer {
+  struct Counts {
     std::uint64_t steps = 0;
     double time = 0.;
   };
@@ -39,21 +35,18 @@ struct Outer
   Inner inner;
   std::vector<double> of_three = {0., 0., 0.};
   std::string reader = "outer";
-  double doubled = 0.; // follows
+  double doubled = 0.;  // follows
 
-  void archive(Archive &a)
-  {
+  void archive(Archive &a) {
     a.section(reader);
     a(counts, ready, free, rows, parts, maybe, there, absent, inner);
     a.section("sizes");
     a.fixed(of_three);
-    if (a.loading())
-      doubled = 2. * counts.time;
+    if (a.loading()) doubled = 2. * counts.time;
   }
 };
 
-Outer full()
-{
+Outer full() {
   Outer one;
   one.counts = {7, 0.1};
   one.ready = true;
@@ -67,19 +60,17 @@ Outer full()
   return one;
 }
 
-auto says(const std::string &what)
-{
+auto says(const std::string &what) {
   return [what](const ArchiveError &e) {
     BOOST_TEST_MESSAGE(e.what());
     return std::string(e.what()).find(what) != std::string::npos;
   };
 }
-} // namespace
+}  // namespace
 
 BOOST_AUTO_TEST_SUITE(archive)
 
-BOOST_AUTO_TEST_CASE(everything_comes_back)
-{
+BOOST_AUTO_TEST_CASE(everything_comes_back) {
   Outer one = full(), other;
   other.rows = {{9.f}};
   other.there->x = 99.;
@@ -95,52 +86,47 @@ BOOST_AUTO_TEST_CASE(everything_comes_back)
   BOOST_TEST(other.inner.x == 10.);
   BOOST_CHECK(other.of_three == one.of_three);
   BOOST_TEST(other.doubled == 0.2);
-  BOOST_TEST(one.doubled == 0.); // nothing follows from saving
+  BOOST_TEST(one.doubled == 0.);  // nothing follows from saving
   BOOST_CHECK(archived(other) == bytes);
 }
 
-BOOST_AUTO_TEST_CASE(cut_anywhere_it_says_so)
-{
+BOOST_AUTO_TEST_CASE(cut_anywhere_it_says_so) {
   Outer one = full();
   const std::string bytes = archived(one);
-  for (std::size_t length = 0; length < bytes.size(); ++length)
-    {
-      Outer other;
-      BOOST_CHECK_EXCEPTION(restore(bytes.substr(0, length), other), ArchiveError, says("ends too early"));
-    }
+  for (std::size_t length = 0; length < bytes.size(); ++length) {
+    Outer other;
+    BOOST_CHECK_EXCEPTION(restore(bytes.substr(0, length), other), ArchiveError, says("ends too early"));
+  }
   Outer other;
   BOOST_CHECK_EXCEPTION(restore(bytes + "x", other), ArchiveError, says("holds more"));
 }
 
-BOOST_AUTO_TEST_CASE(a_false_byte_neither_crashes_nor_takes_memory)
-{
+BOOST_AUTO_TEST_CASE(a_false_byte_neither_crashes_nor_takes_memory) {
   Outer one = full();
   const std::string bytes = archived(one);
   for (std::size_t at = 0; at < bytes.size(); ++at)
-    for (const char wrong : {'\x7f', '\xff'})
-      {
-        std::string damaged = bytes;
-        damaged[at] = wrong;
-        Outer other;
-        try
-          {
-            restore(damaged, other); // a number that is only another number passes
-          }
-        catch (const ArchiveError &)
-          {}
-        BOOST_TEST(other.free.capacity() + other.rows.capacity() < 1000u);
+    for (const char wrong : {'\x7f', '\xff'}) {
+      std::string damaged = bytes;
+      damaged[at] = wrong;
+      Outer other;
+      try {
+        restore(damaged, other);  // a number that is only another number passes
+      } catch (const ArchiveError &) {
       }
+      BOOST_TEST(other.free.capacity() + other.rows.capacity() < 1000u);
+    }
 }
 
-BOOST_AUTO_TEST_CASE(another_layout_is_named)
-{
+BOOST_AUTO_TEST_CASE(another_layout_is_named) {
   Outer one = full(), other;
   other.reader = "walls";
-  BOOST_CHECK_EXCEPTION(restore(archived(one), other), ArchiveError, says("a section 'outer' where this program reads 'walls'"));
+  BOOST_CHECK_EXCEPTION(restore(archived(one), other), ArchiveError,
+                        says("a section 'outer' where this program reads 'walls'"));
 
   Outer four;
   four.of_three.resize(4);
-  BOOST_CHECK_EXCEPTION(restore(archived(one), four), ArchiveError, says("3 entries in its section 'sizes' where this run has 4"));
+  BOOST_CHECK_EXCEPTION(restore(archived(one), four), ArchiveError,
+                        says("3 entries in its section 'sizes' where this run has 4"));
 
   // A list that has grown or shrunk since: within the section, not in what follows.
   double a = 1., b = 2., c = 3.;
@@ -150,8 +136,7 @@ BOOST_AUTO_TEST_CASE(another_layout_is_named)
   BOOST_CHECK_EXCEPTION(restore(archived(three), two), ArchiveError, says("more in its section 'two'"));
 }
 
-BOOST_AUTO_TEST_CASE(what_was_saved_before_is_appended_as_it_is)
-{
+BOOST_AUTO_TEST_CASE(what_was_saved_before_is_appended_as_it_is) {
   Outer one = full(), other;
   const std::string good = archived(one);
   const auto list = [&](Archive &a) { a.append(good); };

@@ -6,30 +6,21 @@
 
 #include <stdexcept>
 
-namespace turgor
-{
-namespace
-{
-enum class Shape
-{
-  none,
-  plate,
-  cylinder
-};
+namespace turgor {
+namespace {
+enum class Shape { none, plate, cylinder };
 constexpr const char *words_of(Shape) { return "none|plate|cylinder"; }
-} // namespace
+}  // namespace
 
 BOOST_AUTO_TEST_SUITE(choice)
 
-BOOST_AUTO_TEST_CASE(words_and_values_go_both_ways)
-{
+BOOST_AUTO_TEST_CASE(words_and_values_go_both_ways) {
   BOOST_TEST(word_of(Shape::cylinder) == "cylinder");
   BOOST_TEST((choice_of<Shape>("plate") == Shape::plate));
   BOOST_CHECK_THROW(choice_of<Shape>("ball"), std::invalid_argument);
 }
 
-BOOST_AUTO_TEST_CASE(an_entry_takes_its_words)
-{
+BOOST_AUTO_TEST_CASE(an_entry_takes_its_words) {
   Shape shape = Shape::plate;
   bool plastic = true;
   InputEntries entries;
@@ -45,8 +36,7 @@ BOOST_AUTO_TEST_CASE(an_entry_takes_its_words)
   BOOST_CHECK_THROW(entries.set("Way back", "true"), std::invalid_argument);
 }
 
-BOOST_AUTO_TEST_CASE(an_entry_may_offer_some_of_them)
-{
+BOOST_AUTO_TEST_CASE(an_entry_may_offer_some_of_them) {
   Shape shape = Shape::plate;
   InputEntries entries;
   entries.add_parameter("Tool", shape, "Which one. Units: none.", Patterns::Selection("plate|cylinder"));
@@ -54,8 +44,10 @@ BOOST_AUTO_TEST_CASE(an_entry_may_offer_some_of_them)
   BOOST_TEST((shape == Shape::cylinder));
   BOOST_CHECK_THROW(entries.set("Tool", "none"), std::invalid_argument);
   shape = Shape::none;
-  BOOST_CHECK_THROW(entries.add_parameter("Other", shape, "Which one. Units: none.", Patterns::Selection("plate|cylinder")), std::logic_error);
+  BOOST_CHECK_THROW(
+      entries.add_parameter("Other", shape, "Which one. Units: none.", Patterns::Selection("plate|cylinder")),
+      std::logic_error);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-} // namespace turgor
+}  // namespace turgor

@@ -14,16 +14,13 @@ using namespace turgor::test;
 
 BOOST_AUTO_TEST_SUITE(field_file)
 
-namespace
-{
+namespace {
 /// Two squares side by side; values are the formulas that test_field_file.py repeats.
-FieldFrame squares(const double time)
-{
+FieldFrame squares(const double time) {
   FieldFrame frame;
   frame.time = time;
   for (const double y : {0., 1.})
-    for (const double x : {0., 1., 2.})
-      frame.points.insert(frame.points.end(), {x + time, y, 0.});
+    for (const double x : {0., 1., 2.}) frame.points.insert(frame.points.end(), {x + time, y, 0.});
   frame.cells = {0, 1, 4, 3, 1, 2, 5, 4};
   frame.nodes_per_cell = 4;
   frame.fields = {{"pressure [Pa]", 1, {10. * time, -1.}, true},
@@ -32,8 +29,7 @@ FieldFrame squares(const double time)
   return frame;
 }
 
-FieldFrame particles(const double time)
-{
+FieldFrame particles(const double time) {
   FieldFrame frame;
   frame.time = time;
   frame.points = {0., 0., 0., 1., 2., 3.};
@@ -41,48 +37,41 @@ FieldFrame particles(const double time)
   return frame;
 }
 
-std::size_t count(const std::filesystem::path &file, const std::string &word)
-{
+std::size_t count(const std::filesystem::path &file, const std::string &word) {
   const std::string text = content(file);
   std::size_t number = 0;
-  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
-    ++number;
+  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++number;
   return number;
 }
-} // namespace
+}  // namespace
 
-BOOST_AUTO_TEST_CASE(frames_for_the_python_reader)
-{
+BOOST_AUTO_TEST_CASE(frames_for_the_python_reader) {
   const TemporaryDirectory own;
   const char *given = std::getenv("TURGOR_FIELD_DIRECTORY");
   const std::filesystem::path directory = given != nullptr ? std::filesystem::path(given) : own.path;
   FieldFile mesh(directory, "mesh", false), points(directory, "points", false);
-  for (const double time : {0., 0.1, 0.25})
-    mesh.write(squares(time));
+  for (const double time : {0., 0.1, 0.25}) mesh.write(squares(time));
   points.write(particles(1e-7));
   BOOST_TEST(mesh.frames() == 3u);
   BOOST_TEST(count(directory / "mesh.xdmf", "<Time ") == 3u);
 }
 
-BOOST_AUTO_TEST_CASE(resumed_file_drops_frames_not_before_the_new_one)
-{
+BOOST_AUTO_TEST_CASE(resumed_file_drops_frames_not_before_the_new_one) {
   const TemporaryDirectory directory;
   {
     FieldFile file(directory.path, "a", false);
-    for (const double time : {0., 1., 2., 3.})
-      file.write(squares(time));
+    for (const double time : {0., 1., 2., 3.}) file.write(squares(time));
   }
   FieldFile file(directory.path, "a", true);
   BOOST_TEST(file.frames() == 4u);
-  file.write(squares(2.)); // resumed from a checkpoint between 1 and 2
+  file.write(squares(2.));  // resumed from a checkpoint between 1 and 2
   BOOST_TEST(file.frames() == 3u);
   BOOST_TEST(count(directory / "a.xdmf", "<Time ") == 3u);
   BOOST_TEST(std::filesystem::exists(directory / "a.frames/000002.h5"));
   BOOST_TEST(!std::filesystem::exists(directory / "a.frames/000003.h5"));
 }
 
-BOOST_AUTO_TEST_CASE(a_fresh_file_removes_the_old_frames)
-{
+BOOST_AUTO_TEST_CASE(a_fresh_file_removes_the_old_frames) {
   const TemporaryDirectory directory;
   {
     FieldFile file(directory.path, "a", false);
@@ -94,8 +83,7 @@ BOOST_AUTO_TEST_CASE(a_fresh_file_removes_the_old_frames)
   BOOST_TEST(std::filesystem::is_empty(directory / "a.frames"));
 }
 
-BOOST_AUTO_TEST_CASE(non_finite_is_refused_before_anything_is_written)
-{
+BOOST_AUTO_TEST_CASE(non_finite_is_refused_before_anything_is_written) {
   const TemporaryDirectory directory;
   FieldFile file(directory.path, "a", false);
   file.write(squares(0.));
@@ -109,8 +97,7 @@ BOOST_AUTO_TEST_CASE(non_finite_is_refused_before_anything_is_written)
   BOOST_TEST(!std::filesystem::exists(directory / "a.frames/000001.h5"));
 }
 
-BOOST_AUTO_TEST_CASE(wrong_sizes_are_refused)
-{
+BOOST_AUTO_TEST_CASE(wrong_sizes_are_refused) {
   const TemporaryDirectory directory;
   FieldFile file(directory.path, "a", false);
   FieldFrame bad = squares(0.);

@@ -1,4 +1,5 @@
-// The field output's look at a failure: the last state in order and the failing one, with finite numbers only.
+// The field output's look at a failure: the last state in order and the failing one, with finite numbers
+// only.
 #include "run/field_output.h"
 #include "run/stop_flag.h"
 #include "run/xdmf_text.h"
@@ -15,16 +16,17 @@ using namespace turgor::test;
 
 BOOST_AUTO_TEST_SUITE(field_output)
 
-namespace
-{
-FieldFrame two_points(const double time, const double x, const double pressure)
-{
-  return {time, {0., 0., 0., x, 0., 0.}, {0, 1}, 2, {{"pressure [Pa]", 1, {1., pressure}, false}, {"force [N]", 1, {2.}, true}}};
+namespace {
+FieldFrame two_points(const double time, const double x, const double pressure) {
+  return {time,
+          {0., 0., 0., x, 0., 0.},
+          {0, 1},
+          2,
+          {{"pressure [Pa]", 1, {1., pressure}, false}, {"force [N]", 1, {2.}, true}}};
 }
 
 /// A scene that writes a frame, finds its state in order, goes on and ends as `how` says.
-void scene(const RunContext &context, const std::function<void()> &how)
-{
+void scene(const RunContext &context, const std::function<void()> &how) {
   double time = 0., x = 1., pressure = 5.;
   FieldOutput fields(context, "cells", false, [&] { return two_points(time, x, pressure); });
   fields.write();
@@ -35,10 +37,9 @@ void scene(const RunContext &context, const std::function<void()> &how)
   pressure = std::numeric_limits<double>::infinity();
   how();
 }
-} // namespace
+}  // namespace
 
-BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_are_marked)
-{
+BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_are_marked) {
   FieldFrame frame = two_points(2., std::nan(""), std::nan(""));
   frame.fields[1].values = {std::nan("")};
   BOOST_TEST(mark_not_finite(frame, two_points(1., 7., 0.)) == 3u);
@@ -48,8 +49,7 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_are_marked)
   BOOST_TEST(frame.fields[2].values == (std::vector<double>{1., 3.}), boost::test_tools::per_element());
 }
 
-BOOST_AUTO_TEST_CASE(a_failure_leaves_two_frames_to_look_at)
-{
+BOOST_AUTO_TEST_CASE(a_failure_leaves_two_frames_to_look_at) {
   request_stop(false);
   Disk disk;
   const MemoryContext context(disk, false);

@@ -18,21 +18,19 @@ using namespace turgor::test;
 
 BOOST_AUTO_TEST_SUITE(stop_flag)
 
-BOOST_AUTO_TEST_CASE(what_does_not_stop_is_ended_with_a_sentence)
-{
+BOOST_AUTO_TEST_CASE(what_does_not_stop_is_ended_with_a_sentence) {
   const TemporaryDirectory directory;
   const std::string said = (directory / "said").string();
   const pid_t child = ::fork();
-  if (child == 0)
-    {
-      ::dup2(::open(said.c_str(), O_WRONLY | O_CREAT, 0666), STDERR_FILENO);
-      request_stop(false); // whatever the cases before this one have wished
-      install_stop_handler(1);
-      std::raise(SIGTERM);
-      while (process_cpu_seconds() < 20.)
-        ;
-      ::_exit(7);
-    }
+  if (child == 0) {
+    ::dup2(::open(said.c_str(), O_WRONLY | O_CREAT, 0666), STDERR_FILENO);
+    request_stop(false);  // whatever the cases before this one have wished
+    install_stop_handler(1);
+    std::raise(SIGTERM);
+    while (process_cpu_seconds() < 20.)
+      ;
+    ::_exit(7);
+  }
   int status = 0;
   BOOST_REQUIRE(::waitpid(child, &status, 0) == child);
   BOOST_REQUIRE(WIFEXITED(status));
@@ -42,19 +40,17 @@ BOOST_AUTO_TEST_CASE(what_does_not_stop_is_ended_with_a_sentence)
   BOOST_TEST(words.find("--resume") != std::string::npos);
 }
 
-BOOST_AUTO_TEST_CASE(two_signals_at_once_are_one_wish_and_a_later_one_ends_the_program)
-{
+BOOST_AUTO_TEST_CASE(two_signals_at_once_are_one_wish_and_a_later_one_ends_the_program) {
   const auto code_of = [](const double pause) {
     const pid_t child = ::fork();
-    if (child == 0)
-      {
-        request_stop(false);
-        install_stop_handler();
-        std::raise(SIGINT);
-        std::this_thread::sleep_for(std::chrono::duration<double>(pause));
-        std::raise(SIGINT);
-        ::_exit(stop_was_requested() ? 7 : 8); // where a run would save
-      }
+    if (child == 0) {
+      request_stop(false);
+      install_stop_handler();
+      std::raise(SIGINT);
+      std::this_thread::sleep_for(std::chrono::duration<double>(pause));
+      std::raise(SIGINT);
+      ::_exit(stop_was_requested() ? 7 : 8);  // where a run would save
+    }
     int status = 0;
     BOOST_REQUIRE(::waitpid(child, &status, 0) == child);
     BOOST_REQUIRE(WIFEXITED(status));

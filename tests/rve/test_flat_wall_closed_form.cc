@@ -9,8 +9,7 @@ using namespace turgor;
 
 BOOST_AUTO_TEST_SUITE(flat_wall_closed_form)
 
-BOOST_AUTO_TEST_CASE(numbers_of_the_errata)
-{
+BOOST_AUTO_TEST_CASE(numbers_of_the_errata) {
   const FlatWallClosedForm form({});
   BOOST_TEST(std::abs(form.lambda_0() - 1.02575) < 5e-6);
   const auto shear = [&](const double b) {
@@ -28,8 +27,7 @@ BOOST_AUTO_TEST_CASE(numbers_of_the_errata)
   BOOST_TEST(form.stress(Tensor2<2>::Identity()).norm() < 1e-6);
 }
 
-BOOST_AUTO_TEST_CASE(biaxial_as_printed_and_objective)
-{
+BOOST_AUTO_TEST_CASE(biaxial_as_printed_and_objective) {
   const ParenchymaParameters p;
   const FlatWallClosedForm form(p);
   const NeoHookeanWall wall(p.wall_stiffness, p.depth, p.wall_beta);
@@ -37,7 +35,7 @@ BOOST_AUTO_TEST_CASE(biaxial_as_printed_and_objective)
   F << 1.03, 0., 0., 0.98;
   // sigma_xx = n F(lambda_0 lambda_x)/(lambda_y L z0) - p(A)
   const double expected =
-    2. * wall.force(form.lambda_0() * 1.03) / (0.98 * p.period * p.depth) - form.pressure(F);
+      2. * wall.force(form.lambda_0() * 1.03) / (0.98 * p.period * p.depth) - form.pressure(F);
   BOOST_TEST(form.stress(F)(0, 0) == expected, boost::test_tools::tolerance(1e-12));
   Tensor2<2> Q;
   Q << 0.8, -0.6, 0.6, 0.8;

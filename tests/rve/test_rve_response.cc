@@ -15,19 +15,15 @@
 
 using namespace turgor;
 
-namespace
-{
-auto says(const std::string &words)
-{
+namespace {
+auto says(const std::string &words) {
   return [words](const InputError &e) { return std::string(e.what()).find(words) != std::string::npos; };
 }
 
 // Keeps in memory what a scene writes.
-class Memory : public RunContext
-{
-public:
-  struct Rows : Series
-  {
+class Memory : public RunContext {
+ public:
+  struct Rows : Series {
     std::vector<std::vector<double>> *rows;
     void add_row(const std::vector<double> &values) override { rows->push_back(values); }
   };
@@ -43,8 +39,7 @@ public:
   void result(const std::string &name, double value, const std::string &) override { results[name] = value; }
   void note(const std::string &name, const std::string &text) override { notes[name] = text; }
   void active(const std::vector<std::string> &, const std::vector<std::string> &) override {}
-  std::unique_ptr<Series> series(const std::string &, const std::vector<Column> &columns) override
-  {
+  std::unique_ptr<Series> series(const std::string &, const std::vector<Column> &columns) override {
     header = columns;
     auto s = std::make_unique<Rows>();
     s->rows = &rows;
@@ -57,8 +52,7 @@ public:
   bool load_checkpoint(const std::function<void(Archive &)> &) override { return false; }
 };
 
-void run(Memory &memory, const std::string &entries)
-{
+void run(Memory &memory, const std::string &entries) {
   const auto scene = make_rve_response();
   InputEntries prm;
   scene->declare_parameters(prm);
@@ -66,46 +60,48 @@ void run(Memory &memory, const std::string &entries)
   scene->check();
   scene->run(memory);
 }
-} // namespace
+}  // namespace
 
 BOOST_AUTO_TEST_SUITE(rve_response)
 
-BOOST_AUTO_TEST_CASE(path_is_linear_between_keyframes)
-{
+BOOST_AUTO_TEST_CASE(path_is_linear_between_keyframes) {
   const DeformationPath path("0 : 1, 0; 0, 1 | 2 : 1, 0.4; 0, 1 | 3 : 1.5, 0.4; 0, 1", "Path/Keyframes");
   BOOST_TEST(path.F(1.)(0, 1) == 0.2);
   BOOST_TEST(path.F_dot(1.)(0, 1) == 0.2);
   BOOST_TEST(path.F(2.)(0, 1) == 0.4);
-  BOOST_TEST(path.F_dot(2.)(0, 1) == 0.2); // the segment that ends there
+  BOOST_TEST(path.F_dot(2.)(0, 1) == 0.2);  // the segment that ends there
   BOOST_TEST(path.F(2.5)(0, 0) == 1.25);
   BOOST_TEST(path.F_dot(2.5)(0, 0) == 0.5);
   BOOST_TEST(path.F(3.)(0, 0) == 1.5);
 }
 
-BOOST_AUTO_TEST_CASE(wrong_paths_are_named)
-{
+BOOST_AUTO_TEST_CASE(wrong_paths_are_named) {
   const auto path = [](const std::string &text) { DeformationPath(text, "Path/Keyframes"); };
   BOOST_CHECK_EXCEPTION(path("0 : 1, 0; 0, 1"), InputError, says("at least two"));
   BOOST_CHECK_EXCEPTION(path("0 : 1, 0; 0, 1 | 0 : 1, 0; 0, 1"), InputError, says("times have to rise"));
-  BOOST_CHECK_EXCEPTION(path("0 : 1, 0; 0, 1 | 1 : 1, 0; 0, -1"), InputError, says("det F has to be positive"));
+  BOOST_CHECK_EXCEPTION(path("0 : 1, 0; 0, 1 | 1 : 1, 0; 0, -1"), InputError,
+                        says("det F has to be positive"));
   BOOST_CHECK_EXCEPTION(path("0 : 1, 0, 0, 1 | 1 : 1, 0; 0, 1"), InputError, says("xx, xy; yx, yy"));
   BOOST_CHECK_EXCEPTION(path("0 : 1, nan; 0, 1 | 1 : 1, 0; 0, 1"), InputError, says("finite number"));
   // in between: half a turn goes through zero, a turn by 120 degrees through a quarter
-  BOOST_CHECK_EXCEPTION(path("0 : 1, 0; 0, 1 | 1 : -1, 0; 0, -1"), InputError, says("det F = 0 at time 0.5 s"));
-  BOOST_CHECK_EXCEPTION(path("0 : 1, 0; 0, 1 | 2 : 2, 0; 0, 2 | 4 : -4, 0.1; 0, -1"), InputError, says("det F = -0.5 at time 3 s"));
+  BOOST_CHECK_EXCEPTION(path("0 : 1, 0; 0, 1 | 1 : -1, 0; 0, -1"), InputError,
+                        says("det F = 0 at time 0.5 s"));
+  BOOST_CHECK_EXCEPTION(path("0 : 1, 0; 0, 1 | 2 : 2, 0; 0, 2 | 4 : -4, 0.1; 0, -1"), InputError,
+                        says("det F = -0.5 at time 3 s"));
   BOOST_CHECK_NO_THROW(path("0 : 1, 0; 0, 1 | 1 : -0.5, -0.87; 0.87, -0.5"));
   BOOST_CHECK_NO_THROW(path("0 : 1, 0; 0, 1 | 1 : 4, 0; 0, 0.1 | 2 : 0.1, 0; 0, 4"));
   Memory memory;
-  BOOST_CHECK_EXCEPTION(run(memory, "subsection Path\nset Keyframes = 0 : 1, 0; 0, 1 | 1e-299 : 1, 0.1; 0, 1\nend\n"), InputError,
-                        says("Path/Keyframes has a rate of 1e+298 1/s"));
-  BOOST_CHECK_EXCEPTION(run(memory, "subsection Path\nset F_dot = 1e10, 0; 0, 0\nend\n"), InputError, says("Path/F_dot has a rate of"));
+  BOOST_CHECK_EXCEPTION(
+      run(memory, "subsection Path\nset Keyframes = 0 : 1, 0; 0, 1 | 1e-299 : 1, 0.1; 0, 1\nend\n"),
+      InputError, says("Path/Keyframes has a rate of 1e+298 1/s"));
+  BOOST_CHECK_EXCEPTION(run(memory, "subsection Path\nset F_dot = 1e10, 0; 0, 0\nend\n"), InputError,
+                        says("Path/F_dot has a rate of"));
   BOOST_CHECK_EXCEPTION(run(memory, "subsection Path\nset F = 1, 0; 0, -1\nend\n"), InputError,
                         says("determinant has to be positive"));
   BOOST_TEST(memory.rows.empty());
 }
 
-BOOST_AUTO_TEST_CASE(factory_refuses_what_does_not_exist)
-{
+BOOST_AUTO_TEST_CASE(factory_refuses_what_does_not_exist) {
   RveParameters p;
   p.rule = RveRule::constrained_runs;
   BOOST_CHECK_EXCEPTION(make_rve(p), InputError, says("RVE/Rule"));
@@ -117,53 +113,62 @@ BOOST_AUTO_TEST_CASE(factory_refuses_what_does_not_exist)
   BOOST_CHECK_EXCEPTION(make_rve(p), InputError, says("allowed are 0"));
 }
 
-BOOST_AUTO_TEST_CASE(tissue_that_is_not_square_tells_its_periods_and_moduli)
-{
+BOOST_AUTO_TEST_CASE(tissue_that_is_not_square_tells_its_periods_and_moduli) {
   Memory memory;
-  run(memory, "subsection Path\nset Keyframes = 0 : 1, 0; 0, 1 | 1 : 1, 0; 0, 0.95\nset Points = 6\nset F_dot = 0, 0; 0, 0\nset Free component = xx\nend\n"
-              "subsection Structure\nset Structure = brick\nset Rotation = 90\nend\nsubsection Cell\nset Nodes per side = 6\nend\n");
-  BOOST_TEST(memory.results.at("modulus_x") == memory.results.at("modulus_y"), boost::test_tools::tolerance(0.05));
+  run(memory,
+      "subsection Path\nset Keyframes = 0 : 1, 0; 0, 1 | 1 : 1, 0; 0, 0.95\nset Points = 6\nset F_dot = 0, "
+      "0; 0, 0\nset Free component = xx\nend\n"
+      "subsection Structure\nset Structure = brick\nset Rotation = 90\nend\nsubsection Cell\nset Nodes per "
+      "side = 6\nend\n");
+  BOOST_TEST(memory.results.at("modulus_x") == memory.results.at("modulus_y"),
+             boost::test_tools::tolerance(0.05));
   BOOST_TEST(memory.results.at("modulus_45") < 0.7 * memory.results.at("modulus_x"));
-  BOOST_TEST(std::abs(memory.results.at("period_xx")) < 1e-9); // turned by a right angle
+  BOOST_TEST(std::abs(memory.results.at("period_xx")) < 1e-9);  // turned by a right angle
   BOOST_TEST(memory.results.at("period_yx") > 80e-6);
   BOOST_TEST(memory.results.at("points_with_closed_form") == 0.);
   BOOST_TEST(std::abs(memory.results.at("final_sigma_xx")) < 1.);
   BOOST_TEST(memory.results.at("final_sigma_yy") < -50e3);
   BOOST_TEST(memory.header.front().name == "cell");
   const auto refused = [&](const std::string &entries, const std::string &words) {
-    BOOST_CHECK_EXCEPTION(run(memory, entries), std::exception,
-                          [words](const std::exception &e) { return std::string(e.what()).find(words) != std::string::npos; });
+    BOOST_CHECK_EXCEPTION(run(memory, entries), std::exception, [words](const std::exception &e) {
+      return std::string(e.what()).find(words) != std::string::npos;
+    });
   };
-  refused("subsection Structure\nset Structure = hexagon\nend\nsubsection RVE\nset Fluid = sph\nend\n", "need 'RVE/Fluid = hydrostatic'");
+  refused("subsection Structure\nset Structure = hexagon\nend\nsubsection RVE\nset Fluid = sph\nend\n",
+          "need 'RVE/Fluid = hydrostatic'");
   refused("subsection Structure\nset Structure = image\nend\n", "Structure/Tissue file is none");
   refused("subsection Structure\nset Tissue file = cells.png\nend\n", "Structure = square has none");
   refused("subsection Structure\nset Corner jitter = 0.1\nend\n", "Structure/Corner jitter is 0.1");
-  refused("subsection Path\nset Free component = yy\nend\nsubsection RVE\nset Fluid = sph\nend\n", "Path/Free component is yy");
+  refused("subsection Path\nset Free component = yy\nend\nsubsection RVE\nset Fluid = sph\nend\n",
+          "Path/Free component is yy");
 }
 
-BOOST_AUTO_TEST_CASE(a_table_of_polygons_is_measured)
-{
+BOOST_AUTO_TEST_CASE(a_table_of_polygons_is_measured) {
   const test::TemporaryDirectory directory;
   const std::string file = (directory.path / "cells.csv").string();
-  std::ofstream(file) << "cell,x,y\n1,0,0\n1,2e-4,0\n1,2e-4,1e-4\n1,0,1e-4\n2,0,1e-4\n2,1e-4,1e-4\n2,1e-4,2e-4\n2,0,2e-4\n3,1e-4,1e-4\n3,2e-4,1e-4\n"
+  std::ofstream(file) << "cell,x,y\n1,0,0\n1,2e-4,0\n1,2e-4,1e-4\n1,0,1e-4\n2,0,1e-4\n2,1e-4,1e-4\n2,1e-4,2e-"
+                         "4\n2,0,2e-4\n3,1e-4,1e-4\n3,2e-4,1e-4\n"
                          "3,2e-4,2e-4\n3,1e-4,2e-4\n";
   Memory memory;
-  run(memory, "subsection Path\nset F = 1, 0.01; 0, 1\nend\nsubsection RVE\nset Columns = 2\nset Rows = 2\nend\n"
-              "subsection Structure\nset Structure = polygons\nset Tissue file = " + file + "\nend\nsubsection Cell\nset Nodes per side = 6\nend\n");
+  run(memory,
+      "subsection Path\nset F = 1, 0.01; 0, 1\nend\nsubsection RVE\nset Columns = 2\nset Rows = 2\nend\n"
+      "subsection Structure\nset Structure = polygons\nset Tissue file = " +
+          file + "\nend\nsubsection Cell\nset Nodes per side = 6\nend\n");
   const auto near = boost::test_tools::tolerance(1e-9);
   BOOST_TEST(memory.results.at("given_cells") == 3.);
   BOOST_TEST(memory.results.at("given_mean_area") == 4e-8 / 3., near);
-  BOOST_TEST(memory.results.at("given_area_scatter") == std::sqrt(2.) / 4., near); // 1.5, 0.75, 0.75
+  BOOST_TEST(memory.results.at("given_area_scatter") == std::sqrt(2.) / 4., near);  // 1.5, 0.75, 0.75
   BOOST_TEST(memory.results.at("given_aspect") == 4. / 3., near);
   BOOST_TEST(memory.results.at("given_contacts") == 2., near);
   BOOST_TEST(memory.results.at("given_void_fraction") == 0.);
   std::ofstream(file) << "cell,x,y\n1,0,0\n1,2e-4,0\n";
-  BOOST_CHECK_EXCEPTION(run(memory, "subsection Structure\nset Structure = polygons\nset Tissue file = " + file + "\nend\n"), InputError, says("2 corners"));
+  BOOST_CHECK_EXCEPTION(
+      run(memory, "subsection Structure\nset Structure = polygons\nset Tissue file = " + file + "\nend\n"),
+      InputError, says("2 corners"));
 }
 
 // What a tissue of them will need is told without building one.
-BOOST_AUTO_TEST_CASE(size_of_a_state_is_known_before)
-{
+BOOST_AUTO_TEST_CASE(size_of_a_state_is_known_before) {
   RveParameters p;
   p.cell.nodes_per_side = 10;
   p.columns = 3;
@@ -195,31 +200,29 @@ BOOST_AUTO_TEST_CASE(size_of_a_state_is_known_before)
   compare();
 }
 
-// An entry left alone must let either fluid reach equilibrium, one to its round-off, one to what particles can.
-BOOST_AUTO_TEST_CASE(default_tolerance_suits_the_fluid)
-{
+// An entry left alone must let either fluid reach equilibrium, one to its round-off, one to what particles
+// can.
+BOOST_AUTO_TEST_CASE(default_tolerance_suits_the_fluid) {
   Tensor2<2> F;
   F << 1., 0.1, 0., 1.;
-  for (const std::string fluid : {"hydrostatic", "sph"})
-    {
-      RveParameters p;
-      p.fluid = choice_of<RveFluid>(fluid);
-      p.cell.nodes_per_side = 10;
-      p.cell.fluid_viscosity = 1.;
-      p.sph.particles_per_side = 9;
-      p.sph.anneal_steps = 10000;
-      const auto rve = make_rve(p);
-      const auto workspace = rve->make_workspace();
-      const RveAnswer<2> a = rve->evaluate(rve->initial_state(), F, Tensor2<2>::Zero(), {}, *workspace);
-      BOOST_TEST(a.diagnostics.converged, a.diagnostics.message);
-      BOOST_TEST(a.diagnostics.residual < (fluid == "sph" ? 50e-3 : 1e-9));
-      p.tolerance = 1e-4;
-      BOOST_TEST(p.equilibrium_tolerance() == 1e-4);
-    }
+  for (const std::string fluid : {"hydrostatic", "sph"}) {
+    RveParameters p;
+    p.fluid = choice_of<RveFluid>(fluid);
+    p.cell.nodes_per_side = 10;
+    p.cell.fluid_viscosity = 1.;
+    p.sph.particles_per_side = 9;
+    p.sph.anneal_steps = 10000;
+    const auto rve = make_rve(p);
+    const auto workspace = rve->make_workspace();
+    const RveAnswer<2> a = rve->evaluate(rve->initial_state(), F, Tensor2<2>::Zero(), {}, *workspace);
+    BOOST_TEST(a.diagnostics.converged, a.diagnostics.message);
+    BOOST_TEST(a.diagnostics.residual < (fluid == "sph" ? 50e-3 : 1e-9));
+    p.tolerance = 1e-4;
+    BOOST_TEST(p.equilibrium_tolerance() == 1e-4);
+  }
 }
 
-BOOST_AUTO_TEST_CASE(scene_agrees_with_the_closed_form)
-{
+BOOST_AUTO_TEST_CASE(scene_agrees_with_the_closed_form) {
   Memory memory;
   run(memory, "subsection Path\nset F = 1, 0.05; 0, 1\nend\n");
   BOOST_TEST(memory.rows.size() == 1u);
@@ -234,12 +237,15 @@ BOOST_AUTO_TEST_CASE(scene_agrees_with_the_closed_form)
   Memory sheared;
   run(sheared, "subsection Path\nset F = 1, 8; 0, 1\nend\n");
   BOOST_TEST(sheared.results["max_pressure_deviation_over_turgor"] > 0.05);
-  BOOST_TEST(sheared.notes.at("max_pressure_deviation_over_turgor").find("Cell/Lamella ratio") != std::string::npos);
-  for (const char *advice : {"Nodes per side = 50", "Lamella ratio = 20"})
-  {
+  BOOST_TEST(sheared.notes.at("max_pressure_deviation_over_turgor").find("Cell/Lamella ratio") !=
+             std::string::npos);
+  for (const char *advice : {"Nodes per side = 50", "Lamella ratio = 20"}) {
     Memory followed;
-    run(followed, std::string("subsection Path\nset F = 1, 8; 0, 1\nend\nsubsection Cell\nset ") + advice + "\nend\n");
-    BOOST_TEST(followed.results["max_pressure_deviation_over_turgor"] < 0.6 * sheared.results["max_pressure_deviation_over_turgor"], advice);
+    run(followed,
+        std::string("subsection Path\nset F = 1, 8; 0, 1\nend\nsubsection Cell\nset ") + advice + "\nend\n");
+    BOOST_TEST(followed.results["max_pressure_deviation_over_turgor"] <
+                   0.6 * sheared.results["max_pressure_deviation_over_turgor"],
+               advice);
   }
   Memory path;
   run(path, "subsection Path\nset Points = 5\nend\n");
@@ -247,14 +253,16 @@ BOOST_AUTO_TEST_CASE(scene_agrees_with_the_closed_form)
   BOOST_TEST(std::abs(path.results["final_sigma_xy"] - 150.6e3) < 0.01 * 150.6e3);
 }
 
-// The note's advice, where bending and the lamella's give cancel in part (half the turgor, 30 % of shear): more nodes may lead away from the
-// closed form with bending, and lead to it without.
-BOOST_AUTO_TEST_CASE(advice_to_come_nearer_to_the_closed_form_holds)
-{
+// The note's advice, where bending and the lamella's give cancel in part (half the turgor, 30 % of shear):
+// more nodes may lead away from the closed form with bending, and lead to it without.
+BOOST_AUTO_TEST_CASE(advice_to_come_nearer_to_the_closed_form_holds) {
   const auto off = [](const std::string &nodes, const std::string &ratio, const bool bending) {
     Memory memory;
-    run(memory, "subsection Path\nset F = 1, 0.3; 0, 1\nend\nsubsection Cell\nset Turgor = 100e3\nset Nodes per side = " + nodes +
-                  "\nset Lamella ratio = " + ratio + "\nset Wall bending = " + (bending ? "true" : "false") + "\nend\n");
+    run(memory,
+        "subsection Path\nset F = 1, 0.3; 0, 1\nend\nsubsection Cell\nset Turgor = 100e3\nset Nodes per side "
+        "= " +
+            nodes + "\nset Lamella ratio = " + ratio +
+            "\nset Wall bending = " + (bending ? "true" : "false") + "\nend\n");
     return std::pair(memory.results.at("max_deviation_over_allowed"), memory.notes);
   };
   BOOST_TEST(off("50", "5", true).first > off("25", "5", true).first);
@@ -265,19 +273,20 @@ BOOST_AUTO_TEST_CASE(advice_to_come_nearer_to_the_closed_form_holds)
   BOOST_TEST(off("10", "20", false).first < 0.6 * coarse.first);
 }
 
-BOOST_AUTO_TEST_CASE(moduli_of_the_first_small_deformation)
-{
+BOOST_AUTO_TEST_CASE(moduli_of_the_first_small_deformation) {
   // Square cells under turgor: sigma_xy = turgor F_xy by the closed form, of a small shear.
   Memory shear, stretch, path, large;
   run(shear, "subsection Path\nset F = 1, 0.01; 0, 1\nend\nsubsection Cell\nset Turgor = 100e3\nend\n");
   BOOST_TEST(std::abs(shear.results.at("shear_modulus") - 100e3) < 0.03 * 100e3);
-  BOOST_TEST(shear.results.at("shear_modulus") == shear.results.at("final_sigma_xy") / 0.01, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(shear.results.at("shear_modulus") == shear.results.at("final_sigma_xy") / 0.01,
+             boost::test_tools::tolerance(1e-12));
   BOOST_TEST(shear.results.count("stretch_modulus") == 0u);
   run(stretch, "subsection Path\nset F = 1.005, 0; 0, 0.995\nend\n");
-  BOOST_TEST(stretch.results.at("stretch_modulus") == (stretch.results.at("final_sigma_xx") - stretch.results.at("final_sigma_yy")) / 0.01,
+  BOOST_TEST(stretch.results.at("stretch_modulus") ==
+                 (stretch.results.at("final_sigma_xx") - stretch.results.at("final_sigma_yy")) / 0.01,
              boost::test_tools::tolerance(1e-9));
   BOOST_TEST(stretch.results.count("shear_modulus") == 0u);
-  run(path, "subsection Path\nset Points = 31\nend\n"); // 1 % at its second point
+  run(path, "subsection Path\nset Points = 31\nend\n");  // 1 % at its second point
   BOOST_TEST(std::abs(path.results.at("shear_modulus") - 200e3) < 0.03 * 200e3);
   run(large, "subsection Path\nset F = 1, 0.05; 0, 1\nend\n");
   BOOST_TEST(large.results.count("shear_modulus") == 0u);

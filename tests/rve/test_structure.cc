@@ -1,5 +1,5 @@
-// RVEs of tissue that is not square: stress free at F = I, the same however many cells and however turned, and the numbers of the
-// trial of general cells (12 nodes a side, lamella ratio 1) to 1 %.
+// RVEs of tissue that is not square: stress free at F = I, the same however many cells and however turned,
+// and the numbers of the trial of general cells (12 nodes a side, lamella ratio 1) to 1 %.
 #include "micro/cells/tissue_structure.h"
 #include "rve/free_side.h"
 #include "rve/hydrostatic_rve.h"
@@ -14,10 +14,8 @@
 
 using namespace turgor;
 
-namespace
-{
-ParenchymaParameters cell()
-{
+namespace {
+ParenchymaParameters cell() {
   ParenchymaParameters p;
   p.period = 100e-6;
   p.nodes_per_side = 12;
@@ -25,16 +23,14 @@ ParenchymaParameters cell()
   return p;
 }
 
-HydrostaticRve rve_of(const std::string &kind, const unsigned int n, const double rotation = 0.)
-{
+HydrostaticRve rve_of(const std::string &kind, const unsigned int n, const double rotation = 0.) {
   TissueStructure structure;
   structure.kind = choice_of<StructureKind>(kind);
   structure.rotation = rotation;
   return HydrostaticRve(turgid_tissue(structure, cell(), n, n), {});
 }
 
-RveAnswer<2> answer_at(const HydrostaticRve &rve, const Tensor2<2> &F)
-{
+RveAnswer<2> answer_at(const HydrostaticRve &rve, const Tensor2<2> &F) {
   const auto workspace = rve.make_workspace();
   RveRequest request;
   request.tangent = true;
@@ -42,67 +38,60 @@ RveAnswer<2> answer_at(const HydrostaticRve &rve, const Tensor2<2> &F)
 }
 
 /// kPa, pressed along `axis` in steps of 1 %, sides free: nominal stress at 5, 10 and 20 %.
-std::vector<double> pressed(const HydrostaticRve &rve, const int axis)
-{
+std::vector<double> pressed(const HydrostaticRve &rve, const int axis) {
   const auto workspace = rve.make_workspace();
   RveState<2> state = rve.initial_state();
   Tensor2<2> F = Tensor2<2>::Identity();
   std::vector<double> stress;
-  for (int percent = 1; percent <= 20; ++percent)
-    {
-      F(axis, axis) = 1. - 0.01 * percent;
-      const RveAnswer<2> answer = answer_with_free_side(rve, state, F, Tensor2<2>::Zero(), {}, 1 - axis, *workspace);
-      BOOST_REQUIRE_MESSAGE(answer.diagnostics.converged, answer.diagnostics.message);
-      BOOST_TEST(std::abs(answer.P(1 - axis, 1 - axis)) < 1.);
-      state = answer.trial;
-      if (percent == 5 || percent == 10 || percent == 20)
-        stress.push_back(-1e-3 * answer.P(axis, axis));
-    }
+  for (int percent = 1; percent <= 20; ++percent) {
+    F(axis, axis) = 1. - 0.01 * percent;
+    const RveAnswer<2> answer =
+        answer_with_free_side(rve, state, F, Tensor2<2>::Zero(), {}, 1 - axis, *workspace);
+    BOOST_REQUIRE_MESSAGE(answer.diagnostics.converged, answer.diagnostics.message);
+    BOOST_TEST(std::abs(answer.P(1 - axis, 1 - axis)) < 1.);
+    state = answer.trial;
+    if (percent == 5 || percent == 10 || percent == 20) stress.push_back(-1e-3 * answer.P(axis, axis));
+  }
   return stress;
 }
 
-void compare(const std::vector<double> &found, const std::vector<double> &trial)
-{
+void compare(const std::vector<double> &found, const std::vector<double> &trial) {
   for (std::size_t i = 0; i < trial.size(); ++i)
     BOOST_TEST(found[i] == trial[i], boost::test_tools::tolerance(0.01));
 }
-} // namespace
+}  // namespace
 
 BOOST_AUTO_TEST_SUITE(structure)
 
-BOOST_AUTO_TEST_CASE(moduli_are_those_of_the_trial)
-{
-  struct Row
-  {
+BOOST_AUTO_TEST_CASE(moduli_are_those_of_the_trial) {
+  struct Row {
     std::string kind;
-    double x, y, at_45, axes, shear_45, held; // kPa, MPa
+    double x, y, at_45, axes, shear_45, held;  // kPa, MPa
   };
-  for (const Row &row : {Row{"hexagon", 1180., 1180., 1180., 297., 297., 41.3}, Row{"brick", 1779., 1782., 942., 450., 237., 41.7}})
-    {
-      const HydrostaticRve rve = rve_of(row.kind, 1);
-      const RveAnswer<2> at_rest = answer_at(rve, Tensor2<2>::Identity());
-      BOOST_TEST(at_rest.sigma.cwiseAbs().maxCoeff() < 1e-6 * cell().turgor);
-      const PlaneModuli found(at_rest.tangent);
-      constexpr double quarter = std::numbers::pi / 4.;
-      const auto within = boost::test_tools::tolerance(0.01);
-      BOOST_TEST(1e-3 * found.free(0.) == row.x, within);
-      BOOST_TEST(1e-3 * found.free(2. * quarter) == row.y, within);
-      BOOST_TEST(1e-3 * found.free(quarter) == row.at_45, within);
-      BOOST_TEST(1e-3 * found.shear_axes == row.axes, within);
-      BOOST_TEST(1e-3 * found.shear_45 == row.shear_45, within);
-      BOOST_TEST(1e-6 * found.held_y == row.held, within);
-    }
+  for (const Row &row : {Row{"hexagon", 1180., 1180., 1180., 297., 297., 41.3},
+                         Row{"brick", 1779., 1782., 942., 450., 237., 41.7}}) {
+    const HydrostaticRve rve = rve_of(row.kind, 1);
+    const RveAnswer<2> at_rest = answer_at(rve, Tensor2<2>::Identity());
+    BOOST_TEST(at_rest.sigma.cwiseAbs().maxCoeff() < 1e-6 * cell().turgor);
+    const PlaneModuli found(at_rest.tangent);
+    constexpr double quarter = std::numbers::pi / 4.;
+    const auto within = boost::test_tools::tolerance(0.01);
+    BOOST_TEST(1e-3 * found.free(0.) == row.x, within);
+    BOOST_TEST(1e-3 * found.free(2. * quarter) == row.y, within);
+    BOOST_TEST(1e-3 * found.free(quarter) == row.at_45, within);
+    BOOST_TEST(1e-3 * found.shear_axes == row.axes, within);
+    BOOST_TEST(1e-3 * found.shear_45 == row.shear_45, within);
+    BOOST_TEST(1e-6 * found.held_y == row.held, within);
+  }
 }
 
-BOOST_AUTO_TEST_CASE(hexagons_are_isotropic_in_the_plane)
-{
+BOOST_AUTO_TEST_CASE(hexagons_are_isotropic_in_the_plane) {
   const PlaneModuli found(answer_at(rve_of("hexagon", 1), Tensor2<2>::Identity()).tangent);
   for (const double angle : {0.2, 0.5, 0.9, 1.3})
     BOOST_TEST(found.free(angle) == found.free(0.), boost::test_tools::tolerance(0.01));
 }
 
-BOOST_AUTO_TEST_CASE(pressed_with_free_sides_they_answer_as_in_the_trial)
-{
+BOOST_AUTO_TEST_CASE(pressed_with_free_sides_they_answer_as_in_the_trial) {
   const HydrostaticRve brick = rve_of("brick", 1), hexagon = rve_of("hexagon", 1);
   compare(pressed(brick, 1), {121., 376., 1429.});
   compare(pressed(brick, 0), {96., 248., 907.});
@@ -110,31 +99,27 @@ BOOST_AUTO_TEST_CASE(pressed_with_free_sides_they_answer_as_in_the_trial)
   compare(pressed(hexagon, 0), {66., 174., 677.});
 }
 
-BOOST_AUTO_TEST_CASE(more_cells_answer_the_same_while_walls_are_in_tension)
-{
+BOOST_AUTO_TEST_CASE(more_cells_answer_the_same_while_walls_are_in_tension) {
   Tensor2<2> F;
   F << 1.03, 0.1, 0.02, 0.99;
-  for (const std::string kind : {"hexagon", "brick"})
-    {
-      const RveAnswer<2> one = answer_at(rve_of(kind, 1), F), nine = answer_at(rve_of(kind, 3), F);
-      BOOST_TEST((one.sigma - nine.sigma).cwiseAbs().maxCoeff() < 1e-9 * cell().turgor * 10.);
-      BOOST_TEST((one.tangent - nine.tangent).cwiseAbs().maxCoeff() < 1e-7 * one.tangent.cwiseAbs().maxCoeff());
-    }
+  for (const std::string kind : {"hexagon", "brick"}) {
+    const RveAnswer<2> one = answer_at(rve_of(kind, 1), F), nine = answer_at(rve_of(kind, 3), F);
+    BOOST_TEST((one.sigma - nine.sigma).cwiseAbs().maxCoeff() < 1e-9 * cell().turgor * 10.);
+    BOOST_TEST((one.tangent - nine.tangent).cwiseAbs().maxCoeff() < 1e-7 * one.tangent.cwiseAbs().maxCoeff());
+  }
 }
 
-BOOST_AUTO_TEST_CASE(a_turned_tissue_turns_the_answer)
-{
+BOOST_AUTO_TEST_CASE(a_turned_tissue_turns_the_answer) {
   const double degrees = 25., angle = degrees * std::numbers::pi / 180.;
   Tensor2<2> F, turn;
   F << 1.02, 0.08, 0., 0.97;
   turn << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
-  for (const std::string kind : {"square", "hexagon", "brick", "voronoi"})
-    {
-      const RveAnswer<2> as_is = answer_at(rve_of(kind, 2), F),
-                         turned = answer_at(rve_of(kind, 2, degrees), turn * F * turn.transpose());
-      const Tensor2<2> expected = turn * as_is.sigma * turn.transpose();
-      BOOST_TEST((turned.sigma - expected).cwiseAbs().maxCoeff() < 1e-9 * expected.cwiseAbs().maxCoeff());
-    }
+  for (const std::string kind : {"square", "hexagon", "brick", "voronoi"}) {
+    const RveAnswer<2> as_is = answer_at(rve_of(kind, 2), F),
+                       turned = answer_at(rve_of(kind, 2, degrees), turn * F * turn.transpose());
+    const Tensor2<2> expected = turn * as_is.sigma * turn.transpose();
+    BOOST_TEST((turned.sigma - expected).cwiseAbs().maxCoeff() < 1e-9 * expected.cwiseAbs().maxCoeff());
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -7,32 +7,33 @@
 #include <cmath>
 #include <numbers>
 
-namespace turgor
-{
+namespace turgor {
 template <class Spring>
-DeformableCell<Spring>::DeformableCell(const DeformableShape &shape, const DeformableCellParameters<Spring> &parameters_, const unsigned int threads)
-  : motion(system, {.tolerance = 1e-5, .max_iterations = 20000})
-  , parameters(parameters_)
-{
+DeformableCell<Spring>::DeformableCell(const DeformableShape &shape,
+                                       const DeformableCellParameters<Spring> &parameters_,
+                                       const unsigned int threads)
+    : motion(system, {.tolerance = 1e-5, .max_iterations = 20000}), parameters(parameters_) {
   system.threads = threads;
   Particles<3> &p = system.particles;
   surfaces->add(p, shape.mesh, shape.nodes);
   motion.own_length = parameters.radius;
   motion.correct_clusters = true;
-  edges = &system.add(std::make_unique<CortexEdges<Spring>>(surfaces, parameters.spring, parameters.dashpots));
+  edges =
+      &system.add(std::make_unique<CortexEdges<Spring>>(surfaces, parameters.spring, parameters.dashpots));
   system.add(std::make_unique<CortexHinges>(surfaces, parameters.bending));
   system.add(std::make_unique<CortexArea>(surfaces, parameters.area));
   inside = &system.add(std::make_unique<Cytoplasm>(surfaces, parameters.bulk_modulus));
-  system.add(std::make_unique<GivenLoad<3>>([this](Particles<3> &particles, std::size_t) { load(loaded_until, particles); }));
-  motion.medium.assign(p.size(), 6. * std::numbers::pi * parameters.viscosity * parameters.radius / double(p.size()));
+  system.add(std::make_unique<GivenLoad<3>>(
+      [this](Particles<3> &particles, std::size_t) { load(loaded_until, particles); }));
+  motion.medium.assign(p.size(),
+                       6. * std::numbers::pi * parameters.viscosity * parameters.radius / double(p.size()));
   load = [](double, Particles<3> &) {};
   begin_anew();
   energies.start = elastic();
 }
 
 template <class Spring>
-void DeformableCell<Spring>::begin_anew()
-{
+void DeformableCell<Spring>::begin_anew() {
   stepper.emplace(OverdampedParameters{.method = OverdampedMethod::implicit,
                                        .tolerance = parameters.tolerance,
                                        .first_step = parameters.first_step,
@@ -40,24 +41,20 @@ void DeformableCell<Spring>::begin_anew()
                                        .longest_step = parameters.longest_step,
                                        .energy = {.on = true}},
                   motion, system.threads);
-  for (auto &v : system.particles.v)
-    std::fill(v.begin(), v.end(), 0.);
+  for (auto &v : system.particles.v) std::fill(v.begin(), v.end(), 0.);
   load_at(at, applied);
 }
 
 template <class Spring>
-void DeformableCell<Spring>::load_at(const double time, Particles<3>::Components &to)
-{
+void DeformableCell<Spring>::load_at(const double time, Particles<3>::Components &to) {
   Particles<3> &p = system.particles;
-  for (auto &f : p.f)
-    std::fill(f.begin(), f.end(), 0.);
+  for (auto &f : p.f) std::fill(f.begin(), f.end(), 0.);
   load(time, p);
   to = p.f;
 }
 
 template <class Spring>
-double DeformableCell<Spring>::step(const double limit)
-{
+double DeformableCell<Spring>::step(const double limit) {
   Particles<3> &p = system.particles;
   const Particles<3>::Components before = p.x, pulled = applied;
   const double planned = std::min({limit, stepper->next_step(), parameters.longest_step});
@@ -73,27 +70,23 @@ double DeformableCell<Spring>::step(const double limit)
     for (std::size_t i = 0; i < p.size(); ++i)
       energies.work += 0.5 * (pulled[d][i] + applied[d][i]) * (p.x[d][i] - before[d][i]);
   if constexpr (std::is_same_v<Spring, LinearSpring>)
-    if (parameters.flow > 0.)
-      energies.heat_cortex += edges->flow(p, parameters.flow, h);
+    if (parameters.flow > 0.) energies.heat_cortex += edges->flow(p, parameters.flow, h);
   return h;
 }
 
 template <class Spring>
-double DeformableCell<Spring>::elastic() const
-{
+double DeformableCell<Spring>::elastic() const {
   return system.potential_energy();
 }
 
 template <class Spring>
-double DeformableCell<Spring>::balance_error() const
-{
+double DeformableCell<Spring>::balance_error() const {
   const double size = std::max(std::abs(energies.work), energies.heat());
   return size > 0. ? (energies.work - energies.heat() - (elastic() - energies.start)) / size : 0.;
 }
 
 template <class Spring>
-double DeformableCell<Spring>::largest_speed() const
-{
+double DeformableCell<Spring>::largest_speed() const {
   const auto &v = system.particles.v;
   double largest = 0.;
   for (std::size_t i = 0; i < v[0].size(); ++i)
@@ -102,27 +95,23 @@ double DeformableCell<Spring>::largest_speed() const
 }
 
 template <class Spring>
-double DeformableCell<Spring>::extent(const Vector<3> &along) const
-{
+double DeformableCell<Spring>::extent(const Vector<3> &along) const {
   double low = HUGE_VAL, high = -HUGE_VAL;
-  for (std::size_t i = 0; i < system.particles.size(); ++i)
-    {
-      const double s = system.particles.position(i).dot(along);
-      low = std::min(low, s);
-      high = std::max(high, s);
-    }
+  for (std::size_t i = 0; i < system.particles.size(); ++i) {
+    const double s = system.particles.position(i).dot(along);
+    low = std::min(low, s);
+    high = std::max(high, s);
+  }
   return high - low;
 }
 
 template <class Spring>
-FieldFrame DeformableCell<Spring>::frame() const
-{
+FieldFrame DeformableCell<Spring>::frame() const {
   const Particles<3> &p = system.particles;
   FieldFrame frame;
   frame.time = at;
   for (std::size_t i = 0; i < p.size(); ++i)
-    for (int d = 0; d < 3; ++d)
-      frame.points.push_back(p.x[d][i]);
+    for (int d = 0; d < 3; ++d) frame.points.push_back(p.x[d][i]);
   frame.nodes_per_cell = 3;
   for (const CellSurfaces::Triangle &triangle : surfaces->triangles)
     frame.cells.insert(frame.cells.end(), triangle.begin(), triangle.end());
@@ -131,19 +120,17 @@ FieldFrame DeformableCell<Spring>::frame() const
 }
 
 template <class Spring>
-void DeformableCell<Spring>::set_friction(const double dashpots, const double flow)
-{
+void DeformableCell<Spring>::set_friction(const double dashpots, const double flow) {
   edges->set_dashpots(dashpots);
   parameters.flow = flow;
 }
 
 template <class Spring>
-void DeformableCell<Spring>::archive(Archive &a)
-{
+void DeformableCell<Spring>::archive(Archive &a) {
   a.section("deformable_cell");
   a(at, loaded_until, energies, applied, system, *surfaces, *stepper);
 }
 
 template class DeformableCell<LinearSpring>;
 template class DeformableCell<FeneSpring>;
-} // namespace turgor
+}  // namespace turgor

@@ -12,63 +12,54 @@
 #include <algorithm>
 #include <cmath>
 
-namespace turgor
-{
-double OpticalStretcher::warmed(const double power) const
-{
+namespace turgor {
+double OpticalStretcher::warmed(const double power) const {
   const double share = (power - 0.9) / 0.2;
-  if (warming == "none" || power == 0.)
-    return 1.;
-  if (warming == "fit")
-    return std::min(1., 0.29 * std::pow(0.11 / 0.29, share));
+  if (warming == "none" || power == 0.) return 1.;
+  if (warming == "fit") return std::min(1., 0.29 * std::pow(0.11 / 0.29, share));
   const double cold = 290., warm = cold + std::max(0., 20. + 5. * share);
   return std::exp(55e3 / 8.314 * (1. / warm - 1. / cold));
 }
 
-double OpticalStretcher::strain_at_rest(const double stress, const double radius, const double k, const double area_modulus)
-{
+double OpticalStretcher::strain_at_rest(const double stress, const double radius, const double k,
+                                        const double area_modulus) {
   const double K = 0.5 * std::sqrt(3.) * k + area_modulus, mu = 0.25 * std::sqrt(3.) * k;
   return stress * radius * (5. + (K - mu) / (K + mu)) / (6. * 4. * K * mu / (K + mu));
 }
 
-class OpticalStretcher::Run
-{
-public:
-  Run(const OpticalStretcher &scene_, RunContext &context_)
-    : scene(scene_)
-    , context(context_)
-  {
+class OpticalStretcher::Run {
+ public:
+  Run(const OpticalStretcher &scene_, RunContext &context_) : scene(scene_), context(context_) {
     for (const bool flows : {false, true})
       if (scene.elements == "both" || flows == (scene.elements == "modified_maxwell"))
-        for (const double power : scene.powers)
-          cases.push_back({power, flows});
+        for (const double power : scene.powers) cases.push_back({power, flows});
     begin_case();
   }
 
   void go();
 
-private:
-  struct Case
-  {
-    double power; ///< W
-    bool flows;   ///< modified Maxwell
+ private:
+  struct Case {
+    double power;  ///< W
+    bool flows;    ///< modified Maxwell
   };
-  struct Found ///< strains of a case that has ended, and its balance of energy
+  struct Found  ///< strains of a case that has ended, and its balance of energy
   {
     double long_on, short_on, long_off, short_off, balance;
   };
-  struct At
-  {
-    std::uint64_t step = 0, number = 0, sample = 1; ///< number: of the case
-    double length = 0., width = 0.;                 ///< m, at rest
+  struct At {
+    std::uint64_t step = 0, number = 0, sample = 1;  ///< number: of the case
+    double length = 0., width = 0.;                  ///< m, at rest
   };
 
-  const Element &element() const { return cases[at.number].flows ? scene.modified_maxwell : scene.kelvin_voigt; }
+  const Element &element() const {
+    return cases[at.number].flows ? scene.modified_maxwell : scene.kelvin_voigt;
+  }
   double period() const { return scene.on + scene.off; }
   bool lit() const { return cell->time() < scene.on * (1. - 1e-12); }
-  std::pair<double, double> strains() const; ///< of the long and of the short axis
+  std::pair<double, double> strains() const;  ///< of the long and of the short axis
   void begin_case();
-  void follow_light(); ///< load and friction are those of the light
+  void follow_light();  ///< load and friction are those of the light
   void advance();
   void sample();
   void end_case();
@@ -84,13 +75,12 @@ private:
   std::optional<FieldOutput> fields;
 };
 
-std::pair<double, double> OpticalStretcher::Run::strains() const
-{
-  return {cell->extent(Vector<3>::UnitZ()) / at.length - 1., cell->extent(Vector<3>::UnitY()) / at.width - 1.};
+std::pair<double, double> OpticalStretcher::Run::strains() const {
+  return {cell->extent(Vector<3>::UnitZ()) / at.length - 1.,
+          cell->extent(Vector<3>::UnitY()) / at.width - 1.};
 }
 
-void OpticalStretcher::Run::begin_case()
-{
+void OpticalStretcher::Run::begin_case() {
   cell.emplace(sphere_shape(scene.nu, scene.radius), scene.cell(element()), context.threads());
   at.length = cell->extent(Vector<3>::UnitZ());
   at.width = cell->extent(Vector<3>::UnitY());
@@ -98,83 +88,80 @@ void OpticalStretcher::Run::begin_case()
   cell->begin_anew();
 }
 
-void OpticalStretcher::Run::follow_light()
-{
+void OpticalStretcher::Run::follow_light() {
   const double power = cases[at.number].power, friction = lit() ? scene.warmed(power) : 1.;
   LaserBeams beams = scene.beams;
   beams.power = lit() ? power : 0.;
   cell->set_friction(friction * element().friction, friction * element().flow);
   cell->load = [this, stress = beams.stress()](double, Particles<3> &p) {
-    if (stress != 0.)
-      add_laser_forces(*cell->surfaces, p, 0, Vector<3>::UnitZ(), stress);
+    if (stress != 0.) add_laser_forces(*cell->surfaces, p, 0, Vector<3>::UnitZ(), stress);
   };
 }
 
-void OpticalStretcher::Run::advance()
-{
+void OpticalStretcher::Run::advance() {
   const bool was_lit = lit();
   run_failed_by([&] { return cell->step((was_lit ? scene.on : period()) - cell->time()); });
-  if (was_lit == lit() && cell->time() < period() * (1. - 1e-12))
-    return;
-  if (fields)
-    fields->write();
-  if (was_lit)
-    {
-      const auto [longer, shorter] = strains();
-      found.push_back({longer, shorter, 0., 0., 0.});
-      follow_light();
-      cell->begin_anew();
-    }
-  else
+  if (was_lit == lit() && cell->time() < period() * (1. - 1e-12)) return;
+  if (fields) fields->write();
+  if (was_lit) {
+    const auto [longer, shorter] = strains();
+    found.push_back({longer, shorter, 0., 0., 0.});
+    follow_light();
+    cell->begin_anew();
+  } else
     end_case();
 }
 
-void OpticalStretcher::Run::end_case()
-{
+void OpticalStretcher::Run::end_case() {
   const auto [longer, shorter] = strains();
   found.back().long_off = longer;
   found.back().short_off = shorter;
   found.back().balance = cell->balance_error();
   sample();
-  if (++at.number == cases.size())
-    return;
+  if (++at.number == cases.size()) return;
   at.sample = 1;
   begin_case();
   sample();
 }
 
-void OpticalStretcher::Run::sample()
-{
+void OpticalStretcher::Run::sample() {
   const Particles<3> &p = cell->system.particles;
   if (const std::string wrong = unsound(p, {.reach = 100. * scene.radius}); !wrong.empty())
     throw RunFailed("the cell came apart at t = " + number_text(cell->time()) + " s: " + wrong);
   const auto [longer, shorter] = strains();
   const DeformableEnergies &e = cell->energies;
-  axes->add_row({double(at.number), cases[at.number].power, double(cases[at.number].flows), cell->time(), longer, shorter, cell->surfaces->volume(p, 0),
-                 cell->inside->pressure(p, 0), cell->elastic() - e.start, e.work, e.heat_medium, e.heat_cortex});
-  if (fields)
-    fields->accept();
+  axes->add_row({double(at.number), cases[at.number].power, double(cases[at.number].flows), cell->time(),
+                 longer, shorter, cell->surfaces->volume(p, 0), cell->inside->pressure(p, 0),
+                 cell->elastic() - e.start, e.work, e.heat_medium, e.heat_cortex});
+  if (fields) fields->accept();
 }
 
-void OpticalStretcher::Run::go()
-{
+void OpticalStretcher::Run::go() {
   context.active(cell->system.term_names(), cell->system.particles.field_names());
   StepLoop loop(context, at.step);
   loop.lasting = [this](Archive &a) {
     a.section("run");
     a(at, found);
-    if (a.loading())
-      {
-        cell.emplace(sphere_shape(scene.nu, scene.radius), scene.cell(element()), context.threads());
-        a(*cell);
-        follow_light();
-      }
-    else
+    if (a.loading()) {
+      cell.emplace(sphere_shape(scene.nu, scene.radius), scene.cell(element()), context.threads());
+      a(*cell);
+      follow_light();
+    } else
       a(*cell);
   };
   const bool resumed = context.load_checkpoint(loop.lasting);
-  axes = context.series("axes", {{"run", ""}, {"power", "W"}, {"modified_maxwell", ""}, {"time", "s"}, {"long_axis", "1"}, {"short_axis", "1"}, {"volume", "m^3"},
-                                 {"pressure", "Pa"}, {"elastic", "J"}, {"work", "J"}, {"heat_medium", "J"}, {"heat_cortex", "J"}});
+  axes = context.series("axes", {{"run", ""},
+                                 {"power", "W"},
+                                 {"modified_maxwell", ""},
+                                 {"time", "s"},
+                                 {"long_axis", "1"},
+                                 {"short_axis", "1"},
+                                 {"volume", "m^3"},
+                                 {"pressure", "Pa"},
+                                 {"elastic", "J"},
+                                 {"work", "J"},
+                                 {"heat_medium", "J"},
+                                 {"heat_cortex", "J"}});
   if (scene.fields)
     fields.emplace(context, "surface", resumed, [this] {
       FieldFrame frame = cell->frame();
@@ -187,45 +174,51 @@ void OpticalStretcher::Run::go()
   loop.sample_due = [this] {
     if (at.number == cases.size() || cell->time() < period() * double(at.sample) / scene.samples)
       return false;
-    while (cell->time() >= period() * double(at.sample) / scene.samples)
-      ++at.sample;
+    while (cell->time() >= period() * double(at.sample) / scene.samples) ++at.sample;
     return true;
   };
   loop.frame = [this] {
-    if (fields)
-      fields->write();
+    if (fields) fields->write();
   };
   loop.frame_due = loop.checkpoint_due = [] { return false; };
-  loop.reached = [this] { return "in run " + number_text(at.number + 1) + " of " + number_text(cases.size()) + " at t = " + number_text(cell->time()) + " s"; };
-  loop.tell = [this] { context.progress((double(at.number) + cell->time() / period()) / double(cases.size()), "stretching"); };
-  if (!resumed)
-    loop.begin();
+  loop.reached = [this] {
+    return "in run " + number_text(at.number + 1) + " of " + number_text(cases.size()) +
+           " at t = " + number_text(cell->time()) + " s";
+  };
+  loop.tell = [this] {
+    context.progress((double(at.number) + cell->time() / period()) / double(cases.size()), "stretching");
+  };
+  if (!resumed) loop.begin();
   loop.run();
   report();
 }
 
-void OpticalStretcher::Run::report()
-{
+void OpticalStretcher::Run::report() {
   double worst = 0.;
-  for (std::size_t k = 0; k < cases.size(); ++k)
-    {
-      const std::string name = std::string(cases[k].flows ? "modified_maxwell" : "kelvin_voigt") + "_" + number_text(std::lround(1e3 * cases[k].power)) + "_mW";
-      context.result("long_axis_" + name, found[k].long_on, "1");
-      context.result("short_axis_" + name, found[k].short_on, "1");
-      context.result("stays_" + name, found[k].long_on != 0. ? found[k].long_off / found[k].long_on : 0., "1");
-      LaserBeams beams = scene.beams;
-      beams.power = cases[k].power;
-      if (!cases[k].flows)
-        context.result("at_rest_" + name, strain_at_rest(beams.stress(), scene.radius, scene.kelvin_voigt.stiffness, scene.area_modulus), "1");
-      worst = std::max(worst, std::abs(found[k].balance));
-    }
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    const std::string name = std::string(cases[k].flows ? "modified_maxwell" : "kelvin_voigt") + "_" +
+                             number_text(std::lround(1e3 * cases[k].power)) + "_mW";
+    context.result("long_axis_" + name, found[k].long_on, "1");
+    context.result("short_axis_" + name, found[k].short_on, "1");
+    context.result("stays_" + name, found[k].long_on != 0. ? found[k].long_off / found[k].long_on : 0., "1");
+    LaserBeams beams = scene.beams;
+    beams.power = cases[k].power;
+    if (!cases[k].flows)
+      context.result(
+          "at_rest_" + name,
+          strain_at_rest(beams.stress(), scene.radius, scene.kelvin_voigt.stiffness, scene.area_modulus),
+          "1");
+    worst = std::max(worst, std::abs(found[k].balance));
+  }
   context.result("nodes", double(cell->system.particles.size()), "");
   context.result("steps", double(at.step), "");
   context.result("energy_balance", worst, "1");
-  judged(context, "energy_balance", worst, {0.02, 0.2}, number_text(100. * worst) + " % of the light's work is neither stored nor turned into heat (shorter steps: Tolerance)");
+  judged(context, "energy_balance", worst, {0.02, 0.2},
+         number_text(100. * worst) +
+             " % of the light's work is neither stored nor turned into heat (shorter steps: Tolerance)");
 }
 
 void OpticalStretcher::run(RunContext &context) { Run(*this, context).go(); }
 
 std::unique_ptr<Scenario> make_optical_stretcher() { return std::make_unique<OpticalStretcher>(); }
-} // namespace turgor
+}  // namespace turgor

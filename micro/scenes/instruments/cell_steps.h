@@ -1,9 +1,11 @@
-// Scene `cell_steps`: how long the steps of an over-damped population may be. A ball of cells, disturbed, relaxes for a given time:
-// with fixed steps of each method, halved from the whole time on, and with adaptive ones. Errors are against adaptive second-order
-// steps of a tight tolerance: root mean square of the positions over the radius.
+// Scene `cell_steps`: how long the steps of an over-damped population may be. A ball of cells, disturbed,
+// relaxes for a given time: with fixed steps of each method, halved from the whole time on, and with adaptive
+// ones. Errors are against adaptive second-order steps of a tight tolerance: root mean square of the
+// positions over the radius.
 //
-// Disturbances: cells replaced by newborn pairs close together, compression of the ball's volume, stiffer contacts, less friction.
-// A fixed step is called stable where the run ends with an error below a tenth of a radius. A run that cannot go on counts with its sentence.
+// Disturbances: cells replaced by newborn pairs close together, compression of the ball's volume, stiffer
+// contacts, less friction. A fixed step is called stable where the run ends with an error below a tenth of a
+// radius. A run that cannot go on counts with its sentence.
 //
 //   steps.csv   method, adaptive or not, step (s) or tolerance, error, CPU time, steps, stable
 #pragma once
@@ -14,24 +16,21 @@
 #include "run/run_context.h"
 #include "run/scenario.h"
 
-namespace turgor
-{
-class CellSteps : public Scenario
-{
-public:
+namespace turgor {
+class CellSteps : public Scenario {
+ public:
   void declare_parameters(InputEntries &prm) override;
   Outputs outputs() const override;
   void check() const override;
   void run(RunContext &context) override;
 
-private:
-  struct Outcome
-  {
+ private:
+  struct Outcome {
     Particles<3> cells;
-    double cpu = 0.; ///< s
+    double cpu = 0.;  ///< s
     std::uint64_t steps = 0;
     bool ended = false;
-    std::string sentence; ///< where it did not
+    std::string sentence;  ///< where it did not
   };
   Particles<3> start() const;
   Outcome relax(OverdampedMethod method, double tolerance, double step, unsigned int threads) const;
@@ -43,4 +42,4 @@ private:
 };
 
 std::unique_ptr<Scenario> make_cell_steps();
-} // namespace turgor
+}  // namespace turgor

@@ -1,5 +1,5 @@
-// One quadrant of the balloon model's meridian, cut into straight elements: the energy's slope and stiffness, and its stationary points
-// (balloon_model.h has the equations and why it is solved so).
+// One quadrant of the balloon model's meridian, cut into straight elements: the energy's slope and stiffness,
+// and its stationary points (balloon_model.h has the equations and why it is solved so).
 //
 // The unknowns: rho and z (m) of node i at 2 i and 2 i + 1, node 0 the pole, node n the equator.
 //
@@ -15,22 +15,20 @@
 
 #include <Eigen/SparseCore>
 
-namespace turgor
-{
-struct BalloonQuadrant
-{
+namespace turgor {
+struct BalloonQuadrant {
   const BalloonModel &model;
-  unsigned int n; ///< elements
+  unsigned int n;  ///< elements
 
-  double angle(const double i) const { return 0.5 * std::numbers::pi * i / n; } ///< stress-free, from the pole
+  double angle(const double i) const {
+    return 0.5 * std::numbers::pi * i / n;
+  }  ///< stress-free, from the pole
   /// The pole's rho, the equator's z, and z of the first nodes, those on the plate.
-  bool fixed(const unsigned int k, const unsigned int touching) const
-  {
+  bool fixed(const unsigned int k, const unsigned int touching) const {
     return k == 0 || k == 2 * n + 1 || ((k % 2 == 1 || model.sticking) && k < 2 * touching);
   }
 
-  struct Sums
-  {
+  struct Sums {
     Eigen::VectorXd slope, volume_slope;            ///< N and m^2, as the unknowns
     std::vector<Eigen::Triplet<double>> stiffness;  ///< N/m, without the liquid's own
     double volume = 0., wall_energy = 0.;           ///< m^3, J
@@ -42,13 +40,13 @@ struct BalloonQuadrant
   /// Newton's method with the first nodes on the plate at z = H; false if it does not converge.
   bool solve(Eigen::VectorXd &u, double H, unsigned int touching, double force_scale) const;
 
-  /// Equilibrium with a plate at z = H: nodes join the contact while the next one is above the plate, and leave it
-  /// while the plate would have to pull at its edge.
+  /// Equilibrium with a plate at z = H: nodes join the contact while the next one is above the plate, and
+  /// leave it while the plate would have to pull at its edge.
   bool squeeze(Eigen::VectorXd &u, double H, unsigned int &touching, double force_scale) const;
 
-private:
+ private:
   void add_element(Sums &sums, const Eigen::VectorXd &u, unsigned int i, double pressure) const;
-  void add_hinge(Sums &sums, const Eigen::VectorXd &u, unsigned int i) const; ///< bending at node i
+  void add_hinge(Sums &sums, const Eigen::VectorXd &u, unsigned int i) const;  ///< bending at node i
   Eigen::VectorXd newton_step(const Sums &sums, unsigned int touching, bool &solved) const;
 };
-} // namespace turgor
+}  // namespace turgor

@@ -11,27 +11,28 @@
 
 #include <cmath>
 
-namespace turgor
-{
-void Laplace::declare_parameters(InputEntries &prm)
-{
+namespace turgor {
+void Laplace::declare_parameters(InputEntries &prm) {
   using namespace Patterns;
-  prm.add_parameter("Dimension", dimension, "Dimension of the cell: 2 a round slab, 3 a sphere. Units: none.", Integer(2, 3));
-  prm.add_parameter("Samples", samples, "Number of equal parts of the inflation after each of which laplace.csv gets a row. Units: none.", Integer(2, 100000));
+  prm.add_parameter("Dimension", dimension, "Dimension of the cell: 2 a round slab, 3 a sphere. Units: none.",
+                    Integer(2, 3));
+  prm.add_parameter(
+      "Samples", samples,
+      "Number of equal parts of the inflation after each of which laplace.csv gets a row. Units: none.",
+      Integer(2, 100000));
   prm.enter_subsection("Cell");
   cell.add_parameters(prm);
   prm.leave_subsection();
 }
 
-void Laplace::check() const
-{
+void Laplace::check() const {
   cell.check(int(dimension));
   if (!(cell.turgor > 0.))
-    throw std::invalid_argument("Cell/Turgor is 0, but has to be positive (Pa): without pressure there is no tension to compare.");
+    throw std::invalid_argument(
+        "Cell/Turgor is 0, but has to be positive (Pa): without pressure there is no tension to compare.");
 }
 
-void Laplace::run(RunContext &context)
-{
+void Laplace::run(RunContext &context) {
   if (dimension == 2)
     run_in<2>(context);
   else
@@ -39,8 +40,7 @@ void Laplace::run(RunContext &context)
 }
 
 template <int dim>
-void Laplace::run_in(RunContext &context) const
-{
+void Laplace::run_in(RunContext &context) const {
   const auto made = make_round_cell<dim>(cell, false);
   RoundCell<dim> &round = *made;
   context.active(round.system.term_names(), round.system.particles.field_names());
@@ -57,15 +57,14 @@ void Laplace::run_in(RunContext &context) const
   double deviation = 0.;
   const unsigned int every = unsigned(steps_between(cell.anneal_steps, samples));
   const double residual = run_failed_by([&] {
-    return bring_to_turgor<dim>(round, [&](const unsigned int step, const unsigned int steps, const double dt) {
-      if (step % every == 0 && unsound(round.system.particles).empty())
-        table->add_row({step * dt, round.mean_radius(), round.pressure(), round.virial_pressure(),
-                        balances(round.cut_tension(deviation)), balances(round.virial_tension())});
-      if (step % 64 == 0)
-        context.progress(double(step) / steps, "inflating");
-      if (context.stop_requested())
-        throw RunStopped("stopped while the cell was inflated");
-    });
+    return bring_to_turgor<dim>(
+        round, [&](const unsigned int step, const unsigned int steps, const double dt) {
+          if (step % every == 0 && unsound(round.system.particles).empty())
+            table->add_row({step * dt, round.mean_radius(), round.pressure(), round.virial_pressure(),
+                            balances(round.cut_tension(deviation)), balances(round.virial_tension())});
+          if (step % 64 == 0) context.progress(double(step) / steps, "inflating");
+          if (context.stop_requested()) throw RunStopped("stopped while the cell was inflated");
+        });
   });
 
   const double cut = round.cut_tension(deviation), virial = round.virial_tension();
@@ -87,15 +86,15 @@ void Laplace::run_in(RunContext &context) const
   context.result("deviation_cut_virial", 100. * (balances(cut) / fluid_virial - 1.), "%");
   context.result("deviation_virial_eos", 100. * (balances(virial) / eos - 1.), "%");
   context.result("deviation_virial_virial", 100. * (balances(virial) / fluid_virial - 1.), "%");
-  if (round.fluid)
-    {
-      context.result("mean_neighbours", round.fluid->mean_neighbours(round.system.particles), "1");
-      context.result("crossed", double(round.fluid->crossed()), "");
-    }
+  if (round.fluid) {
+    context.result("mean_neighbours", round.fluid->mean_neighbours(round.system.particles), "1");
+    context.result("crossed", double(round.fluid->crossed()), "");
+  }
   RoundCellFields<dim>(context, false, round, [] { return 0.; }).write();
   if (round.fluid)
-    judge_outside(context, double(round.fluid->crossed()), round.group().fluid_count(), "more Cell/Fluid particles or less Cell/Turgor makes them fewer");
+    judge_outside(context, double(round.fluid->crossed()), round.group().fluid_count(),
+                  "more Cell/Fluid particles or less Cell/Turgor makes them fewer");
 }
 
 std::unique_ptr<Scenario> make_laplace() { return std::make_unique<Laplace>(); }
-} // namespace turgor
+}  // namespace turgor

@@ -14,89 +14,92 @@
 #include <complex>
 #include <numbers>
 
-namespace turgor
-{
-namespace
-{
+namespace turgor {
+namespace {
 constexpr double pi = std::numbers::pi;
 
 /// Amplitude of a signal's Hann-windowed mean-free part at omega (rad/s).
-double amplitude(const std::vector<double> &time, const std::vector<double> &signal, const double omega)
-{
+double amplitude(const std::vector<double> &time, const std::vector<double> &signal, const double omega) {
   double mean = 0.;
-  for (const double s : signal)
-    mean += s / double(signal.size());
+  for (const double s : signal) mean += s / double(signal.size());
   std::complex<double> sum = 0.;
-  for (std::size_t k = 0; k < signal.size(); ++k)
-    {
-      const double window = 0.5 - 0.5 * std::cos(2. * pi * (k + 0.5) / double(signal.size()));
-      sum += window * (signal[k] - mean) * std::polar(1., -omega * time[k]);
-    }
+  for (std::size_t k = 0; k < signal.size(); ++k) {
+    const double window = 0.5 - 0.5 * std::cos(2. * pi * (k + 0.5) / double(signal.size()));
+    sum += window * (signal[k] - mean) * std::polar(1., -omega * time[k]);
+  }
   return 4. * std::abs(sum) / double(signal.size());
 }
 /// Radial velocity inwards, of the wall's nodes or of all in proportion to the radius R (m).
-void strike(ParticleSystem<3> &system, const std::uint32_t nodes, const double R, const double speed, const bool all)
-{
+void strike(ParticleSystem<3> &system, const std::uint32_t nodes, const double R, const double speed,
+            const bool all) {
   Particles<3> &particles = system.particles;
-  for (std::uint32_t i = 0; i < (all ? particles.size() : nodes); ++i)
-    {
-      const Vector<3> x = particles.position(i), out = i < nodes ? Vector<3>(x.normalized()) : Vector<3>(x / R);
-      for (int d = 0; d < 3; ++d)
-        particles.v[d][i] = -speed * out[d];
-    }
+  for (std::uint32_t i = 0; i < (all ? particles.size() : nodes); ++i) {
+    const Vector<3> x = particles.position(i), out = i < nodes ? Vector<3>(x.normalized()) : Vector<3>(x / R);
+    for (int d = 0; d < 3; ++d) particles.v[d][i] = -speed * out[d];
+  }
 }
 
 /// R sum m v.x/sum m x.x: the wall's radial speed where all moves in proportion to the radius.
-double radial_speed(const Particles<3> &particles, const double R)
-{
+double radial_speed(const Particles<3> &particles, const double R) {
   double along = 0., squares = 0.;
   for (std::uint32_t i = 0; i < particles.size(); ++i)
-    for (int d = 0; d < 3; ++d)
-      {
-        along += particles.v[d][i] * particles.x[d][i] / particles.inverse_mass[i];
-        squares += particles.x[d][i] * particles.x[d][i] / particles.inverse_mass[i];
-      }
+    for (int d = 0; d < 3; ++d) {
+      along += particles.v[d][i] * particles.x[d][i] / particles.inverse_mass[i];
+      squares += particles.x[d][i] * particles.x[d][i] / particles.inverse_mass[i];
+    }
   return R * along / squares;
 }
 
 /// Spectrum on a grid four times as fine as the window's resolution, for the picture. last_mode: rad/s.
-void write_spectrum(RunContext &context, const std::vector<double> &time, const std::vector<double> &moving, const double last_mode)
-{
+void write_spectrum(RunContext &context, const std::vector<double> &time, const std::vector<double> &moving,
+                    const double last_mode) {
   const double fine = 2. * pi / time.back() / 4., highest = 1.2 * last_mode + 40. * fine;
   const auto spectrum = context.series("spectrum", {{"frequency", "Hz"}, {"amplitude", "m/s"}});
   for (std::size_t k = 0; k * fine < highest; ++k)
     spectrum->add_row({k * fine / (2. * pi), amplitude(time, moving, k * fine)});
 }
-} // namespace
+}  // namespace
 
-void ShellOscillation::declare_parameters(InputEntries &prm)
-{
+void ShellOscillation::declare_parameters(InputEntries &prm) {
   using namespace Patterns;
-  prm.add_parameter("Filled", filled, "Whether the shell is filled with liquid (A.2); else it is empty (A.3). Units: true or false.", Bool());
+  prm.add_parameter(
+      "Filled", filled,
+      "Whether the shell is filled with liquid (A.2); else it is empty (A.3). Units: true or false.", Bool());
   prm.add_parameter("Sound speed", sound_speed,
-                    "Speed of sound c of the liquid; Cell/Fluid modulus is then rho c^2/7, whatever is set there. Units: m/s.",
+                    "Speed of sound c of the liquid; Cell/Fluid modulus is then rho c^2/7, whatever is set "
+                    "there. Units: m/s.",
                     Double(1., 5000.));
-  prm.add_parameter("Inward speed", speed, "Speed of all wall nodes towards the centre at the start. Units: m/s.", Double(1e-6, 10.));
-  prm.add_parameter("Struck", all_struck,
-                    "wall: only its nodes move at the start (thesis A.1); most of that stays in tones of the wall above all that the "
-                    "liquid's particles carry. whole: the liquid moves with it in proportion to the radius. Units: none.",
-                    Selection("wall|whole"));
-  prm.add_parameter("Periods", periods, "Length of the run in periods of the lowest closed form. Units: none.",
+  prm.add_parameter("Inward speed", speed,
+                    "Speed of all wall nodes towards the centre at the start. Units: m/s.",
+                    Double(1e-6, 10.));
+  prm.add_parameter(
+      "Struck", all_struck,
+      "wall: only its nodes move at the start (thesis A.1); most of that stays in tones of the wall above "
+      "all that the "
+      "liquid's particles carry. whole: the liquid moves with it in proportion to the radius. Units: none.",
+      Selection("wall|whole"));
+  prm.add_parameter("Periods", periods,
+                    "Length of the run in periods of the lowest closed form. Units: none.",
                     Double(4., 10000.));
-  prm.add_parameter("Samples per period", samples_per_period, "Rows of radius.csv in each period of the lowest closed form. Units: none.",
+  prm.add_parameter("Samples per period", samples_per_period,
+                    "Rows of radius.csv in each period of the lowest closed form. Units: none.",
                     Integer(20, 100000));
-  prm.add_parameter("Modes", modes, "Number of closed-form modes, from the lowest, that are looked for in the motion. Units: none.", Integer(1, 20));
-  prm.add_parameter("Harmonics", fitted, "Largest number of decaying cosines that are fitted to the radial speed. Units: none.", Integer(1, 60));
+  prm.add_parameter(
+      "Modes", modes,
+      "Number of closed-form modes, from the lowest, that are looked for in the motion. Units: none.",
+      Integer(1, 20));
+  prm.add_parameter("Harmonics", fitted,
+                    "Largest number of decaying cosines that are fitted to the radial speed. Units: none.",
+                    Integer(1, 60));
   declare_step_fraction(prm, step_fraction);
   prm.enter_subsection("Cell");
   cell.add_parameters(prm);
   prm.leave_subsection();
 }
 
-RoundCellParameters ShellOscillation::shell() const
-{
+RoundCellParameters ShellOscillation::shell() const {
   RoundCellParameters p = cell;
-  p.turgor = 0.; // closed forms are about a stress-free start
+  p.turgor = 0.;  // closed forms are about a stress-free start
   p.fluid = filled ? CellFilling::sph : CellFilling::none;
   p.fluid_modulus = p.fluid_density * sound_speed * sound_speed / 7.;
   // The liquid has to carry tension: no cavitation in a linear wave. -K is where Eq. 2.22 ends.
@@ -104,23 +107,22 @@ RoundCellParameters ShellOscillation::shell() const
   return p;
 }
 
-void ShellOscillation::check() const
-{
+void ShellOscillation::check() const {
   shell().check(3);
   if (periods * samples_per_period < 6. * fitted + 4.)
-    throw std::invalid_argument("Harmonics is " + number_text(fitted)
-                                + ", but Periods times Samples per period has to be at least 6 times as many and 4.");
+    throw std::invalid_argument(
+        "Harmonics is " + number_text(fitted) +
+        ", but Periods times Samples per period has to be at least 6 times as many and 4.");
   if (filled && speed > 0.02 * sound_speed)
-    throw std::invalid_argument("Inward speed is " + number_text(speed)
-                                + ", but has to be at most a fiftieth of Sound speed (m/s): the closed forms are linear.");
+    throw std::invalid_argument(
+        "Inward speed is " + number_text(speed) +
+        ", but has to be at most a fiftieth of Sound speed (m/s): the closed forms are linear.");
 }
 
-std::vector<double> ShellOscillation::closed_form(const RoundCellParameters &p, const double R, const double c,
-                                                  const unsigned int count)
-{
-  const double E_t = 3. * p.wall_stiffness, shell_mass = p.wall_density * p.wall_thickness; // per area
-  if (p.fluid == CellFilling::none)
-    return {std::sqrt(4. * E_t / shell_mass) / R};
+std::vector<double> ShellOscillation::closed_form(const RoundCellParameters &p, const double R,
+                                                  const double c, const unsigned int count) {
+  const double E_t = 3. * p.wall_stiffness, shell_mass = p.wall_density * p.wall_thickness;  // per area
+  if (p.fluid == CellFilling::none) return {std::sqrt(4. * E_t / shell_mass) / R};
   // Multiplied by j1(q) q^2, which takes the poles away and keeps the roots: (with s, k of q)
   //   q sin q . q - ...: j0 = sin q/q, j1 = sin q/q^2 - cos q/q
   const auto f = [&](const double q) {
@@ -130,29 +132,26 @@ std::vector<double> ShellOscillation::closed_form(const RoundCellParameters &p, 
   std::vector<double> roots;
   const double step = 0.01;
   for (double q = 0.02; roots.size() < count && q < 200.; q += step)
-    if (f(q) * f(q + step) < 0.)
-      {
-        std::uintmax_t iterations = 100;
-        const auto bracket =
-          boost::math::tools::toms748_solve(f, q, q + step, boost::math::tools::eps_tolerance<double>(48), iterations);
-        roots.push_back(0.5 * (bracket.first + bracket.second) * c / R);
-      }
+    if (f(q) * f(q + step) < 0.) {
+      std::uintmax_t iterations = 100;
+      const auto bracket = boost::math::tools::toms748_solve(
+          f, q, q + step, boost::math::tools::eps_tolerance<double>(48), iterations);
+      roots.push_back(0.5 * (bracket.first + bracket.second) * c / R);
+    }
   return roots;
 }
 
-ShellOscillation::Motion ShellOscillation::oscillate(RunContext &context, RoundCell<3> &round, const double R, const double lowest) const
-{
+ShellOscillation::Motion ShellOscillation::oscillate(RunContext &context, RoundCell<3> &round, const double R,
+                                                     const double lowest) const {
   ParticleSystem<3> &system = round.system;
   const double period = 2. * pi / lowest, sampling = period / samples_per_period;
   const double limit = step_fraction * system.stable_time_step();
   const unsigned int per_sample = unsigned(std::ceil(sampling / limit));
   const double dt = sampling / per_sample;
   const auto count = std::size_t(periods * samples_per_period);
-  const auto table = context.series("radius", {{"time", "s"},
-                                             {"radius_change", "m"},
-                                             {"radial_speed", "m/s"},
-                                             {"pressure", "Pa"},
-                                             {"energy", "J"}});
+  const auto table = context.series(
+      "radius",
+      {{"time", "s"}, {"radius_change", "m"}, {"radial_speed", "m/s"}, {"pressure", "Pa"}, {"energy", "J"}});
   KickDriftKick<3> integrator(system);
   system.compute_forces();
   Motion motion;
@@ -160,55 +159,50 @@ ShellOscillation::Motion ShellOscillation::oscillate(RunContext &context, RoundC
   std::vector<double> &time = motion.time, radius;
   const double energy_start = system.potential_energy() + system.kinetic_energy();
   double energy = energy_start;
-  for (std::size_t k = 0; k <= count; ++k)
-    {
-      if (k > 0)
-        for (unsigned int s = 0; s < per_sample; ++s)
-          integrator.step(dt);
-      time.push_back(double(k) * sampling);
-      radius.push_back(round.mean_radius() - R);
-      motion.speed.push_back(radial_speed(system.particles, R));
-      energy = system.potential_energy() + system.kinetic_energy();
-      if (!std::isfinite(radius.back()) || std::abs(radius.back()) > 0.5 * R)
-        throw RunFailed("the shell diverged before t = " + number_text(1e6 * time.back())
-                        + " us: use a smaller Step fraction or Inward speed.");
-      table->add_row({time.back(), radius.back(), motion.speed.back(), round.pressure(), energy});
-      if (round.fluid)
-        motion.crossed = std::max(motion.crossed, double(round.fluid->crossed()));
-      context.progress(0.3 + 0.7 * double(k) / double(count), "oscillations");
-      if (context.stop_requested())
-        throw RunStopped("stopped in the middle of the oscillation");
-    }
+  for (std::size_t k = 0; k <= count; ++k) {
+    if (k > 0)
+      for (unsigned int s = 0; s < per_sample; ++s) integrator.step(dt);
+    time.push_back(double(k) * sampling);
+    radius.push_back(round.mean_radius() - R);
+    motion.speed.push_back(radial_speed(system.particles, R));
+    energy = system.potential_energy() + system.kinetic_energy();
+    if (!std::isfinite(radius.back()) || std::abs(radius.back()) > 0.5 * R)
+      throw RunFailed("the shell diverged before t = " + number_text(1e6 * time.back()) +
+                      " us: use a smaller Step fraction or Inward speed.");
+    table->add_row({time.back(), radius.back(), motion.speed.back(), round.pressure(), energy});
+    if (round.fluid) motion.crossed = std::max(motion.crossed, double(round.fluid->crossed()));
+    context.progress(0.3 + 0.7 * double(k) / double(count), "oscillations");
+    if (context.stop_requested()) throw RunStopped("stopped in the middle of the oscillation");
+  }
   motion.energy_drift = energy / energy_start - 1.;
   return motion;
 }
 
-void ShellOscillation::compare(RunContext &context, const std::vector<Harmonic> &parts, const std::vector<double> &theory, const double R) const
-{
+void ShellOscillation::compare(RunContext &context, const std::vector<Harmonic> &parts,
+                               const std::vector<double> &theory, const double R) const {
   const auto lines = context.series("modes", {{"closed_form", "Hz"}, {"found", "Hz"}, {"deviation", "%"}});
   const RoundCellParameters p = shell();
-  // The roots beyond the last one that is asked for, and the middle between two of them: what lies nearer to a root belongs to it.
+  // The roots beyond the last one that is asked for, and the middle between two of them: what lies nearer to
+  // a root belongs to it.
   std::vector<double> next = theory;
-  next.push_back(p.fluid == CellFilling::none ? 2. * theory.back() : closed_form(p, R, sound_speed, modes + 1).back());
-  for (std::size_t m = 0; m < theory.size(); ++m)
-    {
-      const double below = m == 0 ? 0.5 * theory[0] : 0.5 * (theory[m - 1] + theory[m]);
-      const Harmonic part = largest_between(parts, below, 0.5 * (theory[m] + next[m + 1]));
-      const std::string name = "mode_" + number_text(m + 1);
-      context.result(name + "_closed_form", theory[m] / (2. * pi), "Hz");
-      if (part.omega == 0.)
-        continue; // not excited, or not carried by the fluid's resolution
-      const double deviation = 100. * (part.omega / theory[m] - 1.);
-      lines->add_row({theory[m] / (2. * pi), part.omega / (2. * pi), deviation});
-      context.result(name + "_found", part.omega / (2. * pi), "Hz");
-      context.result(name + "_deviation", deviation, "%");
-      context.result(name + "_amplitude", part.amplitude, "m/s");
-      context.result(name + "_decay", 2. * pi * part.decay / part.omega, "1/period");
-    }
+  next.push_back(p.fluid == CellFilling::none ? 2. * theory.back()
+                                              : closed_form(p, R, sound_speed, modes + 1).back());
+  for (std::size_t m = 0; m < theory.size(); ++m) {
+    const double below = m == 0 ? 0.5 * theory[0] : 0.5 * (theory[m - 1] + theory[m]);
+    const Harmonic part = largest_between(parts, below, 0.5 * (theory[m] + next[m + 1]));
+    const std::string name = "mode_" + number_text(m + 1);
+    context.result(name + "_closed_form", theory[m] / (2. * pi), "Hz");
+    if (part.omega == 0.) continue;  // not excited, or not carried by the fluid's resolution
+    const double deviation = 100. * (part.omega / theory[m] - 1.);
+    lines->add_row({theory[m] / (2. * pi), part.omega / (2. * pi), deviation});
+    context.result(name + "_found", part.omega / (2. * pi), "Hz");
+    context.result(name + "_deviation", deviation, "%");
+    context.result(name + "_amplitude", part.amplitude, "m/s");
+    context.result(name + "_decay", 2. * pi * part.decay / part.omega, "1/period");
+  }
 }
 
-void ShellOscillation::run(RunContext &context)
-{
+void ShellOscillation::run(RunContext &context) {
   const RoundCellParameters p = shell();
   const auto made = make_round_cell<3>(p, false);
   RoundCell<3> &round = *made;
@@ -216,10 +210,8 @@ void ShellOscillation::run(RunContext &context)
   context.active(system.term_names(), system.particles.field_names());
   run_failed_by([&] {
     return bring_to_turgor<3>(round, [&](const unsigned int step, const unsigned int steps, double) {
-      if (step % 64 == 0)
-        context.progress(0.3 * step / steps, "the liquid comes to rest");
-      if (context.stop_requested())
-        throw RunStopped("stopped before the shell was struck");
+      if (step % 64 == 0) context.progress(0.3 * step / steps, "the liquid comes to rest");
+      if (context.stop_requested()) throw RunStopped("stopped before the shell was struck");
     });
   });
   const double R = round.mean_radius();
@@ -228,16 +220,16 @@ void ShellOscillation::run(RunContext &context)
   const Motion motion = oscillate(context, round, R, theory.front());
   write_spectrum(context, motion.time, motion.speed, theory.back());
   const std::vector<Harmonic> parts = harmonics(motion.speed, motion.sampling, fitted);
-  const auto found = context.series("harmonics", {{"frequency", "Hz"}, {"decay", "1/s"}, {"amplitude", "m/s"}});
-  for (const Harmonic &part : parts)
-    found->add_row({part.omega / (2. * pi), part.decay, part.amplitude});
+  const auto found =
+      context.series("harmonics", {{"frequency", "Hz"}, {"decay", "1/s"}, {"amplitude", "m/s"}});
+  for (const Harmonic &part : parts) found->add_row({part.omega / (2. * pi), part.decay, part.amplitude});
   context.result("radius", R, "m");
   context.result("energy_drift", motion.energy_drift, "1");
-  if (round.fluid)
-    context.result("most_crossed", motion.crossed, "");
+  if (round.fluid) context.result("most_crossed", motion.crossed, "");
   compare(context, parts, theory, R);
-  judge_outside(context, motion.crossed, round.group().fluid_count(), "more Cell/Fluid particles or a smaller Inward speed makes them fewer");
+  judge_outside(context, motion.crossed, round.group().fluid_count(),
+                "more Cell/Fluid particles or a smaller Inward speed makes them fewer");
 }
 
 std::unique_ptr<Scenario> make_shell_oscillation() { return std::make_unique<ShellOscillation>(); }
-} // namespace turgor
+}  // namespace turgor

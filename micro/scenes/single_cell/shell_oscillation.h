@@ -1,12 +1,15 @@
 // Breathing of a thin spherical shell, empty or filled with a liquid (thesis A.1).
 //
-//   empty    omega = sqrt(4 E/rho_s)/R                                                    Eq. A.3 (nu = 1/2); thesis 1 %
-//   filled   j0(q)/j1(q) - q rho_s t/(rho R) + 4 E t/(q rho c^2 R) = 0,  q = omega R/c     Eq. A.2; thesis 5-10 %
+//   empty    omega = sqrt(4 E/rho_s)/R                                                    Eq. A.3 (nu = 1/2);
+//            thesis 1 %
+//   filled   j0(q)/j1(q) - q rho_s t/(rho R) + 4 E t/(q rho c^2 R) = 0,  q = omega R/c     Eq. A.2; thesis
+//            5-10 %
 //
-// E = 3 G. Both closed forms are linear about a stress-free shell with a liquid at rest pressure 0, and that is the start here:
-// turgor 0; the wall, or wall and liquid, get a small inward radial velocity. Decaying cosines are fitted to the radial speed of
-// wall and liquid, R sum m v.x/sum m x.x (harmonics.h); a root is compared with the largest of those that lie nearer to it than
-// to any other root. K follows from c: c = sqrt(7 K/rho).
+// E = 3 G. Both closed forms are linear about a stress-free shell with a liquid at rest pressure 0, and that
+// is the start here: turgor 0; the wall, or wall and liquid, get a small inward radial velocity. Decaying
+// cosines are fitted to the radial speed of wall and liquid, R sum m v.x/sum m x.x (harmonics.h); a root is
+// compared with the largest of those that lie nearer to it than to any other root. K follows from c: c =
+// sqrt(7 K/rho).
 #pragma once
 
 #include "micro/cells/round_cell.h"
@@ -16,11 +19,9 @@
 #include <string>
 #include <vector>
 
-namespace turgor
-{
-class ShellOscillation final : public Scenario
-{
-public:
+namespace turgor {
+class ShellOscillation final : public Scenario {
+ public:
   void declare_parameters(InputEntries &prm) override;
   Outputs outputs() const override;
   void check() const override;
@@ -30,25 +31,25 @@ public:
   static std::vector<double> closed_form(const RoundCellParameters &cell, double radius, double sound_speed,
                                          unsigned int count);
 
-private:
-  struct Motion
-  {
-    double sampling = 0., energy_drift = 0., crossed = 0.; ///< s; relative; most particles outside at once
-    std::vector<double> time, speed;                       ///< s, m/s (radial)
+ private:
+  struct Motion {
+    double sampling = 0., energy_drift = 0., crossed = 0.;  ///< s; relative; most particles outside at once
+    std::vector<double> time, speed;                        ///< s, m/s (radial)
   };
 
-  RoundCellParameters shell() const; ///< cell with K from c and no turgor
+  RoundCellParameters shell() const;  ///< cell with K from c and no turgor
   /// Writes radius.csv. R: m; lowest: rad/s, of the closed form.
   Motion oscillate(RunContext &context, RoundCell<3> &round, double R, double lowest) const;
   /// What of the closed form is found among the harmonics.
-  void compare(RunContext &context, const std::vector<Harmonic> &parts, const std::vector<double> &theory, double R) const;
+  void compare(RunContext &context, const std::vector<Harmonic> &parts, const std::vector<double> &theory,
+               double R) const;
 
   double sound_speed = 50., speed = 0.01, periods = 20., step_fraction = 0.5;
   unsigned int samples_per_period = 400, modes = 4, fitted = 12;
   bool filled = true;
-  bool all_struck = true; ///< else the wall alone
+  bool all_struck = true;  ///< else the wall alone
   RoundCellParameters cell;
 };
 
 std::unique_ptr<Scenario> make_shell_oscillation();
-} // namespace turgor
+}  // namespace turgor

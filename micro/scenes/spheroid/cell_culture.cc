@@ -7,75 +7,67 @@
 #include <cmath>
 #include <numbers>
 
-namespace turgor
-{
-namespace
-{
+namespace turgor {
+namespace {
 /// m; the pair list looks farther than adhesion holds on.
-double skin_of(const CultureParameters &p)
-{
-  const double R = 0.5 * p.life.birth_radius * std::cbrt(2.), E = 0.5 * p.life.modulus / (1. - p.life.poisson * p.life.poisson);
-  const double hold = hold_of(contact_law(p), R, 0.6 * E); // the softest pairs hold longest
+double skin_of(const CultureParameters &p) {
+  const double R = 0.5 * p.life.birth_radius * std::cbrt(2.),
+               E = 0.5 * p.life.modulus / (1. - p.life.poisson * p.life.poisson);
+  const double hold = hold_of(contact_law(p), R, 0.6 * E);  // the softest pairs hold longest
   return std::max(0.2 * p.life.birth_radius, 1.1 * hold);
 }
-} // namespace
+}  // namespace
 
-ContactLaw contact_law(const CultureParameters &parameters)
-{
+ContactLaw contact_law(const CultureParameters &parameters) {
   return make_contact_law(parameters.law, parameters.adhesion);
 }
 
 CellCulture::CellCulture(const CultureParameters &parameters_, Surroundings surroundings_,
                          const unsigned int threads_)
-  : life(parameters_.life)
-  , surroundings(std::move(surroundings_))
-  , parameters(parameters_)
-  , contacts(cells.add(std::make_unique<SphereContacts>(contact_law(parameters_), skin_of(parameters_), parameters_.stiffness, parameters_.compression)))
-  , motion(cells, parameters_.solve)
-  , stepper(parameters_.motion, motion, threads_)
-  , h(parameters_.interval > 0. ? parameters_.interval :
-                                  3. * parameters_.growth_tolerance * parameters_.life.cycle_time / std::numbers::ln2)
-{
+    : life(parameters_.life),
+      surroundings(std::move(surroundings_)),
+      parameters(parameters_),
+      contacts(cells.add(std::make_unique<SphereContacts>(contact_law(parameters_), skin_of(parameters_),
+                                                          parameters_.stiffness, parameters_.compression))),
+      motion(cells, parameters_.solve),
+      stepper(parameters_.motion, motion, threads_),
+      h(parameters_.interval > 0.
+            ? parameters_.interval
+            : 3. * parameters_.growth_tolerance * parameters_.life.cycle_time / std::numbers::ln2) {
   cells.threads = threads_;
   contacts.friction = parameters.friction;
   if (migrates())
-    life.add(std::make_unique<Polarity>(parameters.migration, parameters.life.variability.seed, directions()));
+    life.add(
+        std::make_unique<Polarity>(parameters.migration, parameters.life.variability.seed, directions()));
   life.declare(cells.particles);
   surroundings.join(cells, contacts);
-  if (migrates())
-    cells.add(std::make_unique<CellMigration>(parameters.migration));
+  if (migrates()) cells.add(std::make_unique<CellMigration>(parameters.migration));
   if (parameters.motility > 0.)
     motion.random = [this](Particles<3> &particles, const double step, const std::uint64_t number) {
       std::vector<double> gamma = motion.medium;
-      if (surroundings.walls)
-        surroundings.walls->add_friction(particles, gamma);
-      set_motility_forces(particles, cells.id(), gamma, parameters.motility, step, parameters.life.variability.seed, number, directions());
+      if (surroundings.walls) surroundings.walls->add_friction(particles, gamma);
+      set_motility_forces(particles, cells.id(), gamma, parameters.motility, step,
+                          parameters.life.variability.seed, number, directions());
     };
 }
 
-std::vector<std::string> CellCulture::term_names() const
-{
+std::vector<std::string> CellCulture::term_names() const {
   std::vector<std::string> names = {SphereContacts::name(contact_law(parameters)), "medium_friction"};
   if (parameters.friction.normal > 0. || parameters.friction.tangential > 0.)
     names.push_back("cell_friction");
-  if (parameters.stiffness)
-    names.push_back("local_stiffness");
-  if (parameters.motility > 0.)
-    names.push_back("motility");
+  if (parameters.stiffness) names.push_back("local_stiffness");
+  if (parameters.motility > 0.) names.push_back("motility");
   for (const std::string &name : cells.term_names())
-    if (name != names.front())
-      names.push_back(name);
+    if (name != names.front()) names.push_back(name);
   return names;
 }
 
-const std::vector<double> &CellCulture::pressures()
-{
+const std::vector<double> &CellCulture::pressures() {
   cells.compute_forces();
   return life.measure_pressures(cells, contacts, cells.threads);
 }
 
-void CellCulture::set_friction()
-{
+void CellCulture::set_friction() {
   const std::vector<double> &R = cells.particles.field("radius");
   std::vector<double> &gamma = motion.medium;
   gamma.resize(cells.size());
@@ -83,18 +75,15 @@ void CellCulture::set_friction()
     gamma[i] = 4. * std::numbers::pi * R[i] * R[i] * parameters.medium_friction;
 }
 
-void CellCulture::sort()
-{
-  if (10 * cells.size() < 11 * sorted_size)
-    return;
+void CellCulture::sort() {
+  if (10 * cells.size() < 11 * sorted_size) return;
   sorted_size = cells.size();
   const Rearrangement places = space_order(cells.particles, 2. * parameters.life.birth_radius);
   cells.gather(places);
   stepper.gather(places);
 }
 
-void CellCulture::begin_interval()
-{
+void CellCulture::begin_interval() {
   sort();
   cells.compute_forces();
   life.advance(cells, contacts, surroundings, until - t, steps, cells.threads,
@@ -103,31 +92,26 @@ void CellCulture::begin_interval()
   set_friction();
 }
 
-bool CellCulture::advance(const double end, const std::function<bool()> &stop)
-{
-  if (!(t < until))
-    {
-      until = std::min(end, t + h);
-      begin_interval();
-    }
+bool CellCulture::advance(const double end, const std::function<bool()> &stop) {
+  if (!(t < until)) {
+    until = std::min(end, t + h);
+    begin_interval();
+  }
   const double longest = life.longest_step();
-  while (t < until)
-    {
-      const double dt = stepper.step(cells.particles, std::min(until - t, longest));
-      life.after_step(cells, dt, steps);
-      cells.advance(dt);
-      t = until - t > dt ? t + dt : until;
-      ++steps;
-      if (stop && t < until && stop())
-        return false;
-    }
+  while (t < until) {
+    const double dt = stepper.step(cells.particles, std::min(until - t, longest));
+    life.after_step(cells, dt, steps);
+    cells.advance(dt);
+    t = until - t > dt ? t + dt : until;
+    ++steps;
+    if (stop && t < until && stop()) return false;
+  }
   return true;
 }
 
-void CellCulture::archive(Archive &a)
-{
+void CellCulture::archive(Archive &a) {
   a.section("culture");
   a(t, until, motion.medium, steps, sorted_size, life.count, cells);
   a(stepper);
 }
-} // namespace turgor
+}  // namespace turgor

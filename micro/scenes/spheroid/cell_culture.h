@@ -1,11 +1,12 @@
-// A population of centre-based cells with all that moves it: contacts, friction, the over-damped engine, surroundings, and the
-// life of the cells between its steps. What the scenes of spheroids and monolayers run.
+// A population of centre-based cells with all that moves it: contacts, friction, the over-damped engine,
+// surroundings, and the life of the cells between its steps. What the scenes of spheroids and monolayers run.
 //
-// An interval of length h: life at its start (volumes, divisions, deaths over h), then the engine's steps until its end. h follows
-// from a tolerance: an uncompressed cell's radius grows by at most that share within h, h = 3 tolerance T/ln 2. Both the
-// coupling and C.3 are first order in h.
+// An interval of length h: life at its start (volumes, divisions, deaths over h), then the engine's steps
+// until its end. h follows from a tolerance: an uncompressed cell's radius grows by at most that share within
+// h, h = 3 tolerance T/ln 2. Both the coupling and C.3 are first order in h.
 //
-// Cells are sorted in space (space_order.h) whenever their number has grown by a tenth; whoever writes them restores the order of ids.
+// Cells are sorted in space (space_order.h) whenever their number has grown by a tenth; whoever writes them
+// restores the order of ids.
 //
 // Checkpoints are taken between intervals; a resumed run has the bits of one that was never stopped.
 #pragma once
@@ -22,42 +23,39 @@
 #include <string>
 #include <vector>
 
-namespace turgor
-{
-struct CultureParameters
-{
+namespace turgor {
+struct CultureParameters {
   CellLifeParameters life;
-  std::string law = "jkr";      ///< contact_law.h
-  double adhesion = 1e-4;       ///< W, J/m^2
+  std::string law = "jkr";  ///< contact_law.h
+  double adhesion = 1e-4;   ///< W, J/m^2
   PairFriction friction{.normal = 5e10, .tangential = 5e10};
   SolveParameters solve{.tolerance = 1e-5};
-  double medium_friction = 5e8; ///< N s/m^3, of the cell's surface 4 pi R^2
-  std::optional<LocalStiffness> stiffness; ///< none: moduli do not depend on the packing
+  double medium_friction = 5e8;             ///< N s/m^3, of the cell's surface 4 pi R^2
+  std::optional<LocalStiffness> stiffness;  ///< none: moduli do not depend on the packing
   CompressionOf compression = CompressionOf::cell;
-  double motility = 0.;         ///< D, m^2/s
-  MigrationParameters migration; ///< force 0: none
-  bool in_plane = false;        ///< cells move by themselves in x and y alone
+  double motility = 0.;           ///< D, m^2/s
+  MigrationParameters migration;  ///< force 0: none
+  bool in_plane = false;          ///< cells move by themselves in x and y alone
   OverdampedParameters motion;
   double growth_tolerance = 2e-3;
-  double interval = 0.; ///< h, s; 0: from the tolerance
+  double interval = 0.;  ///< h, s; 0: from the tolerance
 };
 
 ContactLaw contact_law(const CultureParameters &parameters);
 
-class CellCulture
-{
-public:
+class CellCulture {
+ public:
   CellCulture(const CultureParameters &parameters, Surroundings surroundings, unsigned int threads);
 
-  /// One interval, or what is left of it until `end` (s). With `stop`, which is asked after every step: false if it said so inside
-  /// the interval; saved there or not, the next call goes on as if nothing had been.
+  /// One interval, or what is left of it until `end` (s). With `stop`, which is asked after every step: false
+  /// if it said so inside the interval; saved there or not, the next call goes on as if nothing had been.
   bool advance(double end, const std::function<bool()> &stop = {});
 
   /// Pa, of all cells, at the present positions.
   const std::vector<double> &pressures();
 
   double time() const { return t; }
-  double interval() const { return h; } ///< s
+  double interval() const { return h; }  ///< s
   void restart_clock() { t = until = 0.; }
 
   CellPopulation cells;
@@ -72,7 +70,7 @@ public:
 
   void archive(Archive &a);
 
-private:
+ private:
   void begin_interval();
   void set_friction();
   /// Cells near in space near in memory; now and then, as the population grows.
@@ -85,7 +83,7 @@ private:
   SystemMotion<3> motion;
   Overdamped<3> stepper;
   double t = 0., h;
-  double until = 0.; ///< s, end of the interval that was begun
-  std::uint64_t sorted_size = 0; ///< cells when they were last sorted
+  double until = 0.;              ///< s, end of the interval that was begun
+  std::uint64_t sorted_size = 0;  ///< cells when they were last sorted
 };
-} // namespace turgor
+}  // namespace turgor

@@ -4,11 +4,9 @@
 #include <string>
 #include <vector>
 
-namespace turgor
-{
+namespace turgor {
 /// growth.csv so far, by column.
-struct GrowthTable
-{
+struct GrowthTable {
   std::vector<std::string> names;
   std::vector<std::vector<double>> rows;
 
@@ -16,5 +14,6 @@ struct GrowthTable
 };
 
 /// Slope of log(value) or of value over time by least squares, for times in [from, to].
-double fitted_slope(const std::vector<double> &time, const std::vector<double> &value, double from, double to, bool logarithmic);
-} // namespace turgor
+double fitted_slope(const std::vector<double> &time, const std::vector<double> &value, double from, double to,
+                    bool logarithmic);
+}  // namespace turgor

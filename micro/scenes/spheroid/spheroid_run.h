@@ -1,4 +1,5 @@
-// One run of a spheroid or monolayer: its culture, interval by interval, the rows of growth.csv and the frames of cells.xdmf.
+// One run of a spheroid or monolayer: its culture, interval by interval, the rows of growth.csv and the
+// frames of cells.xdmf.
 #pragma once
 
 #include "micro/scenes/spheroid/cell_culture.h"
@@ -8,17 +9,16 @@
 
 #include <optional>
 
-namespace turgor
-{
-class SpheroidScene::Run
-{
-public:
+namespace turgor {
+class SpheroidScene::Run {
+ public:
   Run(const SpheroidScene &scene, RunContext &context);
   void go();
   void archive(Archive &a);
 
-private:
-  /// Throws InputError where a resumed run has another End time: rows of growth.csv, from which results are taken, go on as they began.
+ private:
+  /// Throws InputError where a resumed run has another End time: rows of growth.csv, from which results are
+  /// taken, go on as they began.
   void require_same_rows(double interval_before, std::uint64_t rows_before) const;
   void open_series();
   void interval(const class StepLoop &loop);
@@ -33,12 +33,12 @@ private:
   const SpheroidScene &scene;
   RunContext &context;
   CellCulture culture;
-  const std::uint64_t last, sample_every, frame_every; ///< intervals
-  bool full = false;                                   ///< it may end before its End time
+  const std::uint64_t last, sample_every, frame_every;  ///< intervals
+  bool full = false;                                    ///< it may end before its End time
   GrowthTable table;
-  std::uint64_t done = 0; ///< intervals
-  std::string good;       ///< the state at the last row, or where it was resumed: what a run that fails leaves
+  std::uint64_t done = 0;  ///< intervals
+  std::string good;  ///< the state at the last row, or where it was resumed: what a run that fails leaves
   std::unique_ptr<Series> file;
   std::optional<FieldOutput> fields;
 };
-} // namespace turgor
+}  // namespace turgor

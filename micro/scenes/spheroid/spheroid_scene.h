@@ -1,13 +1,15 @@
-// What all scenes of growing spheroids and monolayers share: entries, first cells, the loop over intervals (cell_culture.h), tables,
-// fields, checkpoints. A scene adds its surroundings, its entries and what it reports.
+// What all scenes of growing spheroids and monolayers share: entries, first cells, the loop over intervals
+// (cell_culture.h), tables, fields, checkpoints. A scene adds its surroundings, its entries and what it
+// reports.
 //
-//   growth.csv      cells by state, radius, volumes, pressure, density over time; then the columns of the surroundings
+//   growth.csv      cells by state, radius, volumes, pressure, density over time; then the columns of the
+//                   surroundings
 //   cells.xdmf      every cell as a point: radius, volume, pressure, strain, state
 //
-// Radius: mean distance of the outermost cells from the centroid plus a mean radius (outer_cells.h). Gyration radius: sqrt(5/3 <r^2>)
-// about the centroid (flat: factor 2), that of a full sphere of centres. Density: cells whose centre is
-// in a section of 10 um through the centroid, per 100 um^2 of the circle of that radius (thesis Fig. 5.5B). Pressure: mean over the
-// living cells, weighted with their volume.
+// Radius: mean distance of the outermost cells from the centroid plus a mean radius (outer_cells.h). Gyration
+// radius: sqrt(5/3 <r^2>) about the centroid (flat: factor 2), that of a full sphere of centres. Density:
+// cells whose centre is in a section of 10 um through the centroid, per 100 um^2 of the circle of that radius
+// (thesis Fig. 5.5B). Pressure: mean over the living cells, weighted with their volume.
 #pragma once
 
 #include "run/scenario.h"
@@ -17,27 +19,24 @@
 #include <memory>
 #include <string>
 
-namespace turgor
-{
+namespace turgor {
 /// Of the first cells in their cycle.
-enum class FirstPhases
-{
-  synchronous, ///< all newborn
-  spread       ///< ages of exponential growth
+enum class FirstPhases {
+  synchronous,  ///< all newborn
+  spread        ///< ages of exponential growth
 };
 constexpr const char *words_of(FirstPhases) { return "synchronous|spread"; }
 
-class SpheroidScene : public Scenario
-{
-public:
+class SpheroidScene : public Scenario {
+ public:
   void declare_parameters(InputEntries &prm) final;
   Outputs outputs() const final;
   void check() const final;
   void run(RunContext &context) final;
 
-protected:
+ protected:
   virtual void declare_more(InputEntries &) {}
-  virtual Outputs more_outputs() const { return {}; } ///< beside what all write of their population
+  virtual Outputs more_outputs() const { return {}; }  ///< beside what all write of their population
   virtual void check_more() const {}
   virtual Surroundings make_surroundings() const { return {}; }
   virtual CultureParameters culture_parameters() const { return entries.parameters(); }
@@ -54,17 +53,17 @@ protected:
   CultureEntries entries;
   unsigned int first_cells = 10;
   FirstPhases phases = FirstPhases::synchronous;
-  double duration = 6. * 86400.;      ///< s
-  double most_cells = 0.;             ///< the run ends there; 0: none
+  double duration = 6. * 86400.;  ///< s
+  double most_cells = 0.;         ///< the run ends there; 0: none
   unsigned int samples = 200, frames = 10, checkpoints = 8;
-  bool flat = false;                  ///< a monolayer: cluster and density in the plane z = 0
+  bool flat = false;  ///< a monolayer: cluster and density in the plane z = 0
 
   /// Phases of the first cells: 0, or of the age distribution of exponential growth, 2^(1 - a).
   double first_phase(std::size_t i) const;
   /// m, between neighbours of the first cluster: the largest of its cells overlap by a tenth of their size.
   double first_spacing() const;
 
-private:
-  class Run; ///< spheroid_run.h
+ private:
+  class Run;  ///< spheroid_run.h
 };
-} // namespace turgor
+}  // namespace turgor

@@ -21,52 +21,46 @@
 #include <cmath>
 #include <optional>
 
-namespace turgor
-{
-namespace
-{
-FieldFrame frame_of(const Particles<2> &p, const Particles<2>::Components &x0, const double time)
-{
+namespace turgor {
+namespace {
+FieldFrame frame_of(const Particles<2> &p, const Particles<2>::Components &x0, const double time) {
   FieldFrame frame;
   frame.time = time;
   NamedField displacement{"displacement [m]", 3, {}, false}, velocity{"velocity [m/s]", 3, {}, false},
-    pressure{"pressure [Pa]", 1, {}, false}, wall{"wall", 1, {}, false}, cell{"cell", 1, {}, false};
+      pressure{"pressure [Pa]", 1, {}, false}, wall{"wall", 1, {}, false}, cell{"cell", 1, {}, false};
   for (std::size_t c = 0; c < p.groups.size(); ++c)
-    for (std::uint32_t i = p.groups[c].begin; i < p.groups[c].end; ++i)
-      {
-        for (int d = 0; d < 2; ++d)
-          {
-            frame.points.push_back(p.x[d][i]);
-            displacement.values.push_back(p.x[d][i] - x0[d][i]);
-            velocity.values.push_back(p.v[d][i]);
-          }
-        frame.points.push_back(0.);
-        displacement.values.push_back(0.);
-        velocity.values.push_back(0.);
-        pressure.values.push_back(p.field("pressure")[i]);
-        wall.values.push_back(i < p.groups[c].fluid);
-        cell.values.push_back(double(c));
+    for (std::uint32_t i = p.groups[c].begin; i < p.groups[c].end; ++i) {
+      for (int d = 0; d < 2; ++d) {
+        frame.points.push_back(p.x[d][i]);
+        displacement.values.push_back(p.x[d][i] - x0[d][i]);
+        velocity.values.push_back(p.v[d][i]);
       }
+      frame.points.push_back(0.);
+      displacement.values.push_back(0.);
+      velocity.values.push_back(0.);
+      pressure.values.push_back(p.field("pressure")[i]);
+      wall.values.push_back(i < p.groups[c].fluid);
+      cell.values.push_back(double(c));
+    }
   frame.fields = {displacement, velocity, pressure, wall, cell};
   return frame;
 }
-} // namespace
+}  // namespace
 
 /// One run: the block, how it is stepped, what is recorded of it.
-class FullMicro::Run
-{
-public:
+class FullMicro::Run {
+ public:
   Run(const FullMicro &scene, RunContext &context);
   void go();
 
-private:
-  void begin(); ///< the unloaded block at rest, and the load on it
+ private:
+  void begin();  ///< the unloaded block at rest, and the load on it
   void relax();
   void record();
   void report(std::uint64_t steps_run, double cpu, double wall);
   void write_cells();
   void require_sound() const;
-  Vector<2> probe_displacement() const; ///< m
+  Vector<2> probe_displacement() const;  ///< m
   double time() const { return double(step) * dt; }
 
   const FullMicro &scene;
@@ -75,64 +69,74 @@ private:
   TissueBlock block;
   ParticleSystem<2> &system;
   WatchedSteps<2> integrator;
-  std::uint64_t steps = 0; ///< of a whole run
+  std::uint64_t steps = 0;  ///< of a whole run
   double dt = 0.;
-  const double acceleration; ///< m/s^2
+  const double acceleration;  ///< m/s^2
   std::unique_ptr<Series> probe, energy;
   std::optional<FieldOutput> fields;
 
   // what changes while the scene runs, and is in the checkpoint
   std::uint64_t step = 0;
-  double start_energy = 0., most_crossed = 0.; ///< J; fluid particles in any row
-  std::array<std::vector<double>, 2> x0;       ///< m, positions at t = 0
+  double start_energy = 0., most_crossed = 0.;  ///< J; fluid particles in any row
+  std::array<std::vector<double>, 2> x0;        ///< m, positions at t = 0
 };
 
-void FullMicro::declare_parameters(InputEntries &prm)
-{
+void FullMicro::declare_parameters(InputEntries &prm) {
   using namespace Patterns;
   declare_block(prm, columns, rows, load);
-  prm.add_parameter("End time", end_time, "Simulated time after which the run ends; steps are shortened so that it is a whole number of them. Units: s.", Double(1e-9, 10.));
+  prm.add_parameter("End time", end_time,
+                    "Simulated time after which the run ends; steps are shortened so that it is a whole "
+                    "number of them. Units: s.",
+                    Double(1e-9, 10.));
   declare_step_fraction(prm, step_fraction);
-  prm.add_parameter("Window", window,
-                    "Share of the steps that is really run, to time a scene too large to finish; 0 runs all. Units: none.",
-                    Double(0., 1.));
+  prm.add_parameter(
+      "Window", window,
+      "Share of the steps that is really run, to time a scene too large to finish; 0 runs all. Units: none.",
+      Double(0., 1.));
   declare_surfaces(prm, surfaces);
-  prm.add_parameter("Relax steps", relax_steps, "Damped steps before t = 0 in which the surfaces come to rest, with Surfaces = free or osmosis. Units: steps.",
+  prm.add_parameter("Relax steps", relax_steps,
+                    "Damped steps before t = 0 in which the surfaces come to rest, with Surfaces = free or "
+                    "osmosis. Units: steps.",
                     Integer(0, 100000000));
-  prm.add_parameter("Samples", samples, free_to_change("Number of equal parts of the run after each of which probe.csv and energy.csv get a row. Units: none."), Integer(1, 1000000));
-  prm.add_parameter("Frames", frames, free_to_change("Number of equal parts of the run after each of which the particles are written for ParaView and pictures; 0: never. Units: none."),
+  prm.add_parameter("Samples", samples,
+                    free_to_change("Number of equal parts of the run after each of which probe.csv and "
+                                   "energy.csv get a row. Units: none."),
+                    Integer(1, 1000000));
+  prm.add_parameter("Frames", frames,
+                    free_to_change("Number of equal parts of the run after each of which the particles are "
+                                   "written for ParaView and pictures; 0: never. Units: none."),
                     Integer(0, 100000));
   declare_checkpoints(prm, checkpoints);
   declare_sph_cell(prm, cell, sph);
 }
 
-void FullMicro::check() const
-{
+void FullMicro::check() const {
   if (double(columns) * rows * sph.particles_per_side * sph.particles_per_side > 2e8)
-    throw InputError("Columns x Rows x Particles per side^2 is more than 2e8 particles: choose a smaller block.");
+    throw InputError(
+        "Columns x Rows x Particles per side^2 is more than 2e8 particles: choose a smaller block.");
   check_sph_cell(cell, sph);
 }
 
 void FullMicro::run(RunContext &context) { Run(*this, context).go(); }
 
 FullMicro::Run::Run(const FullMicro &scene_, RunContext &context_)
-  : scene(scene_)
-  , context(context_)
-  , reference(anneal_reference(context, scene.cell, scene.sph))
-  , block(make_tissue_block(make_parenchyma(scene.cell, scene.columns, scene.rows, true, true), scene.sph,
-                            std::vector<CellContents>(std::size_t(scene.columns) * scene.rows, reference), scene.surfaces))
-  , system(block.cells->system)
-  , integrator(system, scene.step_fraction, collision_spacings, scene.cell.fluid_viscosity / scene.cell.fluid_density)
-  , acceleration(-scene.load / (block.density * block.width))
-{
+    : scene(scene_),
+      context(context_),
+      reference(anneal_reference(context, scene.cell, scene.sph)),
+      block(make_tissue_block(make_parenchyma(scene.cell, scene.columns, scene.rows, true, true), scene.sph,
+                              std::vector<CellContents>(std::size_t(scene.columns) * scene.rows, reference),
+                              scene.surfaces)),
+      system(block.cells->system),
+      integrator(system, scene.step_fraction, collision_spacings,
+                 scene.cell.fluid_viscosity / scene.cell.fluid_density),
+      acceleration(-scene.load / (block.density * block.width)) {
   system.threads = context.threads();
   const double safe = integrator.safe_step();
   steps = std::uint64_t(std::ceil(scene.end_time / safe));
   dt = scene.end_time / double(steps);
 }
 
-void FullMicro::Run::go()
-{
+void FullMicro::Run::go() {
   context.active(system.term_names(), system.particles.field_names());
   StepLoop loop(context, step);
   loop.lasting = [this](Archive &a) {
@@ -145,21 +149,25 @@ void FullMicro::Run::go()
   else
     begin();
   probe = context.series("probe", {{"time", "s"}, {"displacement_x", "m"}, {"displacement_y", "m"}});
-  energy = context.series("energy", {{"time", "s"}, {"potential", "J"}, {"kinetic", "J"}, {"dissipated", "J"}, {"mean_pressure", "Pa"}, {"crossed", ""}});
+  energy = context.series("energy", {{"time", "s"},
+                                     {"potential", "J"},
+                                     {"kinetic", "J"},
+                                     {"dissipated", "J"},
+                                     {"mean_pressure", "Pa"},
+                                     {"crossed", ""}});
   if (scene.frames > 0)
     fields.emplace(context, "cells", resumed, [this] { return frame_of(system.particles, x0, time()); });
 
-  const std::uint64_t last = scene.window > 0. ? std::max<std::uint64_t>(1, std::uint64_t(scene.window * double(steps))) : steps;
+  const std::uint64_t last =
+      scene.window > 0. ? std::max<std::uint64_t>(1, std::uint64_t(scene.window * double(steps))) : steps;
   loop.spread(last, steps, scene.samples, scene.frames, scene.checkpoints);
   loop.advance = [this] { integrator.step(dt); };
   loop.sample = [this] { record(); };
-  if (fields)
-    loop.frame = [this] { fields->write(); };
+  if (fields) loop.frame = [this] { fields->write(); };
   loop.check = [this] { require_sound(); };
   loop.reached = [this] { return "at t = " + number_text(time() * 1e3) + " ms"; };
   loop.tell = [this, last] { context.progress(double(step) / double(last), "full run"); };
-  if (!resumed)
-    loop.begin();
+  if (!resumed) loop.begin();
   const auto wall_start = std::chrono::steady_clock::now();
   const double cpu_start = process_cpu_seconds();
   const std::uint64_t first = step;
@@ -169,62 +177,54 @@ void FullMicro::Run::go()
          std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count());
 }
 
-void FullMicro::Run::begin()
-{
-  if (scene.surfaces == Surfaces::free || scene.surfaces == Surfaces::osmosis)
-    {
-      relax();
-      integrator.begin_here();
-    }
+void FullMicro::Run::begin() {
+  if (scene.surfaces == Surfaces::free || scene.surfaces == Surfaces::osmosis) {
+    relax();
+    integrator.begin_here();
+  }
   x0 = system.particles.x;
   block.body_force->set({0., acceleration});
   system.compute_forces();
   start_energy = system.potential_energy() + system.kinetic_energy();
 }
 
-void FullMicro::Run::relax()
-{
+void FullMicro::Run::relax() {
   const Osmosis osmosis(reference.mean_pressure, 1e5, 7. * scene.cell.fluid_modulus);
   const double damped_dt = scene.step_fraction * system.stable_time_step();
   KickDriftKick<2> damped(system);
   system.compute_forces();
-  for (unsigned int s = 0; s < scene.relax_steps; ++s)
-    {
-      damped.step(damped_dt, 1e6 * (s < scene.relax_steps / 2 ? 0.1 : 1.));
-      if (scene.surfaces == Surfaces::osmosis && s % 10 == 0)
-        osmosis.apply(system, *block.cells->fluid, 10. * damped_dt);
-      if (s % 50 == 0)
-        {
-          context.progress(double(s) / scene.relax_steps, "relaxing the free surface");
-          if (context.stop_requested())
-            throw RunStopped("stopped while the free surface was relaxed");
-        }
+  for (unsigned int s = 0; s < scene.relax_steps; ++s) {
+    damped.step(damped_dt, 1e6 * (s < scene.relax_steps / 2 ? 0.1 : 1.));
+    if (scene.surfaces == Surfaces::osmosis && s % 10 == 0)
+      osmosis.apply(system, *block.cells->fluid, 10. * damped_dt);
+    if (s % 50 == 0) {
+      context.progress(double(s) / scene.relax_steps, "relaxing the free surface");
+      if (context.stop_requested()) throw RunStopped("stopped while the free surface was relaxed");
     }
+  }
   halt(system.particles);
 }
 
-void FullMicro::Run::require_sound() const
-{
-  const SoundBounds bounds{.reach = 100. * std::max(scene.columns, scene.rows) * scene.cell.period,
-                           .fastest = 2. * block.cells->fluid->equation_of_state().sound_speed(scene.cell.fluid_density),
-                           .cell = in_columns(scene.columns)};
+void FullMicro::Run::require_sound() const {
+  const SoundBounds bounds{
+      .reach = 100. * std::max(scene.columns, scene.rows) * scene.cell.period,
+      .fastest = 2. * block.cells->fluid->equation_of_state().sound_speed(scene.cell.fluid_density),
+      .cell = in_columns(scene.columns)};
   if (const std::string wrong = unsound(system.particles, bounds); !wrong.empty())
-    throw RunFailed("the run diverged before t = " + number_text(time()) + " s (step " + number_text(step) + "): " + wrong
-                    + ". The last checkpoint holds the last good state; use a smaller Load (now " + number_text(scene.load)
-                    + " Pa) or an End time before it.");
+    throw RunFailed("the run diverged before t = " + number_text(time()) + " s (step " + number_text(step) +
+                    "): " + wrong +
+                    ". The last checkpoint holds the last good state; use a smaller Load (now " +
+                    number_text(scene.load) + " Pa) or an End time before it.");
 }
 
-Vector<2> FullMicro::Run::probe_displacement() const
-{
+Vector<2> FullMicro::Run::probe_displacement() const {
   Vector<2> mean = Vector<2>::Zero();
   for (const std::uint32_t node : block.probe)
-    for (int d = 0; d < 2; ++d)
-      mean[d] += system.particles.x[d][node] - x0[d][node];
+    for (int d = 0; d < 2; ++d) mean[d] += system.particles.x[d][node] - x0[d][node];
   return mean / double(block.probe.size());
 }
 
-void FullMicro::Run::record()
-{
+void FullMicro::Run::record() {
   require_sound();
   const Particles<2> &particles = system.particles;
   const Vector<2> u = probe_displacement();
@@ -235,22 +235,20 @@ void FullMicro::Run::record()
     pressure += block.cells->fluid->mean_pressure(particles, c);
   const double crossed = double(block.cells->fluid->crossed());
   most_crossed = std::max(most_crossed, crossed);
-  energy->add_row({time(), potential, kinetic, start_energy - potential - kinetic, pressure / double(particles.groups.size()), crossed});
-  if (fields)
-    fields->accept();
+  energy->add_row({time(), potential, kinetic, start_energy - potential - kinetic,
+                   pressure / double(particles.groups.size()), crossed});
+  if (fields) fields->accept();
 }
 
-void FullMicro::Run::report(const std::uint64_t taken, const double cpu, const double wall)
-{
+void FullMicro::Run::report(const std::uint64_t taken, const double cpu, const double wall) {
   const Particles<2> &particles = system.particles;
   const double steps_run = double(taken), n = double(particles.size());
-  if (steps_run > 0.)
-    {
-      context.result("cpu_time_per_particle_step", cpu / steps_run / n * 1e9, "ns");
-      context.result("wall_time_per_particle_step", wall / steps_run / n * 1e9, "ns");
-      context.result("step_loop_cpu_time", cpu, "s");
-      context.result("step_loop_cpu_time_whole_run", cpu / steps_run * double(steps), "s");
-    }
+  if (steps_run > 0.) {
+    context.result("cpu_time_per_particle_step", cpu / steps_run / n * 1e9, "ns");
+    context.result("wall_time_per_particle_step", wall / steps_run / n * 1e9, "ns");
+    context.result("step_loop_cpu_time", cpu, "s");
+    context.result("step_loop_cpu_time_whole_run", cpu / steps_run * double(steps), "s");
+  }
   if (scene.window > 0. && scene.window < 1.)
     context.note("window", "only a share of the steps was run, for timing");
   context.result("tip_displacement_y", probe_displacement()[1], "m");
@@ -264,27 +262,28 @@ void FullMicro::Run::report(const std::uint64_t taken, const double cpu, const d
   context.result("pressure_virial_reference", reference.fluid_pressure, "Pa");
   context.result("residual_shear_reference", reference.residual_stress[2], "Pa");
   context.result("mean_neighbours", block.cells->fluid->mean_neighbours(particles), "1");
-  context.result("list_builds_per_cell", double(block.cells->fluid->list_builds()) / double(particles.groups.size()), "1");
+  context.result("list_builds_per_cell",
+                 double(block.cells->fluid->list_builds()) / double(particles.groups.size()), "1");
   context.result("most_crossed", most_crossed, "");
   write_cells();
-  judge_outside(context, most_crossed, double(particles.fluid_count()), "a smaller Load or more SPH/Particles per side makes them fewer");
+  judge_outside(context, most_crossed, double(particles.fluid_count()),
+                "a smaller Load or more SPH/Particles per side makes them fewer");
 }
 
-void FullMicro::Run::write_cells()
-{
+void FullMicro::Run::write_cells() {
   const Particles<2> &p = system.particles;
-  const auto table = context.series("cell_displacement", {{"cell_x", ""}, {"cell_y", ""}, {"displacement_x", "m"}, {"displacement_y", "m"}});
-  for (std::size_t c = 0; c < p.groups.size(); ++c)
-    {
-      const Group &g = p.groups[c];
-      Vector<2> sum = Vector<2>::Zero();
-      for (std::uint32_t i = g.fluid; i < g.end; ++i)
-        for (int d = 0; d < 2; ++d)
-          sum[d] += p.x[d][i] - x0[d][i];
-      sum /= g.fluid_count();
-      table->add_row({double(c % scene.columns), double(c / scene.columns), sum[0], sum[1]});
-    }
+  const auto table =
+      context.series("cell_displacement",
+                     {{"cell_x", ""}, {"cell_y", ""}, {"displacement_x", "m"}, {"displacement_y", "m"}});
+  for (std::size_t c = 0; c < p.groups.size(); ++c) {
+    const Group &g = p.groups[c];
+    Vector<2> sum = Vector<2>::Zero();
+    for (std::uint32_t i = g.fluid; i < g.end; ++i)
+      for (int d = 0; d < 2; ++d) sum[d] += p.x[d][i] - x0[d][i];
+    sum /= g.fluid_count();
+    table->add_row({double(c % scene.columns), double(c / scene.columns), sum[0], sum[1]});
+  }
 }
 
 std::unique_ptr<Scenario> make_full_micro() { return std::make_unique<FullMicro>(); }
-} // namespace turgor
+}  // namespace turgor

@@ -8,17 +8,15 @@
 #include "run/run_context.h"
 #include "run/scenario.h"
 
-namespace turgor
-{
-class FullMicro final : public Scenario
-{
-public:
+namespace turgor {
+class FullMicro final : public Scenario {
+ public:
   void declare_parameters(InputEntries &prm) override;
   Outputs outputs() const override;
   void check() const override;
   void run(RunContext &context) override;
 
-private:
+ private:
   class Run;
 
   ParenchymaParameters cell;
@@ -27,11 +25,11 @@ private:
   double load = 20e3;
   double end_time = 0.47e-3;
   double step_fraction = 0.9;
-  double window = 0.; ///< fraction of the steps really run (timing), 0: all
+  double window = 0.;  ///< fraction of the steps really run (timing), 0: all
   Surfaces surfaces = Surfaces::frozen;
   unsigned int relax_steps = 20000;
   unsigned int samples = 500, frames = 4, checkpoints = 20;
 };
 
 std::unique_ptr<Scenario> make_full_micro();
-} // namespace turgor
+}  // namespace turgor

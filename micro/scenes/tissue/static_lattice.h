@@ -22,18 +22,17 @@
 #include <memory>
 #include <string>
 
-namespace turgor
-{
-class StaticLattice final : public Scenario
-{
-public:
+namespace turgor {
+class StaticLattice final : public Scenario {
+ public:
   void declare_parameters(InputEntries &prm) override;
   Outputs outputs() const override;
   void check() const override;
   void run(RunContext &context) override;
 
-private:
-  static struct FieldFrame frame_of(const LatticeBlock &block, const std::vector<double> &x, double share_of_load);
+ private:
+  static struct FieldFrame frame_of(const LatticeBlock &block, const std::vector<double> &x,
+                                    double share_of_load);
   void write_cells(RunContext &context, const LatticeBlock &block) const;
 
   ParenchymaParameters cell;
@@ -45,4 +44,4 @@ private:
 };
 
 std::unique_ptr<Scenario> make_static_lattice();
-} // namespace turgor
+}  // namespace turgor

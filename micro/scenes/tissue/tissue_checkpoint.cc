@@ -7,17 +7,15 @@
 #include <cmath>
 #include <sstream>
 
-namespace turgor
-{
-void TissueLoading::Run::archive(Archive &a)
-{
+namespace turgor {
+void TissueLoading::Run::archive(Archive &a) {
   a.section("run");
-  a(step, load_steps, inflation_steps, dt, angle_before, angle_inflated, stretch_inflated, void_fraction, pressure_inflated, residual,
-    tie_stress, start_energy, start.low, start.high, start.width, start.cell_height, start.depth, history, broken_bonds,
-    broken_at_junction, broken_ties, deepest, most_crossed, deepest_behind, most_outside, released, created, flowed, damped, heat_before);
-  a(tissue->damage, tissue->flow); // before the terms: lists of the fluid depend on the damage
-  if (a.loading() && tissue->flow && load_steps > 0)
-    tissue->wall->set_flow(tissue->flow);
+  a(step, load_steps, inflation_steps, dt, angle_before, angle_inflated, stretch_inflated, void_fraction,
+    pressure_inflated, residual, tie_stress, start_energy, start.low, start.high, start.width,
+    start.cell_height, start.depth, history, broken_bonds, broken_at_junction, broken_ties, deepest,
+    most_crossed, deepest_behind, most_outside, released, created, flowed, damped, heat_before);
+  a(tissue->damage, tissue->flow);  // before the terms: lists of the fluid depend on the damage
+  if (a.loading() && tissue->flow && load_steps > 0) tissue->wall->set_flow(tissue->flow);
   a(system, *integrator);
   if (load_steps == 0)
     a(*inflation);
@@ -25,30 +23,32 @@ void TissueLoading::Run::archive(Archive &a)
     a(*split);
 }
 
-void TissueLoading::Run::require_sound(const std::string &where) const
-{
-  const std::string wrong = unsound(system.particles, {.reach = reach, .fastest = 2. * sound, .cell = in_columns(scene.brick.columns)});
+void TissueLoading::Run::require_sound(const std::string &where) const {
+  const std::string wrong = unsound(
+      system.particles, {.reach = reach, .fastest = 2. * sound, .cell = in_columns(scene.brick.columns)});
   if (!wrong.empty())
-    throw RunFailed("the run diverged " + where + " (step " + number_text(step) + "): " + wrong
-                    + (load_steps == 0 ? ", before any plate has moved." :
-                                         ". The last checkpoint, where there is one, holds the last good state; use an End strain (now "
-                                           + number_text(scene.end_strain) + ") below it" + or_slower() + "."));
+    throw RunFailed("the run diverged " + where + " (step " + number_text(step) + "): " + wrong +
+                    (load_steps == 0 ? ", before any plate has moved."
+                                     : ". The last checkpoint, where there is one, holds the last good "
+                                       "state; use an End strain (now " +
+                                           number_text(scene.end_strain) + ") below it" + or_slower() + "."));
 }
 
 /// The integrator's own error is far below a fiftieth of what turgor has stored.
-void TissueLoading::Run::require_energy(const std::string &where) const
-{
-  if (load_steps > 0 && -missing_energy() > 0.02 * (start_energy + std::abs(plates->work())))
-    {
-      std::ostringstream sentence;
-      sentence << "energy appeared from nothing " << where << " (step " << step << "): contacts change faster than the step follows. What was "
-               << "written before holds; use a smaller Step fraction (now " << scene.step_fraction << ") or an End strain (now "
-               << scene.end_strain << ") below it.";
-      throw RunFailed(sentence.str());
-    }
+void TissueLoading::Run::require_energy(const std::string &where) const {
+  if (load_steps > 0 && -missing_energy() > 0.02 * (start_energy + std::abs(plates->work()))) {
+    std::ostringstream sentence;
+    sentence << "energy appeared from nothing " << where << " (step " << step
+             << "): contacts change faster than the step follows. What was "
+             << "written before holds; use a smaller Step fraction (now " << scene.step_fraction
+             << ") or an End strain (now " << scene.end_strain << ") below it.";
+    throw RunFailed(sentence.str());
+  }
   if (load_steps > 0 && plates->deepest() > 0.5 * scene.cell.period)
-    throw RunFailed("cells stand " + number_text(1e6 * plates->deepest()) + " um behind a plate, more than half of Cell/Period, " + where
-                    + ": the plate does not hold them. Use a larger Contact ratio (now " + number_text(scene.brick.contact_ratio)
-                    + ") or a smaller Speed (now " + number_text(scene.speed) + " m/s).");
+    throw RunFailed("cells stand " + number_text(1e6 * plates->deepest()) +
+                    " um behind a plate, more than half of Cell/Period, " + where +
+                    ": the plate does not hold them. Use a larger Contact ratio (now " +
+                    number_text(scene.brick.contact_ratio) + ") or a smaller Speed (now " +
+                    number_text(scene.speed) + " m/s).");
 }
-} // namespace turgor
+}  // namespace turgor

@@ -1,9 +1,11 @@
-// An aggregate of cells (brick_tissue.h) between two rigid plates: inflated to turgor by osmosis, then squeezed by
-// the upper plate, which moves down at a given speed (thesis 3.3.2, 3.3.3). The lower plate stays. What the scenes tissue_compression,
-// tissue_impact and tissue_failure share; they differ in their defaults.
+// An aggregate of cells (brick_tissue.h) between two rigid plates: inflated to turgor by osmosis, then
+// squeezed by the upper plate, which moves down at a given speed (thesis 3.3.2, 3.3.3). The lower plate
+// stays. What the scenes tissue_compression, tissue_impact and tissue_failure share; they differ in their
+// defaults.
 //
-// Strain is the way of the upper plate over the height of the inflated tissue, stress is force over (width of the inflated
-// tissue x depth). Plates are frictionless, the sides are free. Water does not flow while the plates move.
+// Strain is the way of the upper plate over the height of the inflated tissue, stress is force over (width of
+// the inflated tissue x depth). Plates are frictionless, the sides are free. Water does not flow while the
+// plates move.
 #pragma once
 
 #include "micro/cells/brick_tissue.h"
@@ -14,21 +16,18 @@
 #include <memory>
 #include <string>
 
-namespace turgor
-{
-struct TissueLoadingDefaults
-{
+namespace turgor {
+struct TissueLoadingDefaults {
   std::string description;
-  double speed = 5.;         ///< m/s
+  double speed = 5.;  ///< m/s
   double end_strain = 0.3;
-  double damping = 0.;       ///< 1/s
+  double damping = 0.;  ///< 1/s
   double critical_stretch = 0.;
-  double lamella_strength = 0.; ///< Pa
+  double lamella_strength = 0.;  ///< Pa
 };
 
-class TissueLoading final : public Scenario
-{
-public:
+class TissueLoading final : public Scenario {
+ public:
   explicit TissueLoading(const TissueLoadingDefaults &defaults);
 
   void declare_parameters(InputEntries &prm) override;
@@ -36,10 +35,10 @@ public:
   void check() const override;
   void run(RunContext &context) override;
 
-private:
-  class Run; ///< one run: the tissue, its plates, its history
+ private:
+  class Run;  ///< one run: the tissue, its plates, its history
 
-  static constexpr double spacings_a_step = 0.02; ///< of StepControl
+  static constexpr double spacings_a_step = 0.02;  ///< of StepControl
   /// dt: s; throws InputError.
   void require_few_steps(double dt) const;
 
@@ -56,4 +55,4 @@ private:
 std::unique_ptr<Scenario> make_tissue_compression();
 std::unique_ptr<Scenario> make_tissue_impact();
 std::unique_ptr<Scenario> make_tissue_failure();
-} // namespace turgor
+}  // namespace turgor

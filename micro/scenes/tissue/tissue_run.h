@@ -1,9 +1,11 @@
-// One run of an aggregate between plates: the tissue, its plates and processes, its history. Inflation and squeezing are in
-// tissue_run.cc, what is checked, saved and resumed in tissue_checkpoint.cc, what is written in tissue_report.cc.
+// One run of an aggregate between plates: the tissue, its plates and processes, its history. Inflation and
+// squeezing are in tissue_run.cc, what is checked, saved and resumed in tissue_checkpoint.cc, what is written
+// in tissue_report.cc.
 //
-// Energy (J): start + work of the plates = now + given off by breaking + taken by the flow of walls + turned to heat by the fluid's
-// viscosity and the damping + error. Breaking, flow and damping are measured where they happen; viscosity 400 times a run and at the samples, by the trapezoidal rule. The error
-// over the plates' work is reported and judged, both ways.
+// Energy (J): start + work of the plates = now + given off by breaking + taken by the flow of walls + turned
+// to heat by the fluid's viscosity and the damping + error. Breaking, flow and damping are measured where
+// they happen; viscosity 400 times a run and at the samples, by the trapezoidal rule. The error over the
+// plates' work is reported and judged, both ways.
 #pragma once
 
 #include "micro/processes/tissue_inflation.h"
@@ -17,22 +19,20 @@
 
 #include <optional>
 
-namespace turgor
-{
-class TissueLoading::Run
-{
-public:
+namespace turgor {
+class TissueLoading::Run {
+ public:
   Run(const TissueLoading &scene, RunContext &context);
   void go();
 
-private:
+ private:
   // tissue_run.cc
   void inflate(bool resumed);
   void begin_squeezing();
   void squeeze(bool resumed);
   void step_once();
-  double wall_energy() const;                         ///< J
-  bool processes();                                   ///< between steps; true when a force has changed
+  double wall_energy() const;  ///< J
+  bool processes();            ///< between steps; true when a force has changed
   double strain() const { return (start.high - (*plates)[1].centre[1]) / start.height(); }
 
   // tissue_checkpoint.cc
@@ -42,15 +42,16 @@ private:
 
   // tissue_report.cc
   void open_series();
-  void record(); ///< one row of the history
+  void record();  ///< one row of the history
   FieldFrame frame() const;
-  double mean_pressure() const; ///< Pa
+  double mean_pressure() const;  ///< Pa
   void report();
   void report_failure();
-  void report_worth();           ///< what the results mean: balance, penetrations
-  std::string or_slower() const; ///< advice, where the plate is so fast that it helps: from a tenth of the speed of sound on
-  double heat() const;           ///< J, since the plate moves
-  double missing_energy() const; ///< J, put in and not found again; negative: from nothing
+  void report_worth();  ///< what the results mean: balance, penetrations
+  std::string or_slower()
+      const;  ///< advice, where the plate is so fast that it helps: from a tenth of the speed of sound on
+  double heat() const;            ///< J, since the plate moves
+  double missing_energy() const;  ///< J, put in and not found again; negative: from nothing
 
   const TissueLoading &scene;
   RunContext &context;
@@ -58,7 +59,7 @@ private:
   ParticleSystem<2> &system;
   std::optional<TissueInflation> inflation;
   std::optional<WatchedSteps<2>> integrator;
-  std::optional<Respa<2>> split; ///< while the plate moves, with Substeps > 1; its step is not watched
+  std::optional<Respa<2>> split;  ///< while the plate moves, with Substeps > 1; its step is not watched
   Obstacles<2> *plates = nullptr;
   std::optional<Failure<2>> failure;
   std::optional<WallYielding<2>> yielding;
@@ -67,16 +68,17 @@ private:
   std::unique_ptr<Series> loading, by_row;
 
   // what changes while the scene runs, and is in the checkpoint
-  std::uint64_t inflation_steps = 0, step = 0, load_steps = 0; ///< load_steps = 0: still inflating
-  double angle_before = 0., angle_inflated = 0., stretch_inflated = 0., void_fraction = 0., pressure_inflated = 0., residual = 0.,
-         tie_stress = 0., start_energy = 0.;
+  std::uint64_t inflation_steps = 0, step = 0, load_steps = 0;  ///< load_steps = 0: still inflating
+  double angle_before = 0., angle_inflated = 0., stretch_inflated = 0., void_fraction = 0.,
+         pressure_inflated = 0., residual = 0., tie_stress = 0., start_energy = 0.;
   TissueStart start;
   std::vector<TissueSample> history;
   double broken_bonds = 0., broken_at_junction = 0.;
-  double deepest = 0., most_crossed = 0., deepest_behind = 0., most_outside = 0.; ///< m, bonds, m, fluid particles
-  double released = 0., created = 0.;         ///< J, given off by what broke; of it negative
-  double flowed = 0.;                         ///< J, taken by walls that yielded
-  double damped = 0., heat_before = 0.;       ///< J, by Damping; by impulses until the plate moved
-  std::vector<double> broken_ties; ///< bonds to the end of its wall, in the order in which they broke
+  double deepest = 0., most_crossed = 0., deepest_behind = 0.,
+         most_outside = 0.;              ///< m, bonds, m, fluid particles
+  double released = 0., created = 0.;    ///< J, given off by what broke; of it negative
+  double flowed = 0.;                    ///< J, taken by walls that yielded
+  double damped = 0., heat_before = 0.;  ///< J, by Damping; by impulses until the plate moved
+  std::vector<double> broken_ties;       ///< bonds to the end of its wall, in the order in which they broke
 };
-} // namespace turgor
+}  // namespace turgor
