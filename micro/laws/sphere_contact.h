@@ -22,6 +22,8 @@
 // the same overlap, of which by_modulus is E dF/dE: Hertz's force (adhesion does not grow with E), and for
 // JKR, whose contact shrinks where E grows,
 //   4 E a^3/(3 R) - E c a^(3/2) - k c sqrt(a)/2,   k = dF/d(delta).
+// To these laws spheres are parabolas, so that E and delta enter F/(W R) as E delta^(3/2)/(W sqrt(R)) alone:
+// E dF/dE = 2/3 k delta in all three.
 //
 // In: R (m), E (Pa), W (J/m^2), delta (m). Out: force (N), stiffness dF/d(delta) (N/m), area pi a^2 (m^2),
 // energy (J), by_modulus (N).
@@ -124,11 +126,14 @@ struct JkrContact {
                  area = std::numbers::pi * a * a, zero{};
     // dF/d(delta) = (dF/da) / (d(delta)/da)
     const Number dF = 4. * E * a * a / R - 3. * E * c * sqrt_a, d_delta = 2. * a / R - 0.5 * c / sqrt_a;
-    const Number k = where(d_delta > zero, dF / d_delta, zero + HUGE_VAL);
+    // at the release itself the force falls without bound, and no matrix takes it
+    const Number k = where(d_delta > zero, dF / d_delta, zero - HUGE_VAL);
+    const Number by_modulus = where(
+        d_delta > zero, 4. * E * a * a * a / (3. * R) - E * c * a * sqrt_a - 0.5 * k * c * sqrt_a, zero);
     return {
         4. * E * a * a * a / (3. * R) - 2. * E * c * a * sqrt_a, k, area,
         8. * E * a * a * a * a * a / (15. * R * R) - 4. * E * c * a * a * a * sqrt_a / (3. * R) + W * area,
-        4. * E * a * a * a / (3. * R) - E * c * a * sqrt_a - 0.5 * k * c * sqrt_a};
+        by_modulus};
   }
 };
 }  // namespace turgor

@@ -136,7 +136,7 @@ BY_SCENE = {
     "laplace": [("Dimension", "4", ["from 2 to 3"]), ("Cell/Turgor", "0", ["has to be positive"]),
                 ("Cell/Turgor", "7e6", ["below 2 G t0/Radius"]), ("Cell/Fluid", "none", ["an empty shell holds no pressure"]),
                 ("Cell/Wall thickness", "1e-5", ["thinner than a fifth of the radius"])],
-    "optical_stretcher": [("Elements", "maxwel", ["one of kelvin_voigt, modified_maxwell, both"]), ("Powers", "-1", ["a finite number from 0"])],
+    "optical_stretcher": [("Elements", "maxwel", ["one of kelvin_voigt, modified_maxwell, both"]), ("Powers", "-1", ["a finite number from 0"]), ("Powers", "0.9, 0.9", ["0.9 W twice"])],
     "rbc_tweezers": [("Forces", "2e-11, 1e-11", ["positive and rising", "number 2 is 1e-11 N"]), ("Experiment", "nowhere.csv", ["nowhere.csv"])],
     "shell_oscillation": [("Inward speed", "9", ["at most a fiftieth of Sound speed"])],
     "cell_compression": [("Critical stretch", "1.0001", ["larger than the stretch of the turgid wall"]),

@@ -78,10 +78,10 @@ BOOST_AUTO_TEST_CASE(a_shell_between_beams_stretches_as_its_closed_form_says) {
       1, 0, "axes");
   const double at_rest = one.results.at("at_rest_kelvin_voigt_20_mW");
   BOOST_TEST(one.results.at("long_axis_kelvin_voigt_20_mW") == at_rest, boost::test_tools::tolerance(0.02));
-  // along y alone: springs of one stiffness on the triangles of an icosphere, which are not equilateral
-  // everywhere, make no quite isotropic net
+  // the mean of x and y: springs of one stiffness on the triangles of an icosphere, which are not equilateral
+  // everywhere, make no quite isotropic net, and each alone is 5 % off, to either side
   BOOST_TEST(one.results.at("short_axis_kelvin_voigt_20_mW") == -0.5 * at_rest,
-             boost::test_tools::tolerance(0.08));
+             boost::test_tools::tolerance(0.02));
   BOOST_TEST(std::abs(one.results.at("stays_kelvin_voigt_20_mW")) < 1e-3);
   BOOST_TEST(
       at_rest == OpticalStretcher::strain_at_rest(LaserBeams{}.stress() * 0.02 / 1.1, 8.8e-6, 1e-4, 8e-4),

@@ -35,6 +35,7 @@ BOOST_AUTO_TEST_CASE(energy_and_stiffness_are_integral_and_slope_of_the_force) {
                       1e-6 * std::abs(here.stiffness));
     const double stiffer = (law(R, 1.0001 * E, delta).force - law(R, 0.9999 * E, delta).force) / 2e-4;
     BOOST_CHECK_SMALL(stiffer - here.by_modulus, 1e-6 * (std::abs(here.by_modulus) + W * R));
+    BOOST_CHECK_SMALL(2. / 3. * here.stiffness * delta - here.by_modulus, 1e-9 * std::abs(here.by_modulus));
   };
   for (const double delta : {1e-8, 1e-7, 1e-6, 3e-6}) {
     check(HertzContact(), delta);

@@ -49,7 +49,7 @@ class OpticalStretcher::Run {
   };
   struct At {
     std::uint64_t step = 0, number = 0, sample = 1;  ///< number: of the case
-    double length = 0., width = 0.;                  ///< m, at rest
+    double length = 0., width = 0.;                  ///< m, at rest; width: along x and y together
   };
 
   const Element &element() const {
@@ -77,23 +77,23 @@ class OpticalStretcher::Run {
 
 std::pair<double, double> OpticalStretcher::Run::strains() const {
   return {cell->extent(Vector<3>::UnitZ()) / at.length - 1.,
-          cell->extent(Vector<3>::UnitY()) / at.width - 1.};
+          (cell->extent(Vector<3>::UnitX()) + cell->extent(Vector<3>::UnitY())) / at.width - 1.};
 }
 
 void OpticalStretcher::Run::begin_case() {
   cell.emplace(sphere_shape(scene.nu, scene.radius), scene.cell(element()), context.threads());
   at.length = cell->extent(Vector<3>::UnitZ());
-  at.width = cell->extent(Vector<3>::UnitY());
+  at.width = cell->extent(Vector<3>::UnitX()) + cell->extent(Vector<3>::UnitY());
   follow_light();
   cell->begin_anew();
 }
 
 void OpticalStretcher::Run::follow_light() {
   const double power = cases[at.number].power, friction = lit() ? scene.warmed(power) : 1.;
-  LaserBeams beams = scene.beams;
-  beams.power = lit() ? power : 0.;
+  LaserBeams light = scene.beams;
+  light.power = lit() ? power : 0.;
   cell->set_friction(friction * element().friction, friction * element().flow);
-  cell->load = [this, stress = beams.stress()](double, Particles<3> &p) {
+  cell->load = [this, stress = light.stress()](double, Particles<3> &p) {
     if (stress != 0.) add_laser_forces(*cell->surfaces, p, 0, Vector<3>::UnitZ(), stress);
   };
 }
@@ -196,17 +196,17 @@ void OpticalStretcher::Run::go() {
 void OpticalStretcher::Run::report() {
   double worst = 0.;
   for (std::size_t k = 0; k < cases.size(); ++k) {
-    const std::string name = std::string(cases[k].flows ? "modified_maxwell" : "kelvin_voigt") + "_" +
-                             number_text(std::lround(1e3 * cases[k].power)) + "_mW";
+    const std::string name =
+        std::string(cases[k].flows ? "modified_maxwell" : "kelvin_voigt") + "_" + milliwatts(cases[k].power);
     context.result("long_axis_" + name, found[k].long_on, "1");
     context.result("short_axis_" + name, found[k].short_on, "1");
     context.result("stays_" + name, found[k].long_on != 0. ? found[k].long_off / found[k].long_on : 0., "1");
-    LaserBeams beams = scene.beams;
-    beams.power = cases[k].power;
+    LaserBeams light = scene.beams;
+    light.power = cases[k].power;
     if (!cases[k].flows)
       context.result(
           "at_rest_" + name,
-          strain_at_rest(beams.stress(), scene.radius, scene.kelvin_voigt.stiffness, scene.area_modulus),
+          strain_at_rest(light.stress(), scene.radius, scene.kelvin_voigt.stiffness, scene.area_modulus),
           "1");
     worst = std::max(worst, std::abs(found[k].balance));
   }

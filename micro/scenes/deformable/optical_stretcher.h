@@ -25,6 +25,7 @@ class OpticalStretcher final : public Scenario {
  public:
   void declare_parameters(InputEntries &prm) override;
   Outputs outputs() const override;
+  void check() const override;
   void run(RunContext &context) override;
 
   /// (m/m) strain of the long axis at rest under a stress (Pa) with springs of k and K_A (N/m); the short
@@ -33,6 +34,9 @@ class OpticalStretcher final : public Scenario {
 
   /// Friction while the light of this power (W) is on, over that without.
   double warmed(double power) const;
+
+  /// What the results of a power (W) are named after: 900_mW.
+  static std::string milliwatts(double power);
 
  private:
   class Run;

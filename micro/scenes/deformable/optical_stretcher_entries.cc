@@ -1,10 +1,23 @@
 #include "micro/scenes/deformable/optical_stretcher.h"
 
 #include "run/input_entries.h"
+#include "run/run_context.h"
+#include "run/number_text.h"
 
 #include <algorithm>
+#include <set>
 
 namespace turgor {
+std::string OpticalStretcher::milliwatts(const double power) { return number_text(1e3 * power) + "_mW"; }
+
+void OpticalStretcher::check() const {
+  std::set<std::string> names;
+  for (const double power : powers)
+    if (!names.insert(milliwatts(power)).second)
+      throw InputError("Powers has " + number_text(power) +
+                       " W twice, as far as results are named (six digits): each power makes one run.");
+}
+
 void OpticalStretcher::declare_parameters(InputEntries &prm) {
   using namespace Patterns;
   prm.add_parameter("Powers", powers, "Powers of each laser beam, one run for each. Units: W.",

@@ -8,14 +8,15 @@ Outputs OpticalStretcher::outputs() const {
                 "Change of the cell's extent along the beams when the light goes off, over that at rest; one "
                 "result for each kind of edges and power."},
                {"short_axis_*", "1",
-                "Change of the cell's extent across the beams when the light goes off, over that at rest; "
-                "one result for each kind of edges and power."},
+                "Change of the mean of the cell's extents along x and y, across the beams, when the light "
+                "goes off, over that at rest; one result for each kind of edges and power."},
                {"stays_*", "1",
                 "Change of the long axis at the end over that when the light went off: 0 where the cell has "
                 "come back, 1 where all of it stays."},
                {"at_rest_*", "1",
                 "Closed form of the long axis' change where nothing rubs any more: thin shell of an "
-                "isotropic net around incompressible content; the short axis has minus half of it.",
+                "isotropic net around incompressible content, small strain, no bending; the short axis has "
+                "minus half of it.",
                 with_kelvin_voigt},
                {"nodes", "", "Number of nodes of the cell's surface."},
                {"steps", "", "Number of steps of all runs."},
@@ -30,7 +31,8 @@ Outputs OpticalStretcher::outputs() const {
             "1 where the edges of this run are modified Maxwell elements, 0 for Kelvin-Voigt."},
            {"time", "s", "Time since the light went on."},
            {"long_axis", "1", "Change of the cell's extent along the beams, over that at rest."},
-           {"short_axis", "1", "Change of the cell's extent across the beams, over that at rest."},
+           {"short_axis", "1",
+            "Change of the mean of the cell's extents along x and y, across the beams, over that at rest."},
            {"volume", "m^3", "Volume that the surface encloses."},
            {"pressure", "Pa", "Pressure inside over that outside."},
            {"elastic", "J", "Elastic energy less that at the start of the run."},

@@ -45,6 +45,9 @@ void TwoCells::declare_parameters(InputEntries &prm) {
 void TwoCells::check() const {
   if (const std::string wrong = wrong_adhesion(contact_law(), modulus, radius, "Radius"); !wrong.empty())
     throw InputError(wrong);
+  if (is_adhesive(contact_law()) && !(adhesion > 0.))
+    throw InputError(
+        "Adhesion is 0, so these cells never hold on to each other: give it in J/m^2, or Law = hertz.");
 }
 
 ContactLaw TwoCells::contact_law() const { return make_contact_law(law, adhesion); }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 namespace turgor {
 namespace {
@@ -88,6 +89,10 @@ void CellCulture::begin_interval() {
   cells.compute_forces();
   life.advance(cells, contacts, surroundings, until - t, steps, cells.threads,
                [this](const Rearrangement &places) { stepper.gather(places); });
+  if (cells.size() == 0)
+    throw std::runtime_error(
+        "none is left: all have died and were removed. End the run earlier (End time), or keep the dead "
+        "(Death/Remove lysed = false).");
   surroundings.update(cells.particles, t);
   set_friction();
 }
