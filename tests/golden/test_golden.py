@@ -105,6 +105,10 @@ for one in ("full_micro", "laplace"):  # sweeps without intrinsics, in 2D and 3D
 
 def write(name):
     made_of, columns, _ = measured(name)
+    _, again, _ = measured(name)
+    _, undisturbed, _ = measured(name, DISTURBED, TURGOR_DISTURB="0")
+    if any(again.get(key) == values != undisturbed.get(key) for key, values in columns.items()):
+        raise SystemExit(f"{name}: the disturbed program, not disturbed, has other numbers; it is of another build: ninja turgor_tests.")
     spread = {key: 0. for key in columns}
     for simd in instruction_sets():
         for seed in range(SEEDS + 1):
