@@ -4,7 +4,7 @@ import sys
 
 import numpy as np
 from matplotlib.collections import PolyCollection
-from matplotlib.colors import TwoSlopeNorm
+from matplotlib.colors import Normalize
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from drawing import plt  # noqa: E402
@@ -18,11 +18,9 @@ def stress(frame):
 
 
 def stress_scale(frames):
-    """White at 0; the ends hold 99 of 100 nodes of all frames."""
-    values = np.concatenate([stress(frame) for frame in frames])
-    low, high = np.percentile(values, [0.5, 99.5])
-    reach = max(high, -low, 1e-9)
-    return TwoSlopeNorm(0.0, min(low, -0.25 * reach), max(high, 0.25 * reach))
+    """White at 0, equally deep in blue and red for equal stress; 99 of 100 nodes of all frames are within the ends."""
+    reach = max(np.percentile(np.abs(np.concatenate([stress(frame) for frame in frames])), 99), 1e-9)
+    return Normalize(-reach, reach)
 
 
 def draw_surface(axis, frame, norm, right, up, at=(0.0, 0.0)):
