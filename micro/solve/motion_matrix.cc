@@ -95,7 +95,7 @@ void MotionMatrix::make_lists() {
     sources.push_back(&pushed);
   }
   if (!own_rows.empty()) {
-    own_rows.sort(medium.size(), threads);
+    own_rows.sort(medium.size());
     products.push_back(&own_rows);
   }
 }
@@ -112,13 +112,18 @@ Forces MotionMatrix::forces_of_links(const Forces &forces, const std::vector<Bod
 }
 
 double MotionMatrix::assemble() {
+  // links that were pushed join the rows' blocks, where there are any
+  const PushedLinks *const in_blocks = own_rows.empty() || pushed.empty() ? nullptr : &pushed;
+  if (!own_rows.empty()) own_rows.place(in_blocks, threads);
   blocks.assign(products.empty() ? 0 : medium.size(), {});
   if (!products.empty())
     for_chunks(threads, Chunks(medium.size()), [&](std::size_t begin, std::size_t last) {
       for (const OwnProduct *one : products) one->add_blocks(begin, last, blocks.data() + begin);
+      if (in_blocks != nullptr) in_blocks->add_blocks(begin, last, blocks.data() + begin);
     });
-  return matrix.assemble(sources, medium, products.empty() ? nullptr : &blocks, forces_of_links(F, v), v, r,
-                         threads);
+  return matrix.assemble(
+      {sources, in_blocks, medium, products.empty() ? nullptr : &blocks, forces_of_links(F, v), v}, r,
+      threads);
 }
 
 template <class Store>

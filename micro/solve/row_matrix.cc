@@ -11,179 +11,149 @@ using namespace eight_floats;
 
 namespace {
 Chunks rows_of(const std::size_t n) { return Chunks(n, 128); }
-Chunks eights_of(const std::size_t n) { return Chunks(n, 32); }
 
 double number_of(const FourDoubles a) { return (a[0] + a[1]) + a[2]; }
 }  // namespace
 
 void RowMatrix::clear() {
-  first.assign(1, 0);
-  body.clear();
-  entries.clear();
-  common.clear();
+  list.first.assign(1, 0);
+  list.body.clear();
+  list.entries.clear();
+  list.common.clear();
 }
 
 template <int dim>
-void RowMatrix::push(const std::span<const std::uint32_t> bodies, const std::span<const Vector<dim>> g,
+void RowMatrix::push(const std::span<const std::uint32_t> in_row, const std::span<const Vector<dim>> g,
                      const double c) {
   if (!(c >= 0.)) throw std::logic_error("a row of the matrix of motion with a negative coefficient");
   const double root = std::sqrt(c);
   DoubleRow sum{};
-  body.insert(body.end(), bodies.begin(), bodies.end());
-  entries.resize(body.size());
-  Entry *entry = entries.data() + first.back();
-  for (std::size_t k = 0; k < bodies.size(); ++k, ++entry) {
+  list.body.insert(list.body.end(), in_row.begin(), in_row.end());
+  list.entries.resize(list.body.size());
+  BodyVector *entry = list.entries.data() + list.first.back();
+  for (std::size_t k = 0; k < in_row.size(); ++k, ++entry) {
     DoubleRow row{};
     for (int d = 0; d < dim; ++d) row[d] = root * g[k][d];
-    entry->g = row;
+    entry->v = row;
     sum += row;
   }
-  common.push_back({sum});
-  first.push_back(std::uint32_t(entries.size()));
+  list.common.push_back({sum});
+  list.first.push_back(std::uint32_t(list.entries.size()));
 }
 
-void RowMatrix::sort(const std::size_t bodies, const unsigned int threads) {
-  exact_number.resize(common.size());
+void RowMatrix::sort(const std::size_t bodies_) {
+  bodies = bodies_;
+  std::vector<std::uint32_t> &first_of = list.first_of;
+  exact_number.resize(list.rows());
   first_of.assign(bodies + 1, 0);
-  for (const std::uint32_t i : body)
+  for (const std::uint32_t i : list.body)
     if (i < bodies) ++first_of[i + 1];
   for (std::size_t i = 0; i < bodies; ++i) first_of[i + 1] += first_of[i];
-  row_of.resize(first_of[bodies]);
-  of_body.resize(first_of[bodies]);
+  list.row_of.resize(first_of[bodies]);
+  list.of_body.resize(first_of[bodies]);
   std::vector<std::uint32_t> next(first_of.begin(), first_of.end());
-  for (std::uint32_t r = 0; r < common.size(); ++r) {
+  for (std::uint32_t r = 0; r < list.rows(); ++r) {
     DoubleRow others{};  // with G as it was rounded a common velocity costs what G says, no more
-    for (std::uint32_t k = first[r + 1]; k-- > first[r];) {
-      const DoubleRow g = k == first[r] ? common[r].g - others : entries[k].g;
+    for (std::uint32_t k = list.first[r + 1]; k-- > list.first[r];) {
+      if (k == list.first[r]) list.entries[k].v = list.common[r].v - others;
+      const DoubleRow g = list.entries[k].v;
       others += g;
-      if (body[k] >= bodies) continue;
-      const std::uint32_t at = next[body[k]]++;
-      row_of[at] = r;
-      of_body[at].g = g;
+      if (list.body[k] >= bodies) continue;
+      const std::uint32_t at = next[list.body[k]]++;
+      list.row_of[at] = r;
+      list.of_body[at].v = g;
     }
   }
-  place_rows(threads);
-  place_bodies(bodies, threads);
 }
 
-/// Rows side by side with others of as many bodies, in their order.
-void RowMatrix::place_rows(const unsigned int threads) {
-  const std::size_t rows = common.size();
-  std::array<std::uint32_t, longest + 1> of_length{}, next{};
+void RowMatrix::place(const PushedLinks *links, const unsigned int threads) {
+  blocks.build(list, links, bodies, threads);
+  place_long();
+}
+
+void RowMatrix::place_long() {
   long_rows.clear();
-  for (std::uint32_t r = 0; r < rows; ++r)
-    if (const std::uint32_t length = first[r + 1] - first[r]; length <= longest)
-      ++of_length[length];
-    else
-      long_rows.push_back(r);
-  first_eight.assign(1, 0);
-  for (std::uint32_t length = 1; length <= longest; ++length) {
-    next[length] = std::uint32_t(width * (first_eight.size() - 1));
-    for (std::size_t k = 0; k < of_length[length]; k += width)
-      first_eight.push_back(first_eight.back() + length);
+  along.clear();
+  first_entry.assign(1, 0);
+  for (std::uint32_t r = 0; r < list.rows(); ++r) {
+    if (list.is_short(r)) continue;
+    long_rows.push_back(r);
+    for (std::uint32_t k = list.first[r]; k < list.first[r + 1]; ++k)
+      along.push_back(floats(k == list.first[r] ? list.common[r].v : list.entries[k].v));
+    first_entry.push_back(std::uint32_t(along.size()));
   }
-  const std::size_t eights = first_eight.size() - 1;
-  place.resize(rows);
-  row_at.assign(width * eights, nobody);
-  std::uint32_t last = std::uint32_t(width * eights);
-  for (std::uint32_t r = 0; r < rows; ++r)
-    if (const std::uint32_t length = first[r + 1] - first[r]; length > longest)
-      place[r] = last++;
-    else
-      row_at[place[r] = next[length]++] = r;
-  number.assign(last, 0.f);
-  by_row.resize(first_eight.back());
-  for_chunks(threads, eights_of(eights), [&](std::size_t from, std::size_t to) {
-    for (std::size_t e = from; e < to; ++e)
-      for (std::uint32_t k = first_eight[e]; k < first_eight[e + 1]; ++k) {
-        by_row[k].g = columns([&](const int lane) {
-          const std::uint32_t r = row_at[width * e + std::size_t(lane)], at = k - first_eight[e];
-          by_row[k].to[std::size_t(lane)] = r == nobody ? 0 : body[first[r] + at];
-          return r == nobody ? FloatRow{} : floats(at == 0 ? common[r].g : entries[first[r] + at].g);
-        });
-      }
-  });
-}
-
-void RowMatrix::place_bodies(const std::size_t bodies, const unsigned int threads) {
+  number.assign(long_rows.size(), 0.f);
   const std::size_t eights = (bodies + width - 1) / width;
   first_of_eight.assign(eights + 1, 0);
-  for (std::size_t e = 0; e < eights; ++e) {
-    std::uint32_t most = 0;
-    for (std::size_t i = e * width; i < std::min(bodies, (e + 1) * width); ++i)
-      most = std::max(most, first_of[i + 1] - first_of[i]);
-    first_of_eight[e + 1] = first_of_eight[e] + most;
+  by_body.clear();
+  for (std::size_t e = 0; e < eights && !long_rows.empty(); ++e) {
+    std::vector<std::uint32_t> of[width];  // its entries in long rows
+    std::size_t most = 0;
+    for (std::size_t i = e * width; i < std::min(bodies, (e + 1) * width); ++i) {
+      for (std::uint32_t k = list.first_of[i]; k < list.first_of[i + 1]; ++k)
+        if (!list.is_short(list.row_of[k])) of[i % width].push_back(k);
+      most = std::max(most, of[i % width].size());
+    }
+    for (std::size_t k = 0; k < most; ++k) {
+      EightEntries &one = by_body.emplace_back();
+      one.g = columns([&](const int lane) {
+        const std::vector<std::uint32_t> &own = of[lane];
+        if (k >= own.size()) return FloatRow{};
+        const auto row = std::lower_bound(long_rows.begin(), long_rows.end(), list.row_of[own[k]]);
+        one.row[std::size_t(lane)] = std::uint32_t(row - long_rows.begin());
+        return floats(list.of_body[own[k]].v);
+      });
+    }
+    first_of_eight[e + 1] = std::uint32_t(by_body.size());
   }
-  by_body.resize(first_of_eight[eights]);
-  for_chunks(threads, eights_of(eights), [&](std::size_t from, std::size_t to) {
-    for (std::size_t e = from; e < to; ++e)
-      for (std::uint32_t k = first_of_eight[e]; k < first_of_eight[e + 1]; ++k) {
-        by_body[k].g = columns([&](const int lane) {
-          const std::size_t i = width * e + std::size_t(lane),
-                            at = i < bodies ? first_of[i] + (k - first_of_eight[e]) : 0;
-          const bool there = i < bodies && at < first_of[i + 1];
-          by_body[k].to[std::size_t(lane)] = there ? place[row_of[at]] : 0;
-          return there ? floats(of_body[at].g) : FloatRow{};
-        });
-      }
-  });
 }
 
 void RowMatrix::begin(const FloatRow *p, const unsigned int threads) {
-  for_chunks(threads, eights_of(first_eight.size() - 1), [&](std::size_t from, std::size_t to) {
-    for (std::size_t e = from; e < to; ++e) {
-      const EightEntries *one = by_row.data() + first_eight[e], *const end =
-                                                                    by_row.data() + first_eight[e + 1];
-      const Eight base = columns([&](const int lane) { return p[one->to[lane]]; });
-      Eight sum{one->g.x * base.x, one->g.y * base.y, one->g.z * base.z};
-      for (++one; one < end; ++one) {
-        const Eight q = columns([&](const int lane) { return p[one->to[lane]]; });
-        sum.x += one->g.x * (q.x - base.x);
-        sum.y += one->g.y * (q.y - base.y);
-        sum.z += one->g.z * (q.z - base.z);
-      }
-      const EightFloats numbers = (sum.x + sum.y) + sum.z;
-      std::memcpy(&number[width * e], &numbers, sizeof numbers);
-    }
-  });
   for_chunks(threads, Chunks(long_rows.size(), 4), [&](std::size_t from, std::size_t to) {
-    for (std::size_t r = from; r < to; ++r) number[place[long_rows[r]]] = number_of_long(long_rows[r], p);
+    for (std::size_t k = from; k < to; ++k) number[k] = number_of_long(k, p);
   });
 }
 
-float RowMatrix::number_of_long(const std::size_t row, const FloatRow *p) const {
-  std::uint32_t k = first[row];
-  const FloatRow base = p[body[k]];
-  FloatRow sum = floats(common[row].g) * base;
-  for (++k; k < first[row + 1]; ++k) sum += floats(entries[k].g) * (p[body[k]] - base);
-  return (sum[0] + sum[1]) + sum[2];
+float RowMatrix::number_of_long(const std::size_t k, const FloatRow *p) const {
+  constexpr std::size_t together = 4;  // sums that do not wait for each other
+  const std::uint32_t *body = list.body.data() + list.first[long_rows[k]];
+  const FloatRow *g = along.data() + first_entry[k], base = p[body[0]];
+  const std::size_t count = first_entry[k + 1] - first_entry[k];
+  FloatRow sum[together] = {g[0] * base};
+  std::size_t m = 1;
+  for (; m + together <= count; m += together)
+    for (std::size_t s = 0; s < together; ++s) sum[s] += g[m + s] * (p[body[m + s]] - base);
+  for (; m < count; ++m) sum[0] += g[m] * (p[body[m]] - base);
+  const FloatRow all = (sum[0] + sum[1]) + (sum[2] + sum[3]);
+  return (all[0] + all[1]) + all[2];
 }
 
 void RowMatrix::begin(const BodyVector *v, const unsigned int threads) {
   for_chunks(threads, rows_of(exact_number.size()), [&](std::size_t from, std::size_t to) {
     for (std::size_t r = from; r < to; ++r) {
-      std::uint32_t k = first[r];
-      const DoubleRow base = v[body[k]].v;
-      DoubleRow sum = common[r].g * base;
-      for (++k; k < first[r + 1]; ++k) sum += entries[k].g * (v[body[k]].v - base);
+      std::uint32_t k = list.first[r];
+      const DoubleRow base = v[list.body[k]].v;
+      DoubleRow sum = list.common[r].v * base;
+      for (++k; k < list.first[r + 1]; ++k) sum += list.entries[k].v * (v[list.body[k]].v - base);
       exact_number[r] = number_of(sum);
     }
   });
 }
 
-void RowMatrix::add(const FloatRow *, const std::size_t begin, const std::size_t end,
+void RowMatrix::add(const FloatRow *p, const std::size_t begin, const std::size_t end,
                     FloatRow *product) const {
+  blocks.add(p, begin, end, product);
+  if (long_rows.empty()) return;
   for (std::size_t i = begin; i < end; i += width) {
     Eight sum;
     const std::size_t e = i / width;
-    for (const EightEntries *one = by_body.data() + first_of_eight[e], *const last = by_body.data() +
-                                                                                     first_of_eight[e + 1];
-         one < last; ++one) {
+    for (std::uint32_t k = first_of_eight[e]; k < first_of_eight[e + 1]; ++k) {
+      const EightEntries &one = by_body[k];
       EightFloats numbers;
-      for (std::size_t lane = 0; lane < width; ++lane) numbers[lane] = number[one->to[lane]];
-      sum.x += numbers * one->g.x;
-      sum.y += numbers * one->g.y;
-      sum.z += numbers * one->g.z;
+      for (std::size_t lane = 0; lane < width; ++lane) numbers[lane] = number[one.row[lane]];
+      sum.x += numbers * one.g.x;
+      sum.y += numbers * one.g.y;
+      sum.z += numbers * one.g.z;
     }
     FloatRow rows[width];
     to_rows(sum, rows);
@@ -195,8 +165,8 @@ void RowMatrix::add(const FloatRow *, const std::size_t begin, const std::size_t
 void RowMatrix::add(const BodyVector *, const std::size_t begin, const std::size_t end,
                     BodyVector *product) const {
   for (std::size_t i = begin; i < end; ++i)
-    for (std::uint32_t k = first_of[i]; k < first_of[i + 1]; ++k)
-      product[i - begin].v += exact_number[row_of[k]] * of_body[k].g;
+    for (std::uint32_t k = list.first_of[i]; k < list.first_of[i + 1]; ++k)
+      product[i - begin].v += exact_number[list.row_of[k]] * list.of_body[k].v;
 }
 
 double RowMatrix::power(const BodyVector *, std::size_t) const {
@@ -205,32 +175,22 @@ double RowMatrix::power(const BodyVector *, std::size_t) const {
   return total;
 }
 
-void RowMatrix::add_blocks(const std::size_t begin, const std::size_t end, Block *blocks) const {
+void RowMatrix::add_blocks(const std::size_t begin, const std::size_t end, Block *to) const {
   for (std::size_t i = begin; i < end; ++i)
-    for (std::uint32_t k = first_of[i]; k < first_of[i + 1]; ++k) {
-      const DoubleRow g = of_body[k].g;
-      Block &block = blocks[i - begin];
-      block.xx += g[0] * g[0];
-      block.xy += g[0] * g[1];
-      block.xz += g[0] * g[2];
-      block.yy += g[1] * g[1];
-      block.yz += g[1] * g[2];
-      block.zz += g[2] * g[2];
-    }
+    for (std::uint32_t k = list.first_of[i]; k < list.first_of[i + 1]; ++k)
+      to[i - begin].add(list.of_body[k].v, list.of_body[k].v);
 }
 
 void RowMatrix::connect(const std::function<void(std::uint32_t, std::uint32_t)> &join) const {
-  for (std::size_t r = 0; r + 1 < first.size(); ++r)
-    for (std::uint32_t k = first[r] + 1; k < first[r + 1]; ++k) join(body[first[r]], body[k]);
+  for (std::size_t r = 0; r < list.rows(); ++r)
+    for (std::uint32_t k = list.first[r] + 1; k < list.first[r + 1]; ++k)
+      join(list.body[list.first[r]], list.body[k]);
 }
 
 std::size_t RowMatrix::memory_bytes() const {
-  return 4 * (first.capacity() + body.capacity() + first_of.capacity() + place.capacity() +
-              row_at.capacity() + long_rows.capacity() + number.capacity() + first_eight.capacity() +
-              first_of_eight.capacity()) +
-         sizeof(Entry) * (entries.capacity() + common.capacity() + of_body.capacity()) +
-         4 * row_of.capacity() + sizeof(EightEntries) * (by_row.capacity() + by_body.capacity()) +
-         8 * exact_number.capacity();
+  return list.memory_bytes() + blocks.memory_bytes() + 8 * exact_number.capacity() +
+         4 * (long_rows.capacity() + first_entry.capacity() + number.capacity() + first_of_eight.capacity()) +
+         sizeof(FloatRow) * along.capacity() + sizeof(EightEntries) * by_body.capacity();
 }
 
 template void RowMatrix::push<2>(std::span<const std::uint32_t>, std::span<const Vector<2>>, double);

@@ -10,13 +10,14 @@
 // where a common velocity costs nothing G is 0 to round-off, and it drops out before anything is rounded to
 // single precision.
 //
-// A product is made in two sweeps: the number of each row, in parallel over rows; then each body gathers from
-// the rows it is in, in their order. In single precision both go in eight lanes: rows of as many bodies side
-// by side (few are left over; long rows go alone), then eight bodies one after another in memory, those that
-// are in fewer rows filled up with zeros. 16 bytes an entry in each sweep.
+// The exact product is made in two sweeps: the number of each row, in parallel over rows; then each body
+// gathers from the rows it is in, in their order. In single precision short rows are blocks of two bodies
+// (row_blocks.h), which the links that were pushed join; long ones go in two sweeps, 16 bytes an entry in
+// each.
 #pragma once
 
 #include "micro/solve/own_product.h"
+#include "micro/solve/row_blocks.h"
 #include "micro/geometry/tensor.h"
 
 #include <array>
@@ -30,8 +31,10 @@ class RowMatrix final : public OwnProduct {
   template <int dim>
   void push(std::span<const std::uint32_t> bodies, std::span<const Vector<dim>> g, double c);
   /// By bodies [0, bodies); once, when all have been pushed.
-  void sort(std::size_t bodies, unsigned int threads);
-  bool empty() const { return first.size() == 1; }
+  void sort(std::size_t bodies);
+  /// What products in single precision want, links included (null: none): A p is that of both. After sort().
+  void place(const PushedLinks *links, unsigned int threads);
+  bool empty() const { return list.rows() == 0; }
 
   void begin(const FloatRow *p, unsigned int threads) override;
   void begin(const BodyVector *v, unsigned int threads) override;
@@ -44,37 +47,25 @@ class RowMatrix final : public OwnProduct {
   std::size_t memory_bytes() const;
 
  private:
-  static constexpr std::size_t width = 8, longest = 16;  ///< lanes; bodies of a row that has others beside it
-  static constexpr std::uint32_t nobody = ~std::uint32_t(0);
-  struct alignas(32) Entry  ///< sqrt(c) g of a body in a row
-  {
-    DoubleRow g;
-  };
-  struct EightEntries  ///< one of each of eight rows or bodies, and to whom it leads: a body, the place of a
-                       ///< row's number
+  static constexpr std::size_t width = 8;  ///< lanes
+  struct EightEntries  ///< one of each of eight bodies, and the places of the rows' numbers
   {
     Eight g;
-    std::array<std::uint32_t, width> to{};
+    std::array<std::uint32_t, width> row{};
   };
-  void place_rows(unsigned int threads);
-  void place_bodies(std::size_t bodies, unsigned int threads);
-  float number_of_long(std::size_t row, const FloatRow *p) const;
+  void place_long();
+  float number_of_long(std::size_t k, const FloatRow *p) const;
 
-  std::vector<std::uint32_t> first{0};  ///< of row r in the entries
-  std::vector<std::uint32_t> body;      ///< of an entry
-  std::vector<Entry> entries;
-  std::vector<Entry> common;         ///< sqrt(c) G of a row
+  RowList list;
+  std::size_t bodies = 0;
   std::vector<double> exact_number;  ///< of each row
-  // by bodies: the rows that a body is in, and its own vector in each (of the first body g_0, not G)
-  std::vector<std::uint32_t> first_of, row_of;
-  std::vector<Entry> of_body;
-  // in single precision
-  std::vector<std::uint32_t> place;      ///< of a row's number
-  std::vector<std::uint32_t> row_at;     ///< of a place; nobody: it is filled up
-  std::vector<std::uint32_t> long_rows;  ///< whose numbers come last
+  RowBlocks blocks;
+  // long rows in single precision
+  std::vector<std::uint32_t> long_rows;
+  std::vector<std::uint32_t> first_entry;  ///< of each of them in `along`
+  std::vector<FloatRow> along;             ///< their vectors; of the first body G
   std::vector<float> number;
-  std::vector<std::uint32_t> first_eight,
-      first_of_eight;                         ///< of eight rows in by_row, of eight bodies in by_body
-  std::vector<EightEntries> by_row, by_body;  ///< of a row's first body G
+  std::vector<std::uint32_t> first_of_eight;  ///< of eight bodies in by_body
+  std::vector<EightEntries> by_body;
 };
 }  // namespace turgor
