@@ -15,35 +15,26 @@ using Bits = std::int32_t __attribute__((vector_size(32)));
 /// Bits set in both, and in one of them alone.
 inline EightFloats both(const EightFloats a, const EightFloats b) { return EightFloats(Bits(a) & Bits(b)); }
 inline EightFloats differ(const EightFloats a, const EightFloats b) { return EightFloats(Bits(a) ^ Bits(b)); }
-
-/// To the residual alone.
-template <class Row>
-void add_exact(const LinkSource &source, const std::size_t i, const std::size_t bodies, Row *rows) {
-  for (std::size_t k = 0; k < bodies; ++k) {
-    ExactRow exact(rows[k]);
-    source.add(i + k, 1, &exact);
-    rows[k].ExactRow::take(exact);
-  }
-}
 }  // namespace
 
-double LinkMatrix::assemble(const Sum &all, std::vector<Eight> &r, const unsigned int threads) {
-  const std::size_t n = all.medium.size(), groups = (n + width - 1) / width;
+double LinkMatrix::assemble(const std::vector<const LinkSource *> &sources, const std::vector<double> &medium,
+                            const std::vector<Block> *blocks, const Forces &forces,
+                            const std::vector<BodyVector> &v, std::vector<Eight> &r,
+                            const unsigned int threads) {
+  const std::size_t n = medium.size(), groups = (n + width - 1) / width;
   // room for all listed links; only those that touch are filled in
   first.resize(groups + 1);
   first[0] = 0;
   for_chunks(threads, Chunks(groups, 512), [&](std::size_t begin, std::size_t last) {
     for (std::size_t g = begin; g < last; ++g) {
       std::uint32_t count[width] = {};
-      for (const LinkSource *source : all.sources)
-        if (source != all.elsewhere) source->room(g * width, std::min(n, (g + 1) * width), count);
+      for (const LinkSource *source : sources) source->room(g * width, std::min(n, (g + 1) * width), count);
       first[g + 1] = *std::max_element(count, count + width);
     }
   });
   for (std::size_t g = 0; g < groups; ++g) first[g + 1] += first[g];
-  directed =
-      all.blocks != nullptr || std::any_of(all.sources.begin(), all.sources.end(),
-                                           [](const LinkSource *source) { return source->directed(); });
+  directed = blocks != nullptr || std::any_of(sources.begin(), sources.end(),
+                                              [](const LinkSource *source) { return source->directed(); });
   links.resize(first[groups]);
   lines.resize(directed ? first[groups] : 0);
   end.resize(groups);
@@ -51,6 +42,7 @@ double LinkMatrix::assemble(const Sum &all, std::vector<Eight> &r, const unsigne
   inverse.resize(directed ? groups : 0);
   inverse_same.resize(directed ? 0 : groups);
   r.resize(groups);
+  const Sum all{sources, medium, blocks, forces, v};
   return sum_chunks(threads, Chunks(groups, 64), parts, [&](std::size_t begin, std::size_t last) {
     std::vector<FloatRow> work;
     DoubleRow total{};
@@ -78,11 +70,7 @@ DoubleRow LinkMatrix::rows_of(const std::size_t g, const Sum &all, std::vector<E
   };
   LinkRow<with_lines> rows[width] = {row_of(0), row_of(1), row_of(2), row_of(3),
                                      row_of(4), row_of(5), row_of(6), row_of(7)};
-  for (const LinkSource *source : all.sources)
-    if (source != all.elsewhere)
-      source->add(g * width, bodies, rows);
-    else
-      add_exact(*source, g * width, bodies, rows);
+  for (const LinkSource *source : all.sources) source->add(g * width, bodies, rows);
   for (std::size_t lane = 0; lane < width; ++lane) {
     const std::size_t i = g * width + lane;
     own[g][lane] = 0.f;

@@ -20,17 +20,11 @@
 namespace turgor {
 class LinkMatrix {
  public:
-  /// What it is made of, and what a residual is.
-  struct Sum {
-    const std::vector<const LinkSource *> &sources;
-    const LinkSource *elsewhere;        ///< one of them whose product is made by others; null: none
-    const std::vector<double> &medium;  ///< N s/m, of each body
-    const std::vector<Block> *blocks;   ///< what else the matrix has on its diagonal (null: nothing)
-    const Forces &forces;
-    const std::vector<BodyVector> &v;
-  };
-  /// r: the exact residual, forces less (medium and links) v (N); its square is returned.
-  double assemble(const Sum &all, std::vector<Eight> &r, unsigned int threads);
+  /// medium: N s/m, of each body. blocks: of what else the matrix has on its diagonal (null: nothing). r: the
+  /// exact residual, forces less (medium and links) v (N); its square is returned.
+  double assemble(const std::vector<const LinkSource *> &sources, const std::vector<double> &medium,
+                  const std::vector<Block> *blocks, const Forces &forces, const std::vector<BodyVector> &v,
+                  std::vector<Eight> &r, unsigned int threads);
 
   static constexpr std::size_t width = 8;
   /// Eights of bodies, the last one filled up.
@@ -51,6 +45,14 @@ class LinkMatrix {
   std::size_t memory_bytes() const;
 
  private:
+  struct Sum  ///< what a residual is made of
+  {
+    const std::vector<const LinkSource *> &sources;
+    const std::vector<double> &medium;
+    const std::vector<Block> *blocks;
+    const Forces &forces;
+    const std::vector<BodyVector> &v;
+  };
   template <bool with_lines>
   DoubleRow rows_of(std::size_t g, const Sum &sum, std::vector<Eight> &r, std::vector<FloatRow> &work);
   void finish_lines(std::size_t g, const FloatRow *work, const double (&isotropic)[width], const Sum &sum);

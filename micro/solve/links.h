@@ -137,20 +137,6 @@ class PowerRow {
   double total = 0.;
 };
 
-/// Symmetric 3 x 3 block.
-struct Block {
-  double xx = 0., xy = 0., xz = 0., yy = 0., yz = 0., zz = 0.;
-
-  void add(const DoubleRow a, const DoubleRow b) {
-    xx += a[0] * b[0];
-    xy += a[0] * b[1];
-    xz += a[0] * b[2];
-    yy += a[1] * b[1];
-    yz += a[1] * b[2];
-    zz += a[2] * b[2];
-  }
-};
-
 class LinkSource {
  public:
   virtual ~LinkSource() = default;
@@ -211,8 +197,13 @@ class PushedLinks final : public ListedLinks<PushedLinks> {
 
   bool directed() const override { return any_directed; }
   void room(std::size_t begin, std::size_t end, std::uint32_t *count) const override;
-  /// blocks[i - begin] += what bodies [begin, end) have on the matrix's diagonal.
-  void add_blocks(std::size_t begin, std::size_t end, Block *blocks) const;
+  /// Both ends of all links, in the order in which they were pushed.
+  void append_ends(std::vector<std::uint32_t> &to) const {
+    for (const Pushed &link : links) {
+      to.push_back(link.i);
+      to.push_back(link.j);
+    }
+  }
   template <class Row>
   void links_of(const std::size_t i, Row &row) const {
     for (std::uint32_t k = first[i]; k < first[i + 1]; ++k) {

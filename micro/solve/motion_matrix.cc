@@ -90,12 +90,15 @@ void MotionMatrix::correct_clusters(const std::array<std::vector<double>, dim> &
 void MotionMatrix::make_lists() {
   if (listed) return;
   listed = true;
-  if (!pushed.empty()) {
+  alone = sources;
+  const bool with_rows = !own_rows.empty(), with_links = !pushed.empty();
+  if (with_links) {
     pushed.sort(medium.size());
     sources.push_back(&pushed);
+    if (!with_rows) alone.push_back(&pushed);
   }
-  if (!own_rows.empty()) {
-    own_rows.sort(medium.size());
+  if (with_rows) {
+    own_rows.sort(medium.size(), with_links ? &pushed : nullptr, threads);
     products.push_back(&own_rows);
   }
 }
@@ -112,18 +115,13 @@ Forces MotionMatrix::forces_of_links(const Forces &forces, const std::vector<Bod
 }
 
 double MotionMatrix::assemble() {
-  // links that were pushed join the rows' blocks, where there are any
-  const PushedLinks *const in_blocks = own_rows.empty() || pushed.empty() ? nullptr : &pushed;
-  if (!own_rows.empty()) own_rows.place(in_blocks, threads);
   blocks.assign(products.empty() ? 0 : medium.size(), {});
   if (!products.empty())
     for_chunks(threads, Chunks(medium.size()), [&](std::size_t begin, std::size_t last) {
       for (const OwnProduct *one : products) one->add_blocks(begin, last, blocks.data() + begin);
-      if (in_blocks != nullptr) in_blocks->add_blocks(begin, last, blocks.data() + begin);
     });
-  return matrix.assemble(
-      {sources, in_blocks, medium, products.empty() ? nullptr : &blocks, forces_of_links(F, v), v}, r,
-      threads);
+  return matrix.assemble(alone, medium, products.empty() ? nullptr : &blocks, forces_of_links(F, v), v, r,
+                         threads);
 }
 
 template <class Store>
@@ -134,7 +132,7 @@ double MotionMatrix::residual_of(const Forces &forces, const std::vector<BodyVec
     DoubleRow total{};
     for (std::size_t i = begin; i < last; ++i) {
       ExactRow row(left, medium, velocity, i);
-      for (const LinkSource *source : sources) source->add(i, 1, &row);
+      for (const LinkSource *source : alone) source->add(i, 1, &row);
       const DoubleRow one = row.result();
       store(i, one);
       total += one * one;

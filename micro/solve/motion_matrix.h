@@ -120,7 +120,8 @@ class MotionMatrix {
   SolveParameters parameters;
   PushedLinks pushed;
   RowMatrix own_rows;
-  std::vector<const LinkSource *> sources;
+  std::vector<const LinkSource *> sources,
+      alone;  ///< all, and those whose product no row makes with its own
   std::vector<OwnProduct *> products;
   bool listed = false;                  ///< what was pushed is sorted
   std::function<void()> find_clusters;  ///< empty: none are corrected

@@ -10,6 +10,11 @@
 #include <functional>
 
 namespace turgor {
+/// Symmetric 3 x 3 block.
+struct Block {
+  double xx = 0., xy = 0., xz = 0., yy = 0., yz = 0., zz = 0.;
+};
+
 class OwnProduct {
  public:
   virtual ~OwnProduct() = default;

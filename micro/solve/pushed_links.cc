@@ -29,16 +29,4 @@ void PushedLinks::sort(const std::size_t bodies) {
 void PushedLinks::room(const std::size_t begin, const std::size_t end, std::uint32_t *count) const {
   for (std::size_t i = begin; i < end; ++i) count[i - begin] += first[i + 1] - first[i];
 }
-
-void PushedLinks::add_blocks(const std::size_t begin, const std::size_t end, Block *blocks) const {
-  for (std::size_t i = begin; i < end; ++i)
-    for (std::uint32_t k = first[i]; k < first[i + 1]; ++k) {
-      const Pushed &link = links[of_body[k]];
-      Block &block = blocks[i - begin];
-      block.add((link.normal - link.tangential) * link.e, link.e);
-      block.xx += link.tangential;
-      block.yy += link.tangential;
-      block.zz += link.tangential;
-    }
-}
 }  // namespace turgor

@@ -1,37 +1,35 @@
-// Short rows of the matrix of motion (row_matrix.h), and links beside them, as a product in single precision
-// wants them: 3 x 3 blocks of two bodies each,
+// Short rows of the matrix of motion (row_matrix.h), and the links that were pushed beside them, as products
+// want them: 3 x 3 blocks of two bodies each,
 //
-//   (A p)_i = D_i p_i + sum_j B_ij (p_j - p_i),     B_ij = sum over rows c g_i g_j',   D_i = sum c g_i G'
+//   (A p)_i = D_i p_i + sum_j B_ij (p_j - p_i),     B_ij = sum over rows c g_i g_j',   D_i = sum over all j
 //
 // Differences first, as with links: what neighbours have in common drops out before anything is rounded, and
 // D is 0 to the round-off of doubles where a common velocity costs nothing. Rows of a surface share their
 // pairs: a node of a triangulated cell is in twelve hinges and in six triangles of up to three rows each, and
-// has twelve neighbours of 40 bytes.
+// has twelve neighbours. A neighbour is 40 bytes in single precision, where eight bodies one after another in
+// memory go side by side (those with fewer neighbours are filled up with zeros and themselves), and 76 in
+// double, for the exact residual.
 //
-// Eight bodies one after another in memory go side by side, those with fewer neighbours are filled up with
-// zeros and themselves. Built in double, body by body: B_ji is B_ij transposed to the last bit.
+// Who is whose neighbour is kept from one matrix to the next, and found anew where other bodies are joined.
+// B_ji is B_ij transposed to the last bit.
 #pragma once
 
-#include "micro/solve/links.h"
+#include "micro/solve/own_product.h"
 
-#include <span>
+#include <array>
 
 namespace turgor {
-/// Rows as they were pushed, and by bodies.
+/// Rows as they were pushed.
 struct RowList {
   static constexpr std::size_t longest = 6;  ///< bodies of a row that is made into blocks
 
   std::vector<std::uint32_t> first{0};  ///< of row r in the entries
   std::vector<std::uint32_t> body;      ///< of an entry
-  std::vector<BodyVector> entries;      ///< sqrt(c) g of a body in a row
-  std::vector<BodyVector> common;       ///< sqrt(c) G of a row
-  // by bodies: the rows that a body is in, and its own vector in each
-  std::vector<std::uint32_t> first_of, row_of;
-  std::vector<BodyVector> of_body;
+  std::vector<BodyVector> g;            ///< sqrt(c) g of a body in a row
 
-  std::size_t rows() const { return common.size(); }
-  bool is_short(const std::size_t r) const { return first[r + 1] - first[r] <= longest; }
-  std::size_t memory_bytes() const;
+  std::size_t rows() const { return first.size() - 1; }
+  std::size_t length(const std::size_t r) const { return first[r + 1] - first[r]; }
+  bool is_short(const std::size_t r) const { return length(r) <= longest; }
 };
 
 class RowBlocks {
@@ -41,19 +39,45 @@ class RowBlocks {
 
   /// product[i - begin] += (A p)_i; begin: a multiple of eight.
   void add(const FloatRow *p, std::size_t begin, std::size_t end, FloatRow *product) const;
+  void add(const BodyVector *v, std::size_t begin, std::size_t end, BodyVector *product) const;
+  /// to[i - begin] += A_ii
+  void add_diagonal(std::size_t begin, std::size_t end, Block *to) const;
 
   std::size_t memory_bytes() const;
 
  private:
   static constexpr std::size_t width = 8, together = 32;  ///< lanes; eights that are stored together
-  struct EightBlocks {
-    Eight row[3];  ///< of B
+  struct Square                                           ///< by its columns, without gaps
+  {
+    std::array<double, 9> number;
+  };
+  struct EightSquares {
+    Eight column[3];
     std::uint32_t to[width];
   };
-  struct Part {
-    std::vector<std::uint32_t> first;  ///< of each of its eights in blocks
-    std::vector<EightBlocks> blocks;   ///< the first of an eight is D, and leads to the bodies themselves
+  struct Use  ///< of a row by one of its bodies
+  {
+    std::uint32_t from;        ///< the row's first entry
+    std::uint16_t own, count;  ///< the body's own among its entries
   };
+  /// Of the bodies of `together` eights.
+  struct Part {
+    // of each body itself, then its neighbours; one square more at the end, of which may be read
+    std::vector<std::uint32_t> first, body, first_eight;
+    std::vector<Square> exact;         ///< D, then B_ij
+    std::vector<EightSquares> eights;  ///< the same, eight bodies side by side
+    // what is summed into them, body by body: rows with a place for each of their entries, then links
+    std::vector<std::uint32_t> first_use, first_place;
+    std::vector<Use> uses;
+    std::vector<std::uint16_t> place;
+  };
+  bool joins_as_before(const RowList &list, const PushedLinks *links, std::size_t bodies);
+  void find_neighbours(const RowList &list, const PushedLinks *links, unsigned int threads);
+  void fill(Part &part, std::size_t begin, std::size_t end, const RowList &list,
+            const PushedLinks *links) const;
+
+  std::size_t bodies = 0;
+  std::vector<std::uint32_t> joined;  ///< all bodies in all rows and links
   std::vector<Part> parts;
 };
 }  // namespace turgor

@@ -10,98 +10,89 @@ namespace turgor {
 using namespace eight_floats;
 
 namespace {
-Chunks rows_of(const std::size_t n) { return Chunks(n, 128); }
-
-double number_of(const FourDoubles a) { return (a[0] + a[1]) + a[2]; }
+/// sum_k g_k . v_k
+double exact_number_of(const std::uint32_t *body, const BodyVector *g, const std::size_t count,
+                       const DoubleRow common, const BodyVector *v) {
+  const DoubleRow base = v[body[0]].v;
+  DoubleRow sum = common * base;
+  for (std::size_t k = 1; k < count; ++k) sum += g[k].v * (v[body[k]].v - base);
+  return (sum[0] + sum[1]) + sum[2];
+}
 }  // namespace
 
 void RowMatrix::clear() {
   list.first.assign(1, 0);
   list.body.clear();
-  list.entries.clear();
-  list.common.clear();
+  list.g.clear();
 }
 
 template <int dim>
-void RowMatrix::push(const std::span<const std::uint32_t> in_row, const std::span<const Vector<dim>> g,
+void RowMatrix::push(const std::span<const std::uint32_t> bodies, const std::span<const Vector<dim>> g,
                      const double c) {
   if (!(c >= 0.)) throw std::logic_error("a row of the matrix of motion with a negative coefficient");
   const double root = std::sqrt(c);
-  DoubleRow sum{};
-  list.body.insert(list.body.end(), in_row.begin(), in_row.end());
-  list.entries.resize(list.body.size());
-  BodyVector *entry = list.entries.data() + list.first.back();
-  for (std::size_t k = 0; k < in_row.size(); ++k, ++entry) {
+  list.body.insert(list.body.end(), bodies.begin(), bodies.end());
+  list.g.resize(list.body.size());
+  BodyVector *entry = list.g.data() + list.first.back();
+  for (std::size_t k = 0; k < bodies.size(); ++k, ++entry) {
     DoubleRow row{};
     for (int d = 0; d < dim; ++d) row[d] = root * g[k][d];
     entry->v = row;
-    sum += row;
   }
-  list.common.push_back({sum});
-  list.first.push_back(std::uint32_t(list.entries.size()));
+  list.first.push_back(std::uint32_t(list.g.size()));
 }
 
-void RowMatrix::sort(const std::size_t bodies_) {
-  bodies = bodies_;
-  std::vector<std::uint32_t> &first_of = list.first_of;
-  exact_number.resize(list.rows());
+void RowMatrix::sort(const std::size_t bodies, const PushedLinks *links, const unsigned int threads) {
+  blocks.build(list, links, bodies, threads);
+  find_long(bodies);
+}
+
+void RowMatrix::find_long(const std::size_t bodies) {
+  long_rows.clear();
+  along.clear();
   first_of.assign(bodies + 1, 0);
-  for (const std::uint32_t i : list.body)
-    if (i < bodies) ++first_of[i + 1];
-  for (std::size_t i = 0; i < bodies; ++i) first_of[i + 1] += first_of[i];
-  list.row_of.resize(first_of[bodies]);
-  list.of_body.resize(first_of[bodies]);
-  std::vector<std::uint32_t> next(first_of.begin(), first_of.end());
   for (std::uint32_t r = 0; r < list.rows(); ++r) {
+    if (list.is_short(r)) continue;
+    LongRow row{list.first[r], list.first[r + 1], along.size(), {}};
+    for (std::uint32_t k = row.first; k < row.last; ++k) {
+      row.common += list.g[k].v;
+      along.push_back(floats(list.g[k].v));
+      if (list.body[k] < bodies) ++first_of[list.body[k] + 1];
+    }
+    along[row.along] = floats(row.common);
+    long_rows.push_back(row);
+  }
+  exact_number.resize(long_rows.size());
+  number.resize(long_rows.size());
+  for (std::size_t i = 0; i < bodies; ++i) first_of[i + 1] += first_of[i];
+  row_of.resize(first_of[bodies]);
+  of_body.resize(first_of[bodies]);
+  std::vector<std::uint32_t> next(first_of.begin(), first_of.end());
+  for (std::uint32_t r = 0; r < long_rows.size(); ++r) {
     DoubleRow others{};  // with G as it was rounded a common velocity costs what G says, no more
-    for (std::uint32_t k = list.first[r + 1]; k-- > list.first[r];) {
-      if (k == list.first[r]) list.entries[k].v = list.common[r].v - others;
-      const DoubleRow g = list.entries[k].v;
+    for (std::uint32_t k = long_rows[r].last; k-- > long_rows[r].first;) {
+      const DoubleRow g = k == long_rows[r].first ? long_rows[r].common - others : list.g[k].v;
       others += g;
       if (list.body[k] >= bodies) continue;
       const std::uint32_t at = next[list.body[k]]++;
-      list.row_of[at] = r;
-      list.of_body[at].v = g;
+      row_of[at] = r;
+      of_body[at].v = g;
     }
   }
-}
-
-void RowMatrix::place(const PushedLinks *links, const unsigned int threads) {
-  blocks.build(list, links, bodies, threads);
-  place_long();
-}
-
-void RowMatrix::place_long() {
-  long_rows.clear();
-  along.clear();
-  first_entry.assign(1, 0);
-  for (std::uint32_t r = 0; r < list.rows(); ++r) {
-    if (list.is_short(r)) continue;
-    long_rows.push_back(r);
-    for (std::uint32_t k = list.first[r]; k < list.first[r + 1]; ++k)
-      along.push_back(floats(k == list.first[r] ? list.common[r].v : list.entries[k].v));
-    first_entry.push_back(std::uint32_t(along.size()));
-  }
-  number.assign(long_rows.size(), 0.f);
   const std::size_t eights = (bodies + width - 1) / width;
   first_of_eight.assign(eights + 1, 0);
   by_body.clear();
   for (std::size_t e = 0; e < eights && !long_rows.empty(); ++e) {
-    std::vector<std::uint32_t> of[width];  // its entries in long rows
-    std::size_t most = 0;
-    for (std::size_t i = e * width; i < std::min(bodies, (e + 1) * width); ++i) {
-      for (std::uint32_t k = list.first_of[i]; k < list.first_of[i + 1]; ++k)
-        if (!list.is_short(list.row_of[k])) of[i % width].push_back(k);
-      most = std::max(most, of[i % width].size());
-    }
-    for (std::size_t k = 0; k < most; ++k) {
+    std::uint32_t most = 0;
+    for (std::size_t i = e * width; i < std::min(bodies, (e + 1) * width); ++i)
+      most = std::max(most, first_of[i + 1] - first_of[i]);
+    for (std::uint32_t k = 0; k < most; ++k) {
       EightEntries &one = by_body.emplace_back();
       one.g = columns([&](const int lane) {
-        const std::vector<std::uint32_t> &own = of[lane];
-        if (k >= own.size()) return FloatRow{};
-        const auto row = std::lower_bound(long_rows.begin(), long_rows.end(), list.row_of[own[k]]);
-        one.row[std::size_t(lane)] = std::uint32_t(row - long_rows.begin());
-        return floats(list.of_body[own[k]].v);
+        const std::size_t i = width * e + std::size_t(lane);
+        if (i >= bodies || first_of[i] + k >= first_of[i + 1]) return FloatRow{};
+        one.row[std::size_t(lane)] = row_of[first_of[i] + k];
+        return floats(of_body[first_of[i] + k].v);
       });
     }
     first_of_eight[e + 1] = std::uint32_t(by_body.size());
@@ -110,32 +101,30 @@ void RowMatrix::place_long() {
 
 void RowMatrix::begin(const FloatRow *p, const unsigned int threads) {
   for_chunks(threads, Chunks(long_rows.size(), 4), [&](std::size_t from, std::size_t to) {
-    for (std::size_t k = from; k < to; ++k) number[k] = number_of_long(k, p);
+    for (std::size_t r = from; r < to; ++r) number[r] = number_of(long_rows[r], p);
   });
 }
 
-float RowMatrix::number_of_long(const std::size_t k, const FloatRow *p) const {
+float RowMatrix::number_of(const LongRow &row, const FloatRow *p) const {
   constexpr std::size_t together = 4;  // sums that do not wait for each other
-  const std::uint32_t *body = list.body.data() + list.first[long_rows[k]];
-  const FloatRow *g = along.data() + first_entry[k], base = p[body[0]];
-  const std::size_t count = first_entry[k + 1] - first_entry[k];
+  const std::uint32_t *body = list.body.data() + row.first;
+  const FloatRow *g = along.data() + row.along, base = p[body[0]];
+  const std::size_t count = row.last - row.first;
   FloatRow sum[together] = {g[0] * base};
-  std::size_t m = 1;
-  for (; m + together <= count; m += together)
-    for (std::size_t s = 0; s < together; ++s) sum[s] += g[m + s] * (p[body[m + s]] - base);
-  for (; m < count; ++m) sum[0] += g[m] * (p[body[m]] - base);
+  std::size_t k = 1;
+  for (; k + together <= count; k += together)
+    for (std::size_t s = 0; s < together; ++s) sum[s] += g[k + s] * (p[body[k + s]] - base);
+  for (; k < count; ++k) sum[0] += g[k] * (p[body[k]] - base);
   const FloatRow all = (sum[0] + sum[1]) + (sum[2] + sum[3]);
   return (all[0] + all[1]) + all[2];
 }
 
 void RowMatrix::begin(const BodyVector *v, const unsigned int threads) {
-  for_chunks(threads, rows_of(exact_number.size()), [&](std::size_t from, std::size_t to) {
+  for_chunks(threads, Chunks(long_rows.size(), 4), [&](std::size_t from, std::size_t to) {
     for (std::size_t r = from; r < to; ++r) {
-      std::uint32_t k = list.first[r];
-      const DoubleRow base = v[list.body[k]].v;
-      DoubleRow sum = list.common[r].v * base;
-      for (++k; k < list.first[r + 1]; ++k) sum += list.entries[k].v * (v[list.body[k]].v - base);
-      exact_number[r] = number_of(sum);
+      const LongRow &row = long_rows[r];
+      exact_number[r] = exact_number_of(list.body.data() + row.first, list.g.data() + row.first,
+                                        row.last - row.first, row.common, v);
     }
   });
 }
@@ -162,23 +151,39 @@ void RowMatrix::add(const FloatRow *p, const std::size_t begin, const std::size_
   }
 }
 
-void RowMatrix::add(const BodyVector *, const std::size_t begin, const std::size_t end,
+void RowMatrix::add(const BodyVector *v, const std::size_t begin, const std::size_t end,
                     BodyVector *product) const {
+  blocks.add(v, begin, end, product);
   for (std::size_t i = begin; i < end; ++i)
-    for (std::uint32_t k = list.first_of[i]; k < list.first_of[i + 1]; ++k)
-      product[i - begin].v += exact_number[list.row_of[k]] * list.of_body[k].v;
+    for (std::uint32_t k = first_of[i]; k < first_of[i + 1]; ++k)
+      product[i - begin].v += exact_number[row_of[k]] * of_body[k].v;
 }
 
-double RowMatrix::power(const BodyVector *, std::size_t) const {
+double RowMatrix::power(const BodyVector *v, std::size_t) const {
   double total = 0.;
-  for (const double one : exact_number) total += one * one;
+  for (std::size_t r = 0; r < list.rows(); ++r) {
+    DoubleRow common{};
+    for (std::uint32_t k = list.first[r]; k < list.first[r + 1]; ++k) common += list.g[k].v;
+    const double one = exact_number_of(list.body.data() + list.first[r], list.g.data() + list.first[r],
+                                       list.length(r), common, v);
+    total += one * one;
+  }
   return total;
 }
 
 void RowMatrix::add_blocks(const std::size_t begin, const std::size_t end, Block *to) const {
+  blocks.add_diagonal(begin, end, to);
   for (std::size_t i = begin; i < end; ++i)
-    for (std::uint32_t k = list.first_of[i]; k < list.first_of[i + 1]; ++k)
-      to[i - begin].add(list.of_body[k].v, list.of_body[k].v);
+    for (std::uint32_t k = first_of[i]; k < first_of[i + 1]; ++k) {
+      const DoubleRow g = of_body[k].v;
+      Block &block = to[i - begin];
+      block.xx += g[0] * g[0];
+      block.xy += g[0] * g[1];
+      block.xz += g[0] * g[2];
+      block.yy += g[1] * g[1];
+      block.yz += g[1] * g[2];
+      block.zz += g[2] * g[2];
+    }
 }
 
 void RowMatrix::connect(const std::function<void(std::uint32_t, std::uint32_t)> &join) const {
@@ -188,8 +193,11 @@ void RowMatrix::connect(const std::function<void(std::uint32_t, std::uint32_t)> 
 }
 
 std::size_t RowMatrix::memory_bytes() const {
-  return list.memory_bytes() + blocks.memory_bytes() + 8 * exact_number.capacity() +
-         4 * (long_rows.capacity() + first_entry.capacity() + number.capacity() + first_of_eight.capacity()) +
+  return blocks.memory_bytes() +
+         4 * (list.first.capacity() + list.body.capacity() + number.capacity() + first_of.capacity() +
+              row_of.capacity() + first_of_eight.capacity()) +
+         sizeof(BodyVector) * (list.g.capacity() + of_body.capacity()) +
+         sizeof(LongRow) * long_rows.capacity() + 8 * exact_number.capacity() +
          sizeof(FloatRow) * along.capacity() + sizeof(EightEntries) * by_body.capacity();
 }
 

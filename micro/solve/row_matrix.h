@@ -10,10 +10,10 @@
 // where a common velocity costs nothing G is 0 to round-off, and it drops out before anything is rounded to
 // single precision.
 //
-// The exact product is made in two sweeps: the number of each row, in parallel over rows; then each body
-// gathers from the rows it is in, in their order. In single precision short rows are blocks of two bodies
-// (row_blocks.h), which the links that were pushed join; long ones go in two sweeps, 16 bytes an entry in
-// each.
+// Short rows are made into blocks of two bodies (row_blocks.h), together with the links that were pushed. The
+// product of a long one is made in two sweeps: its number, then each body gathers from the rows it is in, in
+// their order; in single precision eight bodies one after another in memory go side by side, 16 bytes an
+// entry in each sweep.
 #pragma once
 
 #include "micro/solve/own_product.h"
@@ -30,17 +30,16 @@ class RowMatrix final : public OwnProduct {
   /// bodies: at least one; g: as many; c >= 0.
   template <int dim>
   void push(std::span<const std::uint32_t> bodies, std::span<const Vector<dim>> g, double c);
-  /// By bodies [0, bodies); once, when all have been pushed.
-  void sort(std::size_t bodies);
-  /// What products in single precision want, links included (null: none): A p is that of both. After sort().
-  void place(const PushedLinks *links, unsigned int threads);
+  /// By bodies [0, bodies), with links (null: none), of which all products here are then those of both; once,
+  /// when all have been pushed.
+  void sort(std::size_t bodies, const PushedLinks *links, unsigned int threads);
   bool empty() const { return list.rows() == 0; }
 
   void begin(const FloatRow *p, unsigned int threads) override;
   void begin(const BodyVector *v, unsigned int threads) override;
   void add(const FloatRow *p, std::size_t begin, std::size_t end, FloatRow *product) const override;
   void add(const BodyVector *v, std::size_t begin, std::size_t end, BodyVector *product) const override;
-  double power(const BodyVector *v, std::size_t bodies) const override;
+  double power(const BodyVector *v, std::size_t bodies) const override;  ///< of the rows alone
   void add_blocks(std::size_t begin, std::size_t end, Block *blocks) const override;
   void connect(const std::function<void(std::uint32_t, std::uint32_t)> &join) const override;
 
@@ -53,18 +52,23 @@ class RowMatrix final : public OwnProduct {
     Eight g;
     std::array<std::uint32_t, width> row{};
   };
-  void place_long();
-  float number_of_long(std::size_t k, const FloatRow *p) const;
+  struct LongRow {
+    std::uint32_t first, last;  ///< its entries in the list
+    std::size_t along;          ///< the first of its vectors in single precision
+    DoubleRow common;           ///< sqrt(c) G
+  };
+  void find_long(std::size_t bodies);
+  float number_of(const LongRow &row, const FloatRow *p) const;
 
   RowList list;
-  std::size_t bodies = 0;
-  std::vector<double> exact_number;  ///< of each row
   RowBlocks blocks;
-  // long rows in single precision
-  std::vector<std::uint32_t> long_rows;
-  std::vector<std::uint32_t> first_entry;  ///< of each of them in `along`
-  std::vector<FloatRow> along;             ///< their vectors; of the first body G
+  std::vector<LongRow> long_rows;
+  std::vector<double> exact_number;  ///< of each of them
   std::vector<float> number;
+  std::vector<FloatRow> along;  ///< their vectors one after another; of the first body G
+  // by bodies: the long rows that a body is in, and its own vector in each (of the first body g_0, not G)
+  std::vector<std::uint32_t> first_of, row_of;
+  std::vector<BodyVector> of_body;
   std::vector<std::uint32_t> first_of_eight;  ///< of eight bodies in by_body
   std::vector<EightEntries> by_body;
 };

@@ -233,7 +233,7 @@ BOOST_DATA_TEST_CASE(one_pass_gives_the_matrix_and_the_residual,
   LinkMatrix matrix;
   const SphereLinks links(contacts, friction);
   std::vector<Eight> r, Ax;
-  const double square = matrix.assemble({{&links}, nullptr, gamma, nullptr, {{}, forces.data()}, v}, r, 1);
+  const double square = matrix.assemble({&links}, gamma, nullptr, {{}, forces.data()}, v, r, 1);
   const Eigen::VectorXd rest = F - A * x, product = A * x;
   BOOST_TEST(square == rest.squaredNorm(), boost::test_tools::tolerance(1e-12));
   std::vector<FloatRow> rows(8 * matrix.eights());
