@@ -76,6 +76,10 @@ inline DoubleRow column_of(const double *square, const int d) {
   std::memcpy(&result, square + 3 * d, sizeof result);
   return result;
 }
+/// Its fourth number goes to where the next column begins, which is set after it.
+inline void set_column(double *square, const int d, const DoubleRow column) {
+  std::memcpy(square + 3 * d, &column, sizeof column);
+}
 }  // namespace
 
 void RowBlocks::build(const RowList &list, const PushedLinks *links, const std::size_t bodies_,
@@ -165,8 +169,7 @@ void RowBlocks::fill(Part &part, const std::size_t begin, const std::size_t end,
     if (links != nullptr) links->links_of(begin + i, linked);
     for (std::uint32_t k = 1; k < count; ++k) sums[0].add(sums[k]);
     for (std::uint32_t k = 0; k < count; ++k)
-      for (std::size_t d = 0; d < 3; ++d)
-        for (std::size_t a = 0; a < 3; ++a) part.exact[first + k].number[3 * d + a] = sums[k].column[d][a];
+      for (int d = 0; d < 3; ++d) set_column(part.exact[first + k].number.data(), d, sums[k].column[d]);
   }
   for (std::size_t e = 0; e + 1 < part.first_eight.size(); ++e)
     for (std::uint32_t k = 0; k < part.first_eight[e + 1] - part.first_eight[e]; ++k) {

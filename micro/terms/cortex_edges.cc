@@ -12,20 +12,24 @@ CortexEdges<Spring>::CortexEdges(std::shared_ptr<CellSurfaces> surfaces_, const 
                                  const double gamma_)
     : surfaces(std::move(surfaces_)), spring(spring_), gamma(gamma_) {}
 
-template <class Spring>
-double CortexEdges<Spring>::natural(const std::size_t edge) const {
-  return surfaces->edge_table.column("rest_length")[edge] + surfaces->edge_table.column("flowed")[edge];
-}
+namespace {
+/// Lengths without tension: columns are looked for by their names, once for all edges.
+struct NaturalLengths {
+  const std::vector<double> &rest, &flowed;
+  explicit NaturalLengths(const CellSurfaces &surfaces)
+      : rest(surfaces.edge_table.column("rest_length")), flowed(surfaces.edge_table.column("flowed")) {}
+  double operator()(const std::size_t edge) const { return rest[edge] + flowed[edge]; }  ///< m
+};
+}  // namespace
 
 template <class Spring>
 void CortexEdges<Spring>::add_forces(Particles<3> &particles, const Box<3> &, const std::size_t group) {
-  const std::vector<double> &rest = surfaces->edge_table.column("rest_length"),
-                            &flowed = surfaces->edge_table.column("flowed");
+  const NaturalLengths natural(*surfaces);
   const auto [begin, end] = surfaces->edges_of(group);
   for (std::uint32_t k = begin; k < end; ++k) {
     const auto &[a, b, c, d] = surfaces->edges[k];
     const Vector<3> r = particles.position(b) - particles.position(a);
-    const double l = r.norm(), l0 = rest[k] + flowed[k];
+    const double l = r.norm(), l0 = natural(k);
     if (!spring.holds(l, l0))
       throw StepTooLong(
           "an edge of a cell's cortex has become longer than its springs allow: smaller steps, or less that "
@@ -38,13 +42,12 @@ void CortexEdges<Spring>::add_forces(Particles<3> &particles, const Box<3> &, co
 
 template <class Spring>
 void CortexEdges<Spring>::collect(MotionMatrix &matrix, const Particles<3> &particles, const double h) {
-  const std::vector<double> &rest = surfaces->edge_table.column("rest_length"),
-                            &flowed = surfaces->edge_table.column("flowed");
+  const NaturalLengths natural(*surfaces);
   if (gamma == 0. && h == 0.) return;
   for (std::size_t k = 0; k < surfaces->edges.size(); ++k) {
     const auto &[a, b, c, d] = surfaces->edges[k];
     const Vector<3> r = particles.position(b) - particles.position(a);
-    const double l = r.norm(), l0 = rest[k] + flowed[k];
+    const double l = r.norm(), l0 = natural(k);
     if (h == 0.)
       matrix.link<3>(a, b, r / l, gamma, 0.);
     else
@@ -57,6 +60,7 @@ template <class Spring>
 double CortexEdges<Spring>::energy(const Particles<3> &particles, const Box<3> &,
                                    const std::size_t group) const {
   double total = 0.;
+  const NaturalLengths natural(*surfaces);
   const auto [begin, end] = surfaces->edges_of(group);
   for (std::uint32_t k = begin; k < end; ++k)
     total += spring.energy(
@@ -69,7 +73,18 @@ template <class Spring>
 double CortexEdges<Spring>::tension(const Particles<3> &particles, const std::size_t edge) const {
   return spring.force(
       (particles.position(surfaces->edges[edge].b) - particles.position(surfaces->edges[edge].a)).norm(),
-      natural(edge));
+      NaturalLengths(*surfaces)(edge));
+}
+
+template <class Spring>
+std::vector<double> CortexEdges<Spring>::tensions(const Particles<3> &particles) const {
+  const NaturalLengths natural(*surfaces);
+  std::vector<double> result(surfaces->edges.size());
+  for (std::size_t k = 0; k < result.size(); ++k)
+    result[k] = spring.force(
+        (particles.position(surfaces->edges[k].b) - particles.position(surfaces->edges[k].a)).norm(),
+        natural(k));
+  return result;
 }
 
 template <class Spring>
@@ -91,9 +106,10 @@ double CortexEdges<Spring>::flow(const Particles<3> &particles, const double gam
                                  const double dt) requires std::is_same_v<Spring, LinearSpring> {
   const double rest = std::exp(-spring.k * dt / gamma_series);
   std::vector<double> &flowed = surfaces->edge_table.column("flowed");
+  const std::vector<double> tension = tensions(particles);
   double heat = 0.;
   for (std::size_t k = 0; k < surfaces->edges.size(); ++k) {
-    const double stretched = tension(particles, k) / spring.k;
+    const double stretched = tension[k] / spring.k;
     flowed[k] += (1. - rest) * stretched;
     heat += 0.5 * spring.k * (1. - rest * rest) * stretched * stretched;
   }

@@ -36,6 +36,8 @@ class CortexEdges final : public Term<3> {
   double energy(const Particles<3> &particles, const Box<3> &box, std::size_t group) const override;
 
   double tension(const Particles<3> &particles, std::size_t edge) const;  ///< N, of the spring
+  /// N, of each edge: many of them cost less than one by one.
+  std::vector<double> tensions(const Particles<3> &particles) const;
   /// W, what the dashpots turn into heat at the particles' velocities.
   double dissipation(const Particles<3> &particles, std::size_t group) const;
   void set_dashpots(const double value) { gamma = value; }  ///< N s/m
@@ -46,8 +48,6 @@ class CortexEdges final : public Term<3> {
               double dt) requires std::is_same_v<Spring, LinearSpring>;
 
  private:
-  double natural(const std::size_t edge) const;  ///< m, length without tension
-
   std::shared_ptr<CellSurfaces> surfaces;
   Spring spring;
   double gamma;
@@ -62,10 +62,10 @@ template <class Spring>
 std::vector<double> in_plane_stress(const CellSurfaces &surfaces, const CortexEdges<Spring> &edges,
                                     const Particles<3> &particles) {
   std::vector<double> stress(particles.size(), 0.), count(particles.size(), 0.);
+  const std::vector<double> tensions = edges.tensions(particles);
   for (std::size_t k = 0; k < surfaces.edges.size(); ++k) {
     const auto &[a, b, c, d] = surfaces.edges[k];
-    const double share =
-        std::sqrt(3.) * edges.tension(particles, k) / (particles.position(b) - particles.position(a)).norm();
+    const double share = std::sqrt(3.) * tensions[k] / (particles.position(b) - particles.position(a)).norm();
     for (const std::uint32_t node : {a, b}) {
       stress[node] += share;
       ++count[node];
