@@ -42,7 +42,8 @@ void TissueBruise::run(RunContext &context) {
   context.result("density", rve->density(), "kg/m^3");
   context.note("rve", word_of(rve_parameters.rule) + ", " + word_of(rve_parameters.fluid) + " fluid, " +
                           number_text(rve_parameters.columns) + " x " + number_text(rve_parameters.rows) +
-                          " cells, yielding " + word_of(rve_parameters.yielding));
+                          rve_parameters.structure.words() + " cells, yielding " +
+                          word_of(rve_parameters.yielding));
   const ToolParameters &tool = settings.tissue.tool;
   context.note("tool", word_of(tool.shape) + ", " + word_of(tool.motion));
   if (tool.shape == ToolShape::cylinder) context.result("tool_radius", tool.radius, "m");

@@ -51,7 +51,7 @@ void TissueGravity::run(RunContext &context) {
   context.result("body_force", settings.tissue.body_force.norm(), "m/s^2");
   context.note("rve", word_of(rve_parameters.rule) + ", " + word_of(rve_parameters.fluid) + " fluid, " +
                           number_text(rve_parameters.columns) + " x " + number_text(rve_parameters.rows) +
-                          " cells");
+                          rve_parameters.structure.words() + " cells");
   if (const double left = rve_parameters.equilibrium_tolerance() * rve_parameters.cell.turgor;
       rve_parameters.rule == RveRule::elastic_equilibrium && rve_parameters.fluid == RveFluid::hydrostatic &&
       load > 0. && left > 1e-3 * load)

@@ -91,8 +91,9 @@ void write_cell_displacement(RunContext &context, const Tissue<2> &tissue,
     }
 }
 
-RveOutlines::RveOutlines(RunContext &context, const Tissue<2> &tissue, unsigned int how_many,
-                         const std::vector<std::array<double, 2>> &places) {
+RveOutlines::RveOutlines(RunContext &context, const Tissue<2> &tissue, const Tensor2<2> &lattice,
+                         unsigned int how_many, const std::vector<std::array<double, 2>> &places)
+    : oblique(lattice(0, 1) != 0. || lattice(1, 0) != 0.) {
   const std::vector<Point<2>> &points = tissue.quadrature_points();
   for (const auto &place : places) {
     if (chosen.size() == how_many) break;
@@ -102,21 +103,15 @@ RveOutlines::RveOutlines(RunContext &context, const Tissue<2> &tissue, unsigned 
       if (points[p].distance_square(target) < points[nearest].distance_square(target)) nearest = p;
     if (std::find(chosen.begin(), chosen.end(), nearest) == chosen.end()) chosen.push_back(nearest);
   }
-  table = context.series("rve_outlines", {{"time", "s"},
-                                          {"rve", ""},
-                                          {"ring", ""},
-                                          {"point_x", "m"},
-                                          {"point_y", "m"},
-                                          {"F_xx", "1"},
-                                          {"F_xy", "1"},
-                                          {"F_yx", "1"},
-                                          {"F_yy", "1"},
-                                          {"period_x", "m"},
-                                          {"period_y", "m"},
-                                          {"pressure", "Pa"},
-                                          {"stress_xy", "Pa"},
-                                          {"x", "m"},
-                                          {"y", "m"}});
+  std::vector<Column> columns = {
+      {"time", "s"}, {"rve", ""}, {"ring", ""}, {"point_x", "m"}, {"point_y", "m"}};
+  for (const char *component : {"F_xx", "F_xy", "F_yx", "F_yy"}) columns.push_back({component, "1"});
+  for (const char *component : {"period_x", "period_y"}) columns.push_back({component, "m"});
+  for (const char *name : {"pressure", "stress_xy"}) columns.push_back({name, "Pa"});
+  for (const char *name : {"x", "y"}) columns.push_back({name, "m"});
+  if (oblique)
+    for (const char *component : {"period_xy", "period_yx"}) columns.push_back({component, "m"});
+  table = context.series("rve_outlines", columns);
 }
 
 void RveOutlines::write(const Tissue<2> &tissue, const RveLaw<2> &law, const Rve<2> &rve) {
@@ -127,10 +122,25 @@ void RveOutlines::write(const Tissue<2> &tissue, const RveLaw<2> &law, const Rve
     const Point<2> at = points[chosen[k]] + tissue.displacement_at(points[chosen[k]]);
     const auto rings = rve.outlines(state);
     for (std::size_t ring = 0; ring < rings.size(); ++ring)
-      for (const Vector<2> &x : rings[ring])
-        table->add_row({tissue.time(), double(chosen[k]), double(ring), at[0], at[1], state.F(0, 0),
-                        state.F(0, 1), state.F(1, 0), state.F(1, 1), rve.lattice()(0, 0), rve.lattice()(1, 1),
-                        law.pressure()[chosen[k]], law.cauchy_stress()[chosen[k]](0, 1), x[0], x[1]});
+      for (const Vector<2> &x : rings[ring]) {
+        std::vector<double> row = {tissue.time(),
+                                   double(chosen[k]),
+                                   double(ring),
+                                   at[0],
+                                   at[1],
+                                   state.F(0, 0),
+                                   state.F(0, 1),
+                                   state.F(1, 0),
+                                   state.F(1, 1),
+                                   rve.lattice()(0, 0),
+                                   rve.lattice()(1, 1),
+                                   law.pressure()[chosen[k]],
+                                   law.cauchy_stress()[chosen[k]](0, 1),
+                                   x[0],
+                                   x[1]};
+        if (oblique) row.insert(row.end(), {rve.lattice()(0, 1), rve.lattice()(1, 0)});
+        table->add_row(row);
+      }
   }
 }
 }  // namespace turgor

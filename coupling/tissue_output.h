@@ -26,17 +26,20 @@ void write_cell_displacement(RunContext &context, const Tissue<2> &tissue,
                              const std::array<unsigned int, 2> &cells, double period, unsigned int samples);
 
 /// rve_outlines.csv: rings of points (m) of the RVEs nearest to some places of the piece, with their
-/// quadrature point (m, deformed), F, period (m), fluid pressure and shear stress (Pa); one block a call.
+/// quadrature point (m, deformed), F, periods (m; all four components where they are oblique), fluid pressure
+/// and shear stress (Pa); one block a call.
 class RveOutlines {
  public:
-  /// places: shares of width and height, the most telling first; how_many of them, none twice.
-  RveOutlines(RunContext &context, const Tissue<2> &tissue, unsigned int how_many,
+  /// lattice: m, of the RVEs; places: shares of width and height, the most telling first; how_many of them,
+  /// none twice.
+  RveOutlines(RunContext &context, const Tissue<2> &tissue, const Tensor2<2> &lattice, unsigned int how_many,
               const std::vector<std::array<double, 2>> &places);
 
   /// The committed state. Collective.
   void write(const Tissue<2> &tissue, const RveLaw<2> &law, const Rve<2> &rve);
 
  private:
+  bool oblique;  ///< the RVEs' periods are not those of x and y
   std::vector<std::size_t> chosen;
   std::unique_ptr<Series> table;
 };

@@ -150,7 +150,9 @@ Outputs outline_table() {
              {"point_x", "m", "Present place of the quadrature point along x."},
              {"point_y", "m", "Present place of the quadrature point along y."},
              {"F_*", "1", "That component (row, column) of the deformation gradient at the point."},
-             {"period_*", "m", "Length of the RVE along that direction in the undeformed state."},
+             {"period_*", "m",
+              "Period of the undeformed RVE: of the first along x, of the second along y, and where they are "
+              "oblique the other components (component, period)."},
              {"pressure", "Pa", "Mean pressure of the fluid in the RVE."},
              {"stress_xy", "Pa", "Shear component of the Cauchy stress of the RVE."},
              {"x", "m", "Place of the wall's corner inside the RVE along x."},

@@ -40,7 +40,7 @@ void TissueCourse::go() {
   const bool resumed = context.load_checkpoint([this](Archive &a) { archive(a, memory); });
   observer.open(context, tissue);
   open_series();
-  outlines.emplace(context, tissue, settings.outlined_rves, observer.places());
+  outlines.emplace(context, tissue, rve.lattice(), settings.outlined_rves, observer.places());
   try {
     fields.emplace(
         context, "tissue", resumed, [this] { return tissue_frame(tissue, law); },

@@ -30,6 +30,9 @@ def read_rves(path, time):
         rows = table["rve"] == number
         first = np.flatnonzero(rows)[0]
         F = np.array([[table[f"F_{a}{b} [1]"][first] for b in "xy"] for a in "xy"])
+        lattice = np.diag([table["period_x [m]"][first], table["period_y [m]"][first]])
+        if "period_xy [m]" in table:  # rows of cells that are moved, or cells that are turned
+            lattice[0, 1], lattice[1, 0] = table["period_xy [m]"][first], table["period_yx [m]"][first]
         rings = []
         for ring in np.unique(table["ring"][rows]):
             pick = rows & (table["ring"] == ring)
@@ -38,7 +41,8 @@ def read_rves(path, time):
             dict(
                 at=np.array([table["point_x [m]"][first], table["point_y [m]"][first]]),
                 F=F,
-                periods=F @ np.diag([table["period_x [m]"][first], table["period_y [m]"][first]]),
+                periods=F @ lattice,
+                square_grid=np.isclose(*np.diag(lattice)) and "period_xy [m]" not in table,
                 pressure=table["pressure [Pa]"][first],
                 shear_stress=table["stress_xy [Pa]"][first],
                 rings=rings,
@@ -128,7 +132,9 @@ def picture(directory):
     axis = figure.add_axes([0.22, 0.33, 0.53, 0.60])
     # The mean of each element as it is: smoothed over its neighbours it would be far off the stress of the cells beside it.
     axis.add_collection(PolyCollection(points[cells] * 1e3, array=shear, cmap=colours, norm=norm, edgecolor="face", linewidth=0.3, zorder=2))
-    period = np.linalg.norm(np.linalg.solve(rves[0]["F"], rves[0]["periods"][:, 0])) if rves else np.inf
+    # Only square cells as they lie have borders that are the same lines everywhere.
+    square = bool(rves) and rves[0]["square_grid"]
+    period = np.linalg.norm(np.linalg.solve(rves[0]["F"], rves[0]["periods"][:, 0])) if square else np.inf
     if np.isfinite(period):
         curves = [c * 1e3 for c in cell_lines(reference, points, period)]
         axis.add_collection(LineCollection(curves, colors=INK, linewidths=0.45, alpha=0.8, zorder=3))

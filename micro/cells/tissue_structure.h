@@ -45,6 +45,8 @@ struct TissueStructure {
   Tiling given() const;
 
   bool square() const { return kind == StructureKind::square; }
+  /// " brick", " hexagon" ...: how to call such cells in a sentence; nothing of square ones.
+  std::string words() const { return square() ? "" : " " + word_of(kind); }
 
   /// Declares the entries above in the current subsection of prm.
   void add_parameters(InputEntries &prm);

@@ -12,7 +12,9 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string>
 #include <thread>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -93,6 +95,36 @@ BOOST_AUTO_TEST_CASE(same_bits_on_threads_ranks_and_after_kill) { same_bits("");
 
 BOOST_AUTO_TEST_CASE(same_bits_with_certified_skipping) {
   same_bits("--set 'Skipping/Skipping=certified' --set 'Skipping/Audit share=0.05'");
+}
+
+// Rows of bricks are moved by half a cell, so the second period of their RVE is oblique: who draws it needs
+// all four components. By hand: half the first period.
+BOOST_AUTO_TEST_CASE(bricks_tell_their_oblique_periods) {
+  const Folder folder;
+  const fs::path made = folder.path / "bricks";
+  const int status =
+      std::system(command(made, "--set Structure/Structure=brick --set 'Time/End time=3e-6'").c_str());
+  BOOST_TEST(status == 0, read(folder.path / "bricks.log"));
+  std::istringstream lines(read(made / "rve_outlines.csv"));
+  const auto fields = [](const std::string &line) {
+    std::vector<std::string> all;
+    std::istringstream text(line);
+    for (std::string field; std::getline(text, field, ',');) all.push_back(field);
+    return all;
+  };
+  std::string line;
+  std::getline(lines, line);
+  const std::vector<std::string> names = fields(line);
+  std::getline(lines, line);
+  const std::vector<std::string> values = fields(line);
+  const auto value = [&](const std::string &name) {
+    for (std::size_t k = 0; k < names.size(); ++k)
+      if (names[k].find(name + " ") != std::string::npos) return std::stod(values[k]);
+    BOOST_FAIL("no column " << name);
+    return 0.;
+  };
+  BOOST_TEST(value("period_xy") == 0.5 * value("period_x"), boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(value("period_yx") == 0.);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
