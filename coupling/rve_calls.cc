@@ -37,8 +37,10 @@ std::string RveCalls<dim>::call_one(const std::size_t p, const RveBatch<dim> &ba
                                     const RveRequest &request, PointStates<dim> &states) {
   std::string reason;
   try {
+    typename Rve<dim>::Workspace &workspace = *workspaces.local();
+    workspace.spare.swap(states.trial[p].unknowns);
     RveAnswer<dim> a = rve.evaluate(states.committed[p], to_eigen<dim>(batch.F[p]),
-                                    to_eigen<dim>(batch.F_dot[p]), request, *workspaces.local());
+                                    to_eigen<dim>(batch.F_dot[p]), request, workspace);
     batch.table.put(p, a);
     if (!a.diagnostics.converged)
       reason = a.diagnostics.message.empty() ? "did not converge." : a.diagnostics.message;

@@ -13,7 +13,6 @@ EquilibriumReport HydrostaticRve::find_equilibrium(const RveState<2> &committed,
   EquilibriumReport total;
   const auto attempt = [&](const Tensor2<2> &from, const std::vector<double> &start, const int steps) {
     Tensor2<2> last = from;
-    x = start;
     EquilibriumReport report;
     for (int s = 1; s <= steps; ++s) {
       // exactly F at the end, whatever round-off does to the interpolation
@@ -23,7 +22,7 @@ EquilibriumReport HydrostaticRve::find_equilibrium(const RveState<2> &committed,
         report.message = "The way to F in steps passes through det F <= 0.";
         return report;
       }
-      map(next * last.inverse(), x, scratch.positions);
+      map(next * last.inverse(), s == 1 ? start : x, scratch.positions);
       x.swap(scratch.positions);
       report = scratch.equilibrium.solve(x, next * H0, settings.equilibrium);
       total.iterations += report.iterations;

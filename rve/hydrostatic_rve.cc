@@ -147,6 +147,7 @@ RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor
 
   RveAnswer<2> answer;
   std::vector<double> &x = answer.trial.unknowns;
+  x.swap(scratch.spare);
   const Tensor2<2> H = F * network.layout().lattice;
   const NetworkEvaluation *e = &scratch.evaluation;
   if (relaxed) {

@@ -101,6 +101,10 @@ class Rve {
   /// Scratch memory of one thread; reused between calls, carries no state.
   struct Workspace {
     virtual ~Workspace() = default;
+
+    /// Of a state nobody needs any more: the next trial is written where it lay. Freeing and asking for
+    /// the memory of states that have left the cache costs more than the finite elements of a point.
+    std::vector<double> spare;
   };
 
   virtual ~Rve() = default;
