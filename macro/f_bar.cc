@@ -1,9 +1,38 @@
 #include "macro/f_bar.h"
 
 #include <cmath>
+#include <type_traits>
 
 namespace turgor {
 using dealii::Tensor;
+
+namespace {
+/// f + sum_a u_a (x) gradient_a, one node after another.
+template <int dim, typename Nodes>
+void add_gradient(const Nodes nodes, const Tensor<1, dim> *gradient, const double *u, Tensor<2, dim> &f) {
+  for (unsigned int a = 0; a < nodes; ++a)
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int d = 0; d < dim; ++d) f[c][d] += u[a * dim + c] * gradient[a][d];
+}
+
+/// force_a += P gradient_a
+template <int dim, typename Nodes>
+void add_divergence(const Nodes nodes, const Tensor<1, dim> *gradient, const Tensor<2, dim> &P,
+                    double *force) {
+  for (unsigned int a = 0; a < nodes; ++a)
+    for (unsigned int c = 0; c < dim; ++c) force[a * dim + c] += P[c] * gradient[a];
+}
+
+/// use(number of nodes), a constant of the compiler where it is that of (bi-, tri-) linear elements: their
+/// loops are short enough that counting costs as much as what is counted.
+template <int dim, typename Use>
+void with_nodes(const unsigned int nodes, const Use &use) {
+  if (nodes == 1u << dim)
+    use(std::integral_constant<unsigned int, (1u << dim)>());
+  else
+    use(nodes);
+}
+}  // namespace
 
 template <int dim>
 FBar<dim>::FBar(unsigned int nodes, unsigned int gauss_points, unsigned int points,
@@ -15,6 +44,7 @@ FBar<dim>::FBar(unsigned int nodes, unsigned int gauss_points, unsigned int poin
       F(points),
       F_inverse_T(points),
       J(points),
+      log_J(points),
       scale(gauss_points, 1.),
       dilation(points) {}
 
@@ -23,20 +53,21 @@ unsigned int FBar<dim>::set(const Tensor<1, dim> *gradient, const double *u) {
   for (unsigned int p = 0; p < n_points; ++p) {
     Tensor<2, dim> f;
     for (unsigned int d = 0; d < dim; ++d) f[d][d] = 1.;
-    for (unsigned int a = 0; a < n_nodes; ++a)
-      for (unsigned int c = 0; c < dim; ++c) f[c] += u[a * dim + c] * gradient[p * n_nodes + a];
+    with_nodes<dim>(n_nodes, [&](auto nodes) { add_gradient<dim>(nodes, gradient + p * nodes, u, f); });
     F[p] = f;
     J[p] = dealii::determinant(f);
     if (!(J[p] > 0.) || !std::isfinite(J[p])) return p;
     F_inverse_T[p] = dealii::transpose(dealii::invert(f));
   }
-  if (!A.empty())
+  if (!A.empty()) {
+    for (unsigned int p = 0; p < n_points; ++p) log_J[p] = std::log(J[p]);
     for (unsigned int q = 0; q < n_gauss; ++q) {
-      double log_ratio = -std::log(J[q]);
+      double log_ratio = -log_J[q];
       for (unsigned int p = 0; p < n_points; ++p)
-        if (A[q * n_points + p] != 0.) log_ratio += A[q * n_points + p] * std::log(J[p]);
+        if (A[q * n_points + p] != 0.) log_ratio += A[q * n_points + p] * log_J[p];
       scale[q] = std::exp(log_ratio / dim);
     }
+  }
   return static_cast<unsigned int>(F.size());
 }
 
@@ -46,8 +77,7 @@ void FBar<dim>::rate(const Tensor<1, dim> *gradient, const double *v, Tensor<2, 
   dF.resize(std::max<std::size_t>(dF.size(), n_points));
   for (unsigned int p = 0; p < n_points; ++p) {
     Tensor<2, dim> f;
-    for (unsigned int a = 0; a < n_nodes; ++a)
-      for (unsigned int c = 0; c < dim; ++c) f[c] += v[a * dim + c] * gradient[p * n_nodes + a];
+    with_nodes<dim>(n_nodes, [&](auto nodes) { add_gradient<dim>(nodes, gradient + p * nodes, v, f); });
     dF[p] = f;
     dilation[p] = dealii::scalar_product(F_inverse_T[p], f);
   }
@@ -74,8 +104,8 @@ void FBar<dim>::add_forces(const Tensor<1, dim> *gradient, const double *weight,
   for (unsigned int p = 0; p < n_points; ++p) {
     Tensor<2, dim> total = dilation[p] * F_inverse_T[p];
     if (p < n_gauss) total += weight[p] * scale[p] * P[p];
-    for (unsigned int a = 0; a < n_nodes; ++a)
-      for (unsigned int c = 0; c < dim; ++c) force[a * dim + c] += total[c] * gradient[p * n_nodes + a];
+    with_nodes<dim>(n_nodes,
+                    [&](auto nodes) { add_divergence<dim>(nodes, gradient + p * nodes, total, force); });
   }
 }
 

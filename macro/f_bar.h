@@ -50,7 +50,7 @@ class FBar {
   unsigned int n_nodes, n_gauss, n_points;
   std::vector<double> A;  // [gauss][point], empty: no projection
   std::vector<dealii::Tensor<2, dim>> F, F_inverse_T;
-  std::vector<double> J, scale, dilation;         // dilation: F^-T : dF, or its force, per point
+  std::vector<double> J, log_J, scale, dilation;  // dilation: F^-T : dF, or its force, per point
   std::vector<dealii::Tensor<2, dim>> direction;  // stiffness: dF_bar of each dof
   std::vector<double> theta;
 };
