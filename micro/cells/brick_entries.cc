@@ -1,5 +1,6 @@
 // Entries of an aggregate of bricks, and what of them goes together.
 #include "micro/cells/brick_tissue.h"
+#include "micro/cells/tissue_strip.h"
 #include "micro/cells/turgid_limit.h"
 #include "run/input_entries.h"
 
@@ -15,13 +16,20 @@ void BrickParameters::add_parameters(InputEntries &prm) {
   prm.add_parameter("Rows", rows, "Number of rows of cells from the lower to the upper plate. Units: none.",
                     Integer(1, 1000));
   prm.add_parameter(
-      "Jitter", jitter,
-      "Largest random displacement of a cell corner in x and in y over Cell/Period. Units: none.",
-      Double(0., 0.2));
+      "Sides", sides,
+      "What is beside the aggregate. free: nothing, it is a block of bricks. periodic: itself without end, a "
+      "strip cut out of the tissue of the subsection Structure, whose RVEs have the same cells; it keeps the "
+      "width of that tissue at turgor. widening: such a strip, whose width follows so that the mean stress "
+      "along x is zero, as slow loading between plates leaves it. Units: none.");
+  prm.add_parameter("Jitter", jitter,
+                    "Sides = free: largest random displacement of a cell corner in x and in y over "
+                    "Cell/Period; a strip has "
+                    "Structure/Corner jitter. Units: none.",
+                    Double(0., 0.2));
   prm.add_parameter("Gap", gap,
                     "Length without lamella ties at either end of a wall shared by two cells: 0 gives dense "
                     "tissue, more opens the "
-                    "spaces between three cells. Units: m.",
+                    "spaces between three cells; only with Sides = free. Units: m.",
                     Double(0., 1e-2));
   prm.add_parameter("Tissue seed", seed,
                     "Seed of the random displacements of Jitter: another one, another tissue. Units: none.",
@@ -54,12 +62,35 @@ void BrickParameters::add_parameters(InputEntries &prm) {
                     "times depth); 0: never. "
                     "Units: Pa.",
                     Double(0., 1e10));
+  prm.enter_subsection("Structure");
+  structure.add_parameters(prm);
+  prm.leave_subsection();
+}
+
+ParenchymaParameters BrickParameters::yielding_cell(const ParenchymaParameters &cell) const {
+  ParenchymaParameters yielding_cell = cell;
+  yielding_cell.wall_yield = yielding == Yielding::none ? WallYield{} : yield;
+  return yielding_cell;
 }
 
 NeoHookeanWall BrickParameters::wall_law(const ParenchymaParameters &cell) const {
-  ParenchymaParameters yielding_cell = cell;
-  yielding_cell.wall_yield = yielding == Yielding::none ? WallYield{} : yield;
-  return yielding_cell.wall_law();
+  return yielding_cell(cell).wall_law();
+}
+
+void BrickParameters::check_sides(const ParenchymaParameters &cell) const {
+  if (sides != TissueSides::free) {
+    check_strip(structure, yielding_cell(cell));
+    if (gap > 0.)
+      throw std::invalid_argument("Gap is not 0, but a strip (Sides = " + word_of(sides) +
+                                  ") is dense as its RVEs are: use Gap = 0, or Sides = free.");
+    return;
+  }
+  if (structure.kind != StructureKind::brick || structure.jitter > 0. || structure.rotation != 0. ||
+      structure.measured())
+    throw std::invalid_argument(
+        "The subsection Structure asks for other cells than bricks as they are laid, but with Sides = free "
+        "the "
+        "aggregate is a block of bricks (Jitter, Gap, Tissue seed): use Sides = periodic or widening.");
 }
 
 double BrickParameters::turgid_side(const ParenchymaParameters &cell) const {
@@ -75,6 +106,7 @@ void BrickParameters::check(const ParenchymaParameters &cell, const SphParameter
     (sentence << ... << parts);
     throw std::invalid_argument(sentence.str());
   };
+  check_sides(cell);
   const TurgidLimit limit = turgid_limit(wall_law(cell), round_cell, 4. * cell.period, cell.depth);
   if (!(cell.turgor < limit.pressure))
     refuse("Cell/Turgor is ", cell.turgor,

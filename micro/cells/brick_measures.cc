@@ -67,6 +67,8 @@ double BrickTissue::void_fraction() const {
       p.groups.size() > 1 && high[0] - low[0] > spacing ? 0.25 * spacing * widest / 4. * 2. : 0.;
   low[0] += inset;
   high[0] -= inset;
+  const double period = system.box.periodic[0] ? system.box.H(0, 0) : 0.;
+  if (period > 0.) high[0] = low[0] + period;
   const int grid = 400;
   std::size_t outside = 0, all = 0;
   for (int b = 0; b < grid; ++b) {
@@ -81,8 +83,12 @@ double BrickTissue::void_fraction() const {
                               (y - p.x[1][i]) / (p.x[1][j] - p.x[1][i]) * (p.x[0][j] - p.x[0][i]));
       }
       std::sort(crossings.begin(), crossings.end());
-      for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
-        covered.emplace_back(crossings[k], crossings[k + 1]);
+      for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
+        // of a strip: the images that begin within the period of the lines, and the ones before them
+        const double away = period > 0. ? period * std::ceil((low[0] - crossings[k]) / period) : 0.;
+        covered.emplace_back(crossings[k] + away, crossings[k + 1] + away);
+        if (period > 0.) covered.emplace_back(crossings[k] + away - period, crossings[k + 1] + away - period);
+      }
     }
     for (int a = 0; a < grid; ++a, ++all) {
       const double x = low[0] + (a + 0.5) / grid * (high[0] - low[0]);

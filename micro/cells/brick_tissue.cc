@@ -1,5 +1,6 @@
 #include "micro/cells/brick_tissue.h"
 
+#include "micro/cells/tissue_strip.h"
 #include "run/start_disturbance.h"
 
 #include <algorithm>
@@ -85,8 +86,14 @@ std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, co
   auto tissue = std::make_unique<BrickTissue>();
   ParticleSystem<2> &system = tissue->system;
   const bool filled = filling == BrickFilling::particles;
-  tissue->layout = lay_bricks(p, brick);
+  const bool strip = brick.sides != TissueSides::free;
+  tissue->layout = strip ? lay_strip(brick.structure, brick.yielding_cell(p), brick.columns, brick.rows)
+                         : lay_bricks(p, brick);
   const CellLayout &layout = tissue->layout;
+  if (strip) {
+    system.box.H = layout.lattice;
+    system.box.periodic = layout.periodic;
+  }
   const std::size_t cells = layout.cells();
   const std::uint32_t ring_nodes = layout.rings[0].count,
                       inside = filled ? sph.particles_per_side * sph.particles_per_side
@@ -103,7 +110,7 @@ std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, co
   }
   if (filled) {
     ParenchymaParameters turgid = p;  // the kernel's size is that of the particles' distance at turgor
-    turgid.period = brick.turgid_side(p);
+    turgid.period = strip ? std::sqrt(layout.lattice.determinant() / double(cells)) : brick.turgid_side(p);
     tissue->fluid = &system.add(make_cell_fluid(turgid, sph, tissue->spacing, mass, tissue->damage));
   } else
     system.add(std::make_unique<EnclosedFluid<2>>(p.equation_of_state(), mass, p.depth, nullptr))

@@ -8,6 +8,7 @@
 
 #include "micro/cells/brick_layout.h"
 #include "micro/cells/sph_parenchyma.h"
+#include "micro/cells/tissue_structure.h"
 #include "micro/terms/cell_contact.h"
 #include "micro/terms/enclosed_fluid.h"
 #include "micro/terms/lamella_ties.h"
@@ -19,8 +20,18 @@
 #include <vector>
 
 namespace turgor {
+/// What is beside an aggregate.
+enum class TissueSides {
+  free,      ///< nothing: a block of bricks (brick_layout.h)
+  periodic,  ///< itself: a strip (tissue_strip.h) that keeps the width it has at turgor without ends
+  widening   ///< itself, the width following so that no mean stress is left along x
+};
+constexpr const char *words_of(TissueSides) { return "free|periodic|widening"; }
+
 struct BrickParameters {
   unsigned int columns = 5, rows = 5;
+  TissueSides sides = TissueSides::free;
+  TissueStructure structure{.kind = StructureKind::brick};  ///< of a strip
   double jitter = 0.06;        ///< largest displacement of a corner in x and in y / Period
   double gap = 0.;             ///< m, length without ties at either end of a shared wall; 0: dense
   unsigned int seed = 1;       ///< of the jitter
@@ -36,9 +47,14 @@ struct BrickParameters {
   /// m, root of a cell's area in a regular honeycomb at turgor: the fluid's spacing is that over Particles
   /// per side.
   double turgid_side(const ParenchymaParameters &cell) const;
+  ParenchymaParameters yielding_cell(const ParenchymaParameters &cell) const;
   /// Throws std::invalid_argument with a sentence for entries that do not go together.
   void check(const ParenchymaParameters &cell, const SphParameters &sph) const;
   void add_parameters(InputEntries &prm);
+
+ private:
+  /// What does not go together with these sides.
+  void check_sides(const ParenchymaParameters &cell) const;
 };
 
 struct BrickTissue {

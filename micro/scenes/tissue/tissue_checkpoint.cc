@@ -13,7 +13,8 @@ void TissueLoading::Run::archive(Archive &a) {
   a(step, load_steps, inflation_steps, dt, angle_before, angle_inflated, stretch_inflated, void_fraction,
     pressure_inflated, residual, tie_stress, start_energy, start.low, start.high, start.width,
     start.cell_height, start.depth, history, broken_bonds, broken_at_junction, broken_ties, deepest,
-    most_crossed, deepest_behind, most_outside, released, created, flowed, damped, heat_before);
+    most_crossed, deepest_behind, most_outside, released, created, flowed, damped, heat_before, sides.work,
+    sides.worst);
   a(tissue->damage, tissue->flow);  // before the terms: lists of the fluid depend on the damage
   if (a.loading() && tissue->flow && load_steps > 0) tissue->wall->set_flow(tissue->flow);
   a(system, *integrator);

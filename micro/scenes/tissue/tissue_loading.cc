@@ -53,6 +53,9 @@ void TissueLoading::check() const {
   check_sph_cell(cell, sph);
   check_substeps(substeps, sph);
   brick.check(cell, sph);
+  if (brick.sides == TissueSides::widening && substeps > 1)
+    throw InputError("Substeps is " + number_text(substeps) +
+                     ", but Sides = widening moves the particles between steps: use Substeps = 1.");
   BrickParameters few = brick;  // the step is that of a cell
   few.columns = std::min(brick.columns, 2u);
   few.rows = std::min(brick.rows, 2u);

@@ -114,7 +114,12 @@ Outputs TissueLoading::outputs() const {
           {"inflated_height", "m",
            "Height of the inflated tissue when the plates touch it, from the lowest to the highest wall "
            "node."},
-          {"inflated_width", "m", "Largest extent of the inflated tissue along x."},
+          {"inflated_width", "m",
+           "Largest extent of the inflated tissue along x; of a strip its period along x."},
+          {"width_at_end", "m", "Period of the strip along x at the end.", "with Sides = widening"},
+          {"largest_lateral_stress", "Pa",
+           "Largest mean stress along x while the plate moved, which should be zero.",
+           "with Sides = widening"},
           {"void_fraction", "1",
            "Share of the area covered by no cell, in the box of the centres of the outermost cells of the "
            "inflated tissue."},

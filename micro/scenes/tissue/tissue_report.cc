@@ -113,6 +113,10 @@ void TissueLoading::Run::report() {
   context.result("time_step", dt, "s");
   context.result("inflated_height", start.height(), "m");
   context.result("inflated_width", start.width, "m");
+  if (scene.brick.sides == TissueSides::widening) {
+    context.result("width_at_end", system.box.H(0, 0), "m");
+    context.result("largest_lateral_stress", sides.worst, "Pa");
+  }
   context.result("void_fraction", void_fraction, "1");
   context.result("pressure_inflated", pressure_inflated, "Pa");
   context.result("rest_residual", residual, "1");
@@ -160,8 +164,8 @@ void TissueLoading::Run::report() {
 double TissueLoading::Run::heat() const { return damped + system.heat() - heat_before; }
 
 double TissueLoading::Run::missing_energy() const {
-  return start_energy + plates->work() - system.potential_energy() - system.kinetic_energy() - released -
-         flowed - heat();
+  return start_energy + plates->work() + sides.work - system.potential_energy() - system.kinetic_energy() -
+         released - flowed - heat();
 }
 
 std::string TissueLoading::Run::or_slower() const {

@@ -30,6 +30,7 @@ TissueLoading::Run::Run(const TissueLoading &scene_, RunContext &context_)
   integrator.emplace(system, scene.step_fraction, TissueLoading::spacings_a_step);
   dt = integrator->safe_step();  // of the fluid as it is laid; anew when the tissue is inflated
   if (scene.substeps > 1) split.emplace(system, scene.substeps);
+  sides.bulk = 7. * scene.cell.fluid_modulus;
   reach = 20. * std::max(scene.brick.columns, scene.brick.rows) * scene.cell.period;
   sound = tissue->fluid->equation_of_state().sound_speed(scene.cell.fluid_density);
 }
@@ -59,7 +60,10 @@ void TissueLoading::Run::inflate(const bool resumed) {
   std::uint64_t count = inflation->steps();
   StepLoop loop(context, count);
   loop.more = [this] { return !inflation->done(); };
-  loop.advance = [this] { inflation->step(); };
+  loop.advance = [this] {
+    inflation->step();
+    if (inflation->steps() % StripWidth::every == 0) widen(0.);
+  };
   loop.lasting = [this](Archive &a) { archive(a); };
   loop.reached = where;
   loop.check = [&] { require_sound(where()); };
@@ -74,17 +78,17 @@ void TissueLoading::Run::inflate(const bool resumed) {
 
 void TissueLoading::Run::begin_squeezing() {
   start = TissueStart::of(*tissue);
+  if (system.box.periodic[0]) start.width = system.box.H(0, 0);
   angle_inflated = tissue->angle_deviation();
   stretch_inflated = tissue->mean_stretch();
   void_fraction = tissue->void_fraction();
   pressure_inflated = inflation->pressure();
   residual = inflation->residual();
   inflation_steps = inflation->steps();
-  const Particles<2> &p = system.particles;
   if (tissue->ties)
     for (const LamellaTie &tie : tissue->ties->all())
-      tie_stress = std::max(tie_stress, tie.stiffness * (p.position(tie.a) - p.position(tie.b)).norm() /
-                                            (tissue->spacing * scene.cell.depth));
+      tie_stress =
+          std::max(tie_stress, tie.stiffness * gap_of(tie).norm() / (tissue->spacing * scene.cell.depth));
   const double most = tissue->largest_stretch();
   if (failure && most > scene.brick.critical_stretch)
     throw RunFailed("turgor alone stretches walls of the inflated tissue to " + number_text(most) +
@@ -109,6 +113,7 @@ void TissueLoading::Run::begin_squeezing() {
   load_steps = std::max<std::uint64_t>(
       1, std::uint64_t(std::ceil(scene.end_strain * start.height() / (scene.speed * dt))));
   step = 0;
+  sides.work = sides.worst = 0.;
   system.compute_forces();
   start_energy = system.potential_energy();
   heat_before = system.heat();
@@ -138,8 +143,7 @@ bool TissueLoading::Run::processes() {
     const std::vector<std::size_t> now = tissue->ties->break_overloaded(system.particles, system.box);
     for (const std::size_t t : now) {
       const LamellaTie &tie = tissue->ties->all()[t];
-      released += 0.5 * tie.stiffness *
-                  (system.particles.position(tie.a) - system.particles.position(tie.b)).squaredNorm();
+      released += 0.5 * tie.stiffness * gap_of(tie).squaredNorm();
       broken_ties.push_back(double(tissue->layout.tie_from_end[t]));
     }
     if (!now.empty()) {
@@ -157,6 +161,17 @@ double TissueLoading::Run::wall_energy() const {
   return total;
 }
 
+Vector<2> TissueLoading::Run::gap_of(const LamellaTie &tie) const {
+  return LamellaSpring::gap(system.particles.position(tie.a), system.particles.position(tie.b), tie.shift,
+                            system.box.H);
+}
+
+void TissueLoading::Run::widen(const double lost) {
+  if (scene.brick.sides != TissueSides::widening) return;
+  const TissueStart now = TissueStart::of(*tissue);
+  sides.follow(system, now.height(), scene.cell.depth, lost);
+}
+
 void TissueLoading::Run::step_once() {
   if (split)
     split->step(dt, scene.damping);
@@ -164,6 +179,8 @@ void TissueLoading::Run::step_once() {
     integrator->step(dt, scene.damping);
   damped += heat_of_damping(system, scene.damping, dt);
   if (processes() && split) split->compute_forces();
+  if ((step + 1) % StripWidth::every == 0)
+    widen(StripWidth::every * dt * scene.speed / (start.height() * (1. - strain())));
 }
 
 void TissueLoading::Run::squeeze(const bool resumed) {

@@ -14,6 +14,7 @@
 #include "run/field_output.h"
 #include "micro/processes/failure.h"
 #include "micro/processes/wall_yielding.h"
+#include "micro/scenes/tissue/strip_width.h"
 #include "micro/scenes/tissue/tissue_loading.h"
 #include "micro/scenes/tissue/tissue_measures.h"
 
@@ -31,8 +32,10 @@ class TissueLoading::Run {
   void begin_squeezing();
   void squeeze(bool resumed);
   void step_once();
-  double wall_energy() const;  ///< J
-  bool processes();            ///< between steps; true when a force has changed
+  void widen(double lost);                        ///< the strip, where its sides give way
+  Vector<2> gap_of(const LamellaTie &tie) const;  ///< m
+  double wall_energy() const;                     ///< J
+  bool processes();                               ///< between steps; true when a force has changed
   double strain() const { return (start.high - (*plates)[1].centre[1]) / start.height(); }
 
   // tissue_checkpoint.cc
@@ -71,6 +74,7 @@ class TissueLoading::Run {
   std::uint64_t inflation_steps = 0, step = 0, load_steps = 0;  ///< load_steps = 0: still inflating
   double angle_before = 0., angle_inflated = 0., stretch_inflated = 0., void_fraction = 0.,
          pressure_inflated = 0., residual = 0., tie_stress = 0., start_energy = 0.;
+  StripWidth sides;
   TissueStart start;
   std::vector<TissueSample> history;
   double broken_bonds = 0., broken_at_junction = 0.;
