@@ -101,6 +101,13 @@ std::vector<OutputDefinition> of_failure() {
       {"last_ties_from_wall_end", "m",
        "Mean distance of the last fifth of the broken ties from the end of their shared wall.", ties}};
 }
+
+std::vector<OutputDefinition> of_widening_strips() {
+  const char *const widening = "with Sides = widening";
+  return {{"width_at_end", "m", "Period of the strip along x at the end.", widening},
+          {"largest_lateral_stress", "Pa",
+           "Largest mean stress along x while the plate moved, which should be zero.", widening}};
+}
 }  // namespace
 
 Outputs TissueLoading::outputs() const {
@@ -116,10 +123,6 @@ Outputs TissueLoading::outputs() const {
            "node."},
           {"inflated_width", "m",
            "Largest extent of the inflated tissue along x; of a strip its period along x."},
-          {"width_at_end", "m", "Period of the strip along x at the end.", "with Sides = widening"},
-          {"largest_lateral_stress", "Pa",
-           "Largest mean stress along x while the plate moved, which should be zero.",
-           "with Sides = widening"},
           {"void_fraction", "1",
            "Share of the area covered by no cell, in the box of the centres of the outermost cells of the "
            "inflated tissue."},
@@ -173,6 +176,7 @@ Outputs TissueLoading::outputs() const {
            "with walls that yield plastically"},
           {"largest_permanent_stretch", "1", "Largest permanent stretch of a bond by yielding.",
            "with walls that yield plastically"}})
+      .results(of_widening_strips())
       .results(of_failure())
       .results(
           {{"deepest_overlap", "m",

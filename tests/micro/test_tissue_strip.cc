@@ -1,0 +1,110 @@
+// Strips of particles that are periodic along x: the tissue of an RVE without its ties across the second
+// period.
+#include "micro/cells/brick_tissue.h"
+#include "micro/cells/tissue_strip.h"
+#include "micro/processes/tissue_inflation.h"
+#include "micro/scenes/tissue/strip_width.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <string>
+
+using namespace turgor;
+
+namespace {
+struct Strip {
+  ParenchymaParameters cell;
+  SphParameters sph;
+  BrickParameters brick;
+
+  Strip() {
+    cell.nodes_per_side = 8;
+    cell.lamella_ratio = 1.;
+    sph.particles_per_side = 6;
+    brick.columns = 1;
+    brick.rows = 3;
+    brick.jitter = 0.;
+    brick.sides = TissueSides::periodic;
+  }
+  BrickLayout lay() const { return lay_strip(brick.structure, cell, brick.columns, brick.rows); }
+};
+
+std::string refusal(const BrickParameters &brick, const ParenchymaParameters &cell) {
+  try {
+    brick.check(cell, SphParameters());
+  } catch (const std::invalid_argument &why) {
+    return why.what();
+  }
+  return "";
+}
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(tissue_strip)
+
+// By hand: of 3 rows of one brick each, 2 pairs of rows face each other. A brick faces two cells of the next
+// row along half a side each, 8/2 + 1 ties twice, and itself across the period along a side, 8 + 1 ties.
+BOOST_AUTO_TEST_CASE(ties_of_a_strip) {
+  const Strip strip;
+  const CellLayout whole = turgid_tissue(strip.brick.structure, strip.cell, 1, 3);
+  const BrickLayout layout = strip.lay();
+  BOOST_TEST(layout.ties.size() == 3u * 9 + 2u * 2 * 5);
+  BOOST_TEST(layout.tie_from_end.size() == layout.ties.size());
+  BOOST_TEST((layout.periodic == std::array<bool, 2>{true, false}));
+  BOOST_TEST(layout.rest_length == whole.rest_length, boost::test_tools::per_element());
+  BOOST_TEST(layout.lattice(0, 0) == whole.lattice(0, 0));
+  BOOST_TEST(layout.junctions[1].size() == 6u);  // amid others: all its corners
+  BOOST_TEST(layout.junctions[0].size() == 3u);  // of the lowest row: those above it
+}
+
+// Away from its ends a strip of particles is the tissue that FE2 has: turgid walls alone are in balance but
+// for the outer rows, and the same strip one period aside is the same strip.
+BOOST_AUTO_TEST_CASE(inner_rows_begin_at_rest) {
+  const Strip strip;
+  const auto tissue = make_brick_tissue(strip.cell, strip.sph, strip.brick, BrickFilling::pressure);
+  tissue->system.compute_forces();
+  const Particles<2> &p = tissue->system.particles;
+  const double scale = strip.cell.turgor * tissue->spacing * strip.cell.depth;
+  double inside = 0., outside = 0.;
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::uint32_t i = p.groups[c].begin; i < p.groups[c].fluid; ++i)
+      (c == 1 ? inside : outside) = std::max(c == 1 ? inside : outside, std::hypot(p.f[0][i], p.f[1][i]));
+  BOOST_TEST(inside < 1e-6 * scale);
+  BOOST_TEST(outside > 0.1 * scale);
+  BOOST_TEST(tissue->void_fraction() < 2e-3);
+}
+
+// The width follows until no stress is left along x.
+BOOST_AUTO_TEST_CASE(width_gives_way) {
+  const Strip strip;
+  const auto tissue = rest_of_the_walls(strip.cell, strip.sph, strip.brick, {});
+  ParticleSystem<2> &system = tissue->system;
+  system.compute_forces();
+  const double height = 3.5e-4, depth = strip.cell.depth;
+  StripWidth width{.bulk = 7. * strip.cell.fluid_modulus};
+  const double before = StripWidth::stress(system, height, depth), W = system.box.H(0, 0);
+  const double energy = system.potential_energy();
+  width.follow(system, height, depth, 0.);
+  BOOST_TEST(std::abs(before) > 100.);
+  BOOST_TEST(width.worst == std::abs(before));
+  BOOST_TEST((system.box.H(0, 0) - W) * before < 0.);  // pressed: wider
+  BOOST_TEST(width.work == system.potential_energy() - energy, boost::test_tools::tolerance(0.02));
+}
+
+BOOST_AUTO_TEST_CASE(refusals) {
+  Strip strip;
+  strip.brick.gap = 20e-6;
+  BOOST_TEST(refusal(strip.brick, strip.cell).find("Sides = periodic) is dense") != std::string::npos);
+  strip.brick.gap = 0.;
+  strip.brick.structure.kind = StructureKind::voronoi;
+  BOOST_TEST(refusal(strip.brick, strip.cell).find("use square, hexagon or brick") != std::string::npos);
+  strip.brick.structure.kind = StructureKind::brick;
+  strip.brick.structure.rotation = 90.;
+  BOOST_TEST(refusal(strip.brick, strip.cell).find("Structure/Rotation") != std::string::npos);
+  strip.brick.structure.rotation = 0.;
+  strip.brick.sides = TissueSides::free;
+  strip.brick.structure.kind = StructureKind::hexagon;
+  BOOST_TEST(refusal(strip.brick, strip.cell).find("use Sides = periodic or widening") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
