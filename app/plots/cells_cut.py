@@ -18,24 +18,27 @@ STATES = ["proliferating", "quiescent", "necrotic", "lysed"]
 STATE_COLOURS = ["#7fb069", "#e0c060", "#8a5a44", "#4a3b35"]
 
 
-def cut_of(frame, flat=False):
-    """(x, y, radius of the section, index) of the spheres that the plane through their centroid cuts, in um."""
+def cut_of(frame, flat=False, wall=None):
+    """(x, y, radius of the section, index) of the spheres that the plane through their centroid cuts, in um; inside a capsule the plane through its centre."""
     x = frame.points * 1e6
     radius = frame.field("radius") * 1e6
-    x = x - x.mean(axis=0)
+    x = x - (x.mean(axis=0) if wall is None else 0.0)
     away = np.zeros(len(x)) if flat else x[:, 2]
     section = np.sqrt(np.maximum(radius**2 - away**2, 0))
     index = np.flatnonzero(section > 0.3 * radius)
     return x[index, 0], x[index, 1], section[index], index
 
 
-def draw_cells(axis, place, values, colours, norm):
+def draw_cells(axis, place, values, colours, norm, wall=None):
     x, y, section, index = place
     order = np.argsort(-section)
     patches = PatchCollection([Circle((x[k], y[k]), section[k]) for k in order], cmap=colours, norm=norm, edgecolor=INK, linewidth=0.25)
     patches.set_array(values[index][order])
     axis.add_collection(patches)
     reach = np.max(np.hypot(x, y) + section) * 1.03
+    if wall is not None:  # um
+        axis.add_patch(Circle((0, 0), wall, facecolor="none", edgecolor=ACCENT, linewidth=1.6))
+        reach = max(reach, 1.03 * wall)
     axis.set_xlim(-reach, reach)
     axis.set_ylim(-reach, reach)
     axis.set_aspect("equal")
@@ -43,12 +46,13 @@ def draw_cells(axis, place, values, colours, norm):
     return patches
 
 
-def draw_cut(directory, flat=False, time=None):
-    """cells_cut.png of the last frame, or of the one nearest to a time (s); None without fields."""
+def draw_cut(directory, flat=False, time=None, wall=None):
+    """cells_cut.png of the last frame, or of the one nearest to a time (s); None without fields. wall(time): inner radius (um) of a capsule about the origin."""
     if not os.path.exists(os.path.join(directory, "cells.xdmf")):
         return None
     frame = frames(directory, "cells")[-1] if time is None else min(frames(directory, "cells"), key=lambda one: abs(one.time - time))
-    place = cut_of(frame, flat)
+    wall = None if wall is None else wall(frame.time)
+    place = cut_of(frame, flat, wall)
     figure, panels = plt.subplots(1, 3, figsize=(14, 4.9), layout="constrained")
     pressure, volume, state = frame.field("pressure"), frame.field("volume") * 1e18, frame.field("state")
     low, high = np.percentile(pressure[place[3]], [2, 98])
@@ -57,16 +61,16 @@ def draw_cut(directory, flat=False, time=None):
             (panels[0], pressure, "pressure [Pa]", "RdBu_r" if low < -0.2 * high else "viridis",
              Normalize(-most, most) if low < -0.2 * high else Normalize(low, high)),
             (panels[1], volume, "volume [µm³]", "cividis", Normalize(*np.percentile(volume[place[3]], [2, 98])))):
-        bar = figure.colorbar(draw_cells(axis, place, values, colours, norm), ax=axis, shrink=0.85, extend=beyond(norm, values[place[3]]))
+        bar = figure.colorbar(draw_cells(axis, place, values, colours, norm, wall), ax=axis, shrink=0.85, extend=beyond(norm, values[place[3]]))
         bar.ax.set_title(label, fontsize=9, color=INK)  # beside the bar it would stand at the next panel
-    bar = figure.colorbar(draw_cells(panels[2], place, state, ListedColormap(STATE_COLOURS), Normalize(-0.5, 3.5)), ax=panels[2],
+    bar = figure.colorbar(draw_cells(panels[2], place, state, ListedColormap(STATE_COLOURS), Normalize(-0.5, 3.5), wall), ax=panels[2],
                           ticks=range(4), shrink=0.85)
     bar.ax.set_yticklabels(STATES, fontsize=8)
     bar.ax.set_title("state", fontsize=9, color=INK)
     for axis in panels:
         axis.set_xlabel("x [µm]", color=INK)
         axis.set_ylabel("y [µm]", color=INK)
-    figure.suptitle(f"{'From above' if flat else 'Cut through the middle'} at {frame.time / 3600:.0f} h, {len(volume)} cells",
+    figure.suptitle(f"{'From above' if flat else 'Cut through the middle'} at {frame.time / 3600:.0f} h, {len(volume)} cells" + (f"; ring: the capsule's inner wall, radius {wall:.1f} µm" if wall is not None else ""),
                     color=INK, fontsize=11)
     path = os.path.join(directory, "cells_cut.png")
     figure.savefig(path, dpi=110)

@@ -24,7 +24,7 @@ def draw_cells(figure, directory, on, runs):
             shown += [(shapes[2 * last + 1], f"{KINDS[kind]},\n{runs[last]['power'] * 1e3:.0f} mW, after {on:g} s of light"),
                       (shapes[2 * last + 2], f"{KINDS[kind]},\n{runs[last]['end'] - on:g} s after it")]
     norm = stress_scale([frame for frame, _ in shown])
-    axis = figure.add_axes([0.0, 0.19, 1.0, 0.23])
+    axis = figure.add_axes([0.0, 0.165, 1.0, 0.215])
     size = 2e6 * max(np.abs(frame.points - frame.points.mean(axis=0)).max() for frame, _ in shown)
     for k, (frame, text) in enumerate(shown):
         draw_surface(axis, frame, norm, (0, 0, 1), (0, 1, 0), (1.9 * size * k, 0.0))
@@ -37,7 +37,7 @@ def draw_cells(figure, directory, on, runs):
     axis.axis("off")
     scale_bar(axis, -1.15 * size, -0.55 * size, 15, "µm", gap=0.06)
     values = np.concatenate([frame.field("in_plane_stress").ravel() * 1e6 for frame, _ in shown])
-    colour_bar(figure, [0.33, 0.085, 0.34, 0.016], norm, COLOURS, "in-plane stress of the net [µN/m]: blue compressed, red stretched", values)
+    colour_bar(figure, [0.33, 0.077, 0.34, 0.018], norm, COLOURS, "in-plane stress of the net [µN/m]: blue compressed, red stretched", values)
 
 
 def main(directory):
@@ -53,10 +53,10 @@ def main(directory):
     on = runs[0]["end"] / 2
     on = float(input_entries(directory).get(("", "Time on"), on))
     kinds = sorted({run["kind"] for run in runs})
-    figure = plt.figure(figsize=(11, 8), facecolor="white")
+    figure = plt.figure(figsize=(11, 6.6), facecolor="white")
     largest = 100 * max(np.abs(table["long_axis [1]"]).max(), 1e-6)
     for k, kind in enumerate(kinds):
-        axis = figure.add_axes([0.07 + 0.49 * k, 0.50, 0.42, 0.43])
+        axis = figure.add_axes([0.07 + 0.49 * k, 0.47, 0.42, 0.48])
         axis.axvspan(0, on, color="#fbe9d0", linewidth=0)
         axis.text(0.5 * on, 1.17 * largest, "light on", color=INK, fontsize=8.5, ha="center", va="top")
         axis.axhline(0, color="#c8d0d6", linewidth=0.8)

@@ -17,6 +17,7 @@ from drawing import ACCENT, ALONG, INK, input_is, plt, read_table, style  # noqa
 DAY = 86400.0
 CT26 = {("Cell", "Birth radius"): 6e-6, ("Cell", "Cycle time"): 61200, ("Cell", "Modulus"): 450, ("Cell", "Bulk modulus"): 5000,
         ("Capsule", "Radius"): 100e-6, ("Capsule", "Modulus"): 68e3}
+DOT = "24 h after confluence (capsule_pressure_24h)"
 COLOURS = (ACCENT, ALONG, "#6b8e4e", "#8a6fb0", "#c28b2c", "#4d4d4d")
 
 
@@ -53,7 +54,8 @@ def draw(runs, path):
         for axis, values in zip(axes, (radius - rest, pressure, density / np.interp(0, t, density))):
             axis.plot(t[shown], values[shown], color=colour, linewidth=1.8, label=label)
         if "capsule_pressure_24h" in results:
-            axes[1].plot(1, results["capsule_pressure_24h"]["value"] / 1e3, "o", color=colour, markersize=6)
+            axes[1].plot(1, results["capsule_pressure_24h"]["value"] / 1e3, "o", color=colour, markersize=6, label=DOT if axes[1].get_label() != DOT else None)
+            axes[1].set_label(DOT)  # of all dots one is named
         last = max(last, t[-1])
     # The experiment: what the thesis states (5.2, C.2.2), over its own input only.
     at = np.array([min(2.0, 0.5 * last), last])
@@ -70,11 +72,12 @@ def draw(runs, path):
         axis.set_ylabel(text, color=INK)
         axis.axvline(0, color="#c8d0d6", linewidth=0.8)
         style(axis)
-    for axis, which in ((axes[0], slice(None)), (axes[1], slice(len(runs), None)), (axes[2], slice(len(runs), None))):  # curves are named once
+    curves = {label for label, _ in runs}
+    for axis in axes:
         axis.set_ylim(top=(1.5 if axis is axes[0] else 1.12) * axis.get_ylim()[1])  # room for the legend
-        handles, labels = axis.get_legend_handles_labels()
-        if handles[which]:
-            axis.legend(handles[which], labels[which], frameon=False, fontsize=8, loc="upper left")
+        named = [(handle, label) for handle, label in zip(*axis.get_legend_handles_labels()) if axis is axes[0] or label not in curves]  # curves are named once
+        if named:
+            axis.legend(*zip(*named), frameon=False, fontsize=8, loc="upper left")
     figure.savefig(path, dpi=130)
     plt.close(figure)
     return path
@@ -85,7 +88,8 @@ def main(directory):
     if after_confluence(directory) is None:
         return []
     made = [draw([("this run", directory)], os.path.join(directory, "spheroid_capsule.png"))]
-    cut = draw_cut(directory)
+    table = read_table(os.path.join(directory, "growth.csv"))
+    cut = draw_cut(directory, wall=lambda time: np.interp(time, table["time [s]"], table["capsule_radius [m]"] * 1e6))
     if cut:
         made.append(cut)
     return made
