@@ -29,6 +29,34 @@ std::string heading(const OutputPlace &place) {
   return place.file + (place.file == Outputs::results_file ? ", results:" : ": " + place.text);
 }
 
+/// What every summary.json has beside its results: written in run/run_directory.cc and run/run_record.cc.
+const std::vector<std::pair<std::string, std::string>> &of_every_summary() {
+  static const std::vector<std::pair<std::string, std::string>> keys = {
+      {"scenario, version, date", "Scene, version of the program, time of writing."},
+      {"status", "running, finished, stopped (somebody asked; --resume goes on) or failed."},
+      {"message", "What went wrong. Only of a run that failed or was stopped."},
+      {"wall_time_s, cpu_time_s, peak_memory_bytes",
+       "Cost of the run so far in s and bytes, over all calls that went on with it; CPU time is summed over "
+       "threads and ranks."},
+      {"threads, ranks", "Threads and MPI ranks that it ran on; its numbers do not depend on them."},
+      {"build, instruction_set",
+       "The program: checksum, commit and compiler; the instruction set it chose on this machine."},
+      {"identity",
+       "Checksum of the whole question: all entries, the bytes of all files that they name, and the program. "
+       "Two runs of one identity give the same numbers; studies and validations go by it."},
+      {"input_hash", "The same without the program: of entries and files alone."},
+      {"state_hash",
+       "Checksum of the entries that a state depends on, of the files they name, and of the program: without "
+       "the entries that say where the run ends (ends) and what is written how often. It is of the question, "
+       "not of a state: two runs that share it go through the same states, so that --resume goes on from the "
+       "checkpoint of one towards the end of the other, to the same bits."},
+      {"ends", "The entries that say where the run ends, with their values."},
+      {"active_terms, fields", "Forces that acted, and the fields of the particles that they used."},
+      {"results", "The numbers that the sections below define, each with value and unit."},
+      {"notes", "Remarks of the run about its own results, by name; empty where there are none."}};
+  return keys;
+}
+
 /// The document has one line for each of these.
 using Line = std::pair<std::string, std::string>;  // heading of its place, itself
 }  // namespace
@@ -69,7 +97,9 @@ std::string outputs_document(const ScenarioRegistry &registry) {
       "Written by `./turgor parameters --outputs` from the definitions in the code; `./turgor parameters "
       "SCENE` prints those of one scene. Each is listed "
       "once, under the scenes that have it. `*` stands for a number or a word. `[1]`: a ratio; no unit: a "
-      "count or a number that names something.\n";
+      "count or a number that names something.\n"
+      "\n## Every scene\n\nsummary.json, beside the results:\n\n";
+  for (const auto &[names, meaning] : of_every_summary()) text += "- `" + names + "` " + meaning + "\n";
   for (const std::vector<std::string> &scenes : sections) {
     text += "\n##";
     for (const std::string &scene : scenes) text += (&scene == scenes.data() ? " " : ", ") + scene;

@@ -40,6 +40,21 @@ BOOST_AUTO_TEST_CASE(a_stopped_run_goes_on_with_the_same_bits_and_threads_do_not
   BOOST_TEST((run<OpticalStretcher>(stretcher, 2, 0, "axes").rows == beams.rows));
 }
 
+/// Springs beside dashpots relax at k/mu, whatever their net; of Maxwell elements what has flowed has nothing
+/// that pulls it back but bending, content and area.
+BOOST_AUTO_TEST_CASE(kelvin_voigt_edges_come_back_at_their_own_rate_and_maxwell_edges_stay) {
+  const Outcome whole = run<OpticalStretcher>(stretcher, 1, 0, "axes"),
+                stopped = run<OpticalStretcher>(stretcher, 1, 60, "axes");
+  for (const std::string power : {"900_mW", "1100_mW"}) {
+    BOOST_TEST(whole.results.at("recovery_rate_kelvin_voigt_" + power) == 1e-4 / 2.3e-4,
+               boost::test_tools::tolerance(0.05));
+    BOOST_TEST(std::abs(whole.results.at("recovery_rate_modified_maxwell_" + power)) < 0.005);
+    for (const std::string kind : {"kelvin_voigt_", "modified_maxwell_"})
+      BOOST_TEST(stopped.results.at("recovery_rate_" + kind + power) ==
+                 whole.results.at("recovery_rate_" + kind + power));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(light_warms_by_arrhenius_and_by_the_fit) {
   OpticalStretcher scene;
   read(scene, "");

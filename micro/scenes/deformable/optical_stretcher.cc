@@ -43,9 +43,19 @@ class OpticalStretcher::Run {
     double power;  ///< W
     bool flows;    ///< modified Maxwell
   };
-  struct Found  ///< strains of a case that has ended, and its balance of energy
+  /// Least-squares line through ln(strain) over time; strains that are not positive have none and are left
+  /// out.
+  struct Decay {
+    double samples = 0., t = 0., tt = 0., y = 0., ty = 0.;  ///< sums; s and powers of it
+
+    void add(double time, double strain);
+    bool known() const { return samples > 1.; }
+    double rate() const { return (t * y - samples * ty) / (samples * tt - t * t); }  ///< 1/s
+  };
+  struct Found  ///< strains of a case that has ended, its balance of energy, and how its long axis comes back
   {
     double long_on, short_on, long_off, short_off, balance;
+    Decay late;  ///< over the second half of the time without light, when the quick part has gone
   };
   struct At {
     std::uint64_t step = 0, number = 0, sample = 1;  ///< number: of the case
@@ -105,11 +115,21 @@ void OpticalStretcher::Run::advance() {
   if (fields) fields->write();
   if (was_lit) {
     const auto [longer, shorter] = strains();
-    found.push_back({longer, shorter, 0., 0., 0.});
+    found.push_back({longer, shorter, 0., 0., 0., {}});
     follow_light();
     cell->begin_anew();
   } else
     end_case();
+}
+
+void OpticalStretcher::Run::Decay::add(const double time, const double strain) {
+  if (!(strain > 0.)) return;
+  const double logarithm = std::log(strain);
+  ++samples;
+  t += time;
+  tt += time * time;
+  y += logarithm;
+  ty += time * logarithm;
 }
 
 void OpticalStretcher::Run::end_case() {
@@ -129,6 +149,7 @@ void OpticalStretcher::Run::sample() {
   if (const std::string wrong = unsound(p, {.reach = 100. * scene.radius}); !wrong.empty())
     throw RunFailed("the cell came apart at t = " + number_text(cell->time()) + " s: " + wrong);
   const auto [longer, shorter] = strains();
+  if (cell->time() >= scene.on + 0.5 * scene.off) found.back().late.add(cell->time() - scene.on, longer);
   const DeformableEnergies &e = cell->energies;
   axes->add_row({double(at.number), cases[at.number].power, double(cases[at.number].flows), cell->time(),
                  longer, shorter, cell->surfaces->volume(p, 0), cell->inside->pressure(p, 0),
@@ -201,6 +222,7 @@ void OpticalStretcher::Run::report() {
     context.result("long_axis_" + name, found[k].long_on, "1");
     context.result("short_axis_" + name, found[k].short_on, "1");
     context.result("stays_" + name, found[k].long_on != 0. ? found[k].long_off / found[k].long_on : 0., "1");
+    if (found[k].late.known()) context.result("recovery_rate_" + name, found[k].late.rate(), "1/s");
     LaserBeams light = scene.beams;
     light.power = cases[k].power;
     if (!cases[k].flows)

@@ -13,6 +13,10 @@ Outputs OpticalStretcher::outputs() const {
                {"stays_*", "1",
                 "Change of the long axis at the end over that when the light went off: 0 where the cell has "
                 "come back, 1 where all of it stays."},
+               {"recovery_rate_*", "1/s",
+                "Rate at which the long axis comes back: minus the slope of ln(long_axis) over time by least "
+                "squares over the samples of the second half of the time without light.",
+                "where the cell is still longer than at rest in at least two of them"},
                {"at_rest_*", "1",
                 "Closed form of the long axis' change where nothing rubs any more: thin shell of an "
                 "isotropic net around incompressible content, small strain, no bending; the short axis has "
