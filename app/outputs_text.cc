@@ -33,7 +33,7 @@ std::string heading(const OutputPlace &place) {
 const std::vector<std::pair<std::string, std::string>> &of_every_summary() {
   static const std::vector<std::pair<std::string, std::string>> keys = {
       {"scenario, version, date", "Scene, version of the program, time of writing."},
-      {"status", "running, finished, stopped (somebody asked; --resume goes on) or failed."},
+      {"status", "finished, stopped (somebody asked; --resume goes on) or failed."},
       {"message", "What went wrong. Only of a run that failed or was stopped."},
       {"wall_time_s, cpu_time_s, peak_memory_bytes",
        "Cost of the run so far in s and bytes, over all calls that went on with it; CPU time is summed over "
