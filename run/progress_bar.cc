@@ -13,7 +13,9 @@ ProgressBar::ProgressBar(const bool enabled_)
     : enabled(enabled_), terminal(::isatty(STDERR_FILENO) == 1), start(Clock::now()), last_shown(start) {}
 
 std::string ProgressBar::in_words(const double seconds) {
-  const long whole = std::lround(std::clamp(seconds, 0., 3.6e8));
+  constexpr double year = 365.25 * 86400.;
+  if (!(seconds < year)) return number_text(std::floor(std::min(seconds / year, 1e12))) + " years or more";
+  const long whole = std::lround(std::max(seconds, 0.));
   if (whole < 60) return number_text(whole) + " s";
   if (whole < 3600) return number_text(whole / 60) + " min " + number_text(whole % 60) + " s";
   return number_text(whole / 3600) + " h " + number_text(whole % 3600 / 60) + " min";
@@ -33,7 +35,7 @@ void ProgressBar::update(const double fraction, const std::string &what) {
   const double elapsed = std::chrono::duration<double>(now - start).count();
   const double gained = part - *first_fraction;
   const std::string left =
-      gained > 1e-9 ? in_words(elapsed * (1. - part) / gained) + " left" : "time left unknown";
+      gained > 0. ? in_words(elapsed * (1. - part) / gained) + " left" : "time left unknown";
   if (terminal) {
     constexpr int width = 30;
     const int full = static_cast<int>(part * width);

@@ -87,7 +87,7 @@ void MotionMatrix::correct(const double target, const double start, const double
                       " iterations (residual " +
                       number_text(std::sqrt(residual * start / allowed) * parameters.tolerance) +
                       " of the forces, allowed " + number_text(parameters.tolerance) +
-                      "): more friction with the medium, or a larger tolerance.");
+                      "): more friction with the medium, or less between the bodies.");
     for (OwnProduct *one : products) one->begin(p.data(), threads);
     const double pAp = sum_chunks(threads, chunks, parts,
                                   [&](std::size_t begin, std::size_t last) { return product(begin, last); });

@@ -87,7 +87,8 @@ std::string ElasticCapsule::passed(std::size_t, const double modulus, const doub
            " Pa): use a stiffer Capsule/Modulus.";
   return lost + " under " + number_text(pressure()) +
          " Pa: use stiffer contacts (Contact/Local stiffness = closest, or Cell/Modulus), or where cells"
-         " jump less Motion/Motility or Migration force.";
+         " jump less Motion/Motility or Migration force; with explicit steps Motion/Method = implicit or"
+         " Motion/Mean error = false.";
 }
 
 double ElasticCapsule::pressure() const { return pressing() / (4. * pi * R * R); }

@@ -34,10 +34,12 @@ void OpticalStretcher::declare_parameters(InputEntries &prm) {
                     "1.1 W, exponential in the power), arrhenius (4.1 with"
                     " 55 kJ/mol, 20 K at 0.9 W and 25 K at 1.1 W above 290 K) or none. Units: none.",
                     Selection("fit|arrhenius|none"));
-  prm.add_parameter("Tolerance", tolerance,
-                    "Allowed error of a node's place in one step over the radius; decides the length of "
-                    "steps. Units: none.",
-                    Double(1e-8, 1.));
+  prm.add_parameter(
+      "Tolerance", tolerance,
+      "Allowed error of a node's place in one step over the radius, and as many times less as the "
+      "springs at rest would let the cell be stretched by less than 0.5 %; decides the length of "
+      "steps. Units: none.",
+      Double(1e-8, 1.));
   prm.add_parameter("Longest step", longest_step, "Largest step in time that is taken. Units: s.",
                     Double(1e-9, 1e6));
   prm.add_parameter(
@@ -90,7 +92,15 @@ void OpticalStretcher::declare_parameters(InputEntries &prm) {
   element("Modified Maxwell", modified_maxwell, true);
 }
 
-DeformableCellParameters<LinearSpring> OpticalStretcher::cell(const Element &element) const {
+double OpticalStretcher::share_of_small_strain(const Element &element, const double power) const {
+  LaserBeams light = beams;
+  light.power = power;
+  const double strain = strain_at_rest(light.stress(), radius, element.stiffness, area_modulus);
+  return strain != 0. ? std::clamp(std::abs(strain) / 5e-3, 1e-6, 1.) : 1.;
+}
+
+DeformableCellParameters<LinearSpring> OpticalStretcher::cell(const Element &element,
+                                                              const double power) const {
   DeformableCellParameters<LinearSpring> p;
   p.spring = {element.stiffness};
   p.dashpots = element.friction;
@@ -100,7 +110,7 @@ DeformableCellParameters<LinearSpring> OpticalStretcher::cell(const Element &ele
   p.bulk_modulus = bulk_modulus;
   p.radius = radius;
   p.viscosity = viscosity;
-  p.tolerance = tolerance;
+  p.tolerance = tolerance * share_of_small_strain(element, power);
   p.first_step = 1e-4 * std::min(on, off);
   p.longest_step = longest_step;
   return p;

@@ -19,8 +19,8 @@ Outputs OpticalStretcher::outputs() const {
                 "where the cell is still longer than at rest in at least two of them"},
                {"at_rest_*", "1",
                 "Closed form of the long axis' change where nothing rubs any more: thin shell of an "
-                "isotropic net around incompressible content, small strain, no bending; the short axis has "
-                "minus half of it.",
+                "isotropic net around incompressible content, small strain (about 2.5 times the strain, of "
+                "itself, too large), no bending; the short axis has minus half of it.",
                 with_kelvin_voigt},
                {"nodes", "", "Number of nodes of the cell's surface."},
                {"steps", "", "Number of steps of all runs."},

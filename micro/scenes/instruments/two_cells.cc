@@ -78,9 +78,12 @@ bool TwoCells::holds(const double force) const {
   motion.medium.assign(2, gamma);
   system.add(std::make_unique<DeadForce<3>>(
       std::vector<DeadForce<3>::Entry>{{0, Vector<3>(-force, 0., 0.)}, {1, Vector<3>(force, 0., 0.)}}));
-  Overdamped<3> stepper(
-      {.method = OverdampedMethod::heun, .tolerance = 1e-5, .first_step = 1e-3, .least_step = 1e-15}, motion,
-      1);
+  Overdamped<3> stepper({.method = OverdampedMethod::heun,
+                         .tolerance = 1e-5,
+                         .first_step = 1e-3,
+                         .least_step = 1e-15,
+                         .longest_step = HUGE_VAL},
+                        motion, 1);
   // It holds once the net force apart is a hundredth of the accuracy asked for, or turns: between there and
   // the start it was nothing. It is free where there is no contact any more. The net force itself: beside the
   // friction between the cells that of the medium may be nothing, so that velocity times Medium friction says
@@ -93,7 +96,9 @@ bool TwoCells::holds(const double force) const {
     if (p.f[0][1] < 0.01 * accuracy * force) return true;
   }
   throw RunFailed(
-      "the pair neither came to rest nor separated within a million steps: use a larger Accuracy.");
+      "the pair neither came to rest nor separated within a million steps of the search for the pull-off "
+      "force; "
+      "approach.csv is whole.");
 }
 
 void TwoCells::run(RunContext &context) {

@@ -54,10 +54,7 @@ void SpheroidScene::Run::go() {
   loop.sample_due = [this] { return ends() || on_schedule(); };
   if (fields) loop.frame = [this] { fields->write(); };
   loop.frame_due = [this] { return ends() || (frame_every > 0 && done % frame_every == 0); };
-  loop.tell = [this] {
-    context.progress(std::max(culture.time() / scene.duration, share_of_the_run()),
-                     number_text(culture.cells.size()) + " cells");
-  };
+  loop.tell = [this] { context.progress(share_behind(), number_text(culture.cells.size()) + " cells"); };
   loop.tell_every = 1;
   loop.reached = [this] { return "at t = " + number_text(culture.time() / 3600.) + " h"; };
   // From the last of them a longer run goes on: behind it lie only whole intervals and no row that such a run
@@ -103,7 +100,15 @@ void SpheroidScene::Run::interval(const StepLoop &loop) {
   bool is_whole = false;
   try {
     scene.before_interval(culture);
-    is_whole = culture.advance(scene.duration, [this] { return context.stop_requested(); });
+    is_whole = culture.advance(scene.duration, [this, &loop] {
+      loop.tell();
+      if (const std::string far = sight.after_step(share_behind()); !far.empty())
+        context.say(
+            "at t = " + number_text(culture.time()) + " s " + far +
+            ". Less that drives the cells (Motion/Migration force, Motion/Motility, Dextran/Pressure) "
+            "or a larger Motion/Tolerance lengthens them.");
+      return context.stop_requested();
+    });
   } catch (const std::runtime_error &error) {
     context.save_checkpoint([this](Archive &a) { a.append(good); });
     throw RunFailed("at t = " + number_text(culture.time() / 3600.) + " h with " +
@@ -185,6 +190,10 @@ FieldFrame SpheroidScene::Run::frame() {
                 {"phase [1]", 1, by_id.of(p.cells.column("phase"))},
                 {"state", 1, state}};
   return now;
+}
+
+double SpheroidScene::Run::share_behind() const {
+  return std::max(culture.time() / scene.duration, share_of_the_run());
 }
 
 /// As if cells multiplied evenly up to Most cells.
