@@ -83,7 +83,9 @@ void FieldOutput::write() {
 }
 
 void FieldOutput::accept() {
-  if (file) accepted = frame();
+  if (!file) return;
+  accepted = {};  // not two of them at once
+  accepted = frame();
 }
 
 void FieldOutput::look_at_failure() {

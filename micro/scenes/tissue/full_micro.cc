@@ -28,6 +28,10 @@ FieldFrame frame_of(const Particles<2> &p, const Particles<2>::Components &x0, c
   frame.time = time;
   NamedField displacement{"displacement [m]", 3, {}, false}, velocity{"velocity [m/s]", 3, {}, false},
       pressure{"pressure [Pa]", 1, {}, false}, wall{"wall", 1, {}, false}, cell{"cell", 1, {}, false};
+  // no room beyond what is needed, no copies: frames are most of what a large scene would hold at once
+  for (std::vector<double> *values : {&frame.points, &displacement.values, &velocity.values})
+    values->reserve(3 * p.size());
+  for (NamedField *field : {&pressure, &wall, &cell}) field->values.reserve(p.size());
   for (std::size_t c = 0; c < p.groups.size(); ++c)
     for (std::uint32_t i = p.groups[c].begin; i < p.groups[c].end; ++i) {
       for (int d = 0; d < 2; ++d) {
@@ -42,7 +46,8 @@ FieldFrame frame_of(const Particles<2> &p, const Particles<2>::Components &x0, c
       wall.values.push_back(i < p.groups[c].fluid);
       cell.values.push_back(double(c));
     }
-  frame.fields = {displacement, velocity, pressure, wall, cell};
+  for (NamedField *field : {&displacement, &velocity, &pressure, &wall, &cell})
+    frame.fields.push_back(std::move(*field));
   return frame;
 }
 }  // namespace
