@@ -43,7 +43,10 @@ Input load_input(const std::filesystem::path &file, const std::vector<std::strin
 
 /// The commented .prm of all entries with defaults, and below what a run leaves; throws InputError for an
 /// unknown scene.
-std::string parameters_text(const std::string &scenario_name, const ScenarioRegistry &registry);
+/// part: a subsection or an entry, "Cell" or "Cell/Turgor", and nothing else then. Throws InputError, with
+/// the nearest name, where there is no such scene or part.
+std::string parameters_text(const std::string &scenario_name, const ScenarioRegistry &registry,
+                            const std::string &part = "");
 
 /// Sets everything in `text` in prm; entries and sections have to be declared. Used for study files as well.
 void apply(const PrmText &text, InputEntries &prm);

@@ -87,7 +87,7 @@ struct CommandLine {
   RunOptions run;
   StudyOptions study;
   ValidateOptions validate;
-  std::string scenario, plot_directory, plot_data;
+  std::string scenario, part, plot_directory, plot_data;
   bool all_outputs = false;
   CLI::App *run_app, *list_app, *parameters_app, *check_app, *study_app, *validate_app, *plot_app;
 
@@ -140,6 +140,8 @@ struct CommandLine {
         "parameters", "A commented input file of a scene's entries with defaults, and what its runs leave");
     auto *const scenario_option = parameters_app->add_option(
         "SCENARIO", scenario, "Name of the scene; 'study' for the entries of a study");
+    parameters_app->add_option("PART", part,
+                               "A subsection or an entry, as 'Cell' or 'Cell/Turgor': only that");
     parameters_app->add_flag("--outputs", all_outputs, "What runs of all scenes leave: doc/outputs.md")
         ->excludes(scenario_option);
   }
@@ -205,7 +207,7 @@ int print_parameters(const CommandLine &line, const ScenarioRegistry &registry) 
         "--outputs`.");
   else
     std::cout << (line.scenario == "study" ? study_parameters_text()
-                                           : parameters_text(line.scenario, registry));
+                                           : parameters_text(line.scenario, registry, line.part));
   return 0;
 }
 

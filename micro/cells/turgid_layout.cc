@@ -18,8 +18,10 @@ int settle(NetworkEquilibrium &equilibrium, std::vector<double> &x, const Tensor
   const EquilibriumReport report = equilibrium.solve(x, lattice, {1e-12, most_iterations});
   // 1e-12 may lie below round-off; what is left must only be small.
   if (!report.converged && !(report.residual < 1e-9))
-    throw std::invalid_argument("The turgid reference of this tissue finds no equilibrium: " +
-                                report.message);
+    throw std::invalid_argument(
+        "The turgid reference of this tissue finds no equilibrium: " + report.message +
+        " Where the walls are too weak for it, less Cell/Turgor, a larger Cell/Wall stiffness or a smaller "
+        "Cell/Period helps.");
   return report.iterations;
 }
 
@@ -51,7 +53,9 @@ class FreeTissue {
         if (last <= good_enough) break;
         throw std::invalid_argument(
             "The turgid reference of this tissue is not found: at a turgor of " + number_text(pressure) +
-            " Pa no change of its periods lowers the mean stress of " + number_text(last) + " Pa further.");
+            " Pa no change of its periods lowers the mean stress of " + number_text(last) +
+            " Pa further. Walls some thousand times stiffer than turgor times Cell/Period are "
+            "too stiff for it: a smaller Cell/Wall stiffness, or more turgor.");
       }
       last = stress();
     }

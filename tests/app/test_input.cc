@@ -254,6 +254,16 @@ BOOST_AUTO_TEST_CASE(printed_parameters_are_an_input) {
              std::string::npos);
   BOOST_TEST(load(text).identity.hash() == load("set Scenario = tiny\n").identity.hash());
   BOOST_CHECK_EXCEPTION(parameters_text("tinny", tiny_registry()), InputError, Says{"Did you mean 'tiny'?"});
+  const std::string law = parameters_text("tiny", tiny_registry(), "Law"),
+                    rate = parameters_text("tiny", tiny_registry(), "Law/Rate");
+  BOOST_TEST(law.find("set Weights") != std::string::npos);
+  BOOST_TEST(law.find("set Steps") == std::string::npos);
+  BOOST_TEST(rate.find("set Rate") != std::string::npos);
+  BOOST_TEST(rate.find("set Weights") == std::string::npos);
+  for (const auto &[part, says] :
+       {std::pair("Lav", "Did you mean 'Law'?"), std::pair("Law/Rat", "'Law/Rate'?"),
+        std::pair("Rate", "Did you mean 'Law/Rate'?")})
+    BOOST_CHECK_EXCEPTION(parameters_text("tiny", tiny_registry(), part), InputError, Says{says});
 }
 
 BOOST_AUTO_TEST_CASE(edit_distance_by_hand) {

@@ -105,8 +105,7 @@ void SpheroidScene::Run::interval(const StepLoop &loop) {
       if (const std::string far = sight.after_step(share_behind()); !far.empty())
         context.say(
             "at t = " + number_text(culture.time()) + " s " + far +
-            ". Less that drives the cells (Motion/Migration force, Motion/Motility, Dextran/Pressure) "
-            "or a larger Motion/Tolerance lengthens them.");
+            ". Less that drives the cells (Dextran/Pressure, Motion/Migration force) lengthens them.");
       return context.stop_requested();
     });
   } catch (const std::runtime_error &error) {
