@@ -89,8 +89,7 @@ void BrickParameters::check_sides(const ParenchymaParameters &cell) const {
       structure.measured())
     throw std::invalid_argument(
         "The subsection Structure asks for other cells than bricks as they are laid, but with Sides = free "
-        "the "
-        "aggregate is a block of bricks (Jitter, Gap, Tissue seed): use Sides = periodic or widening.");
+        "the aggregate is a block of bricks (Jitter, Gap, Tissue seed): use Sides = periodic or widening.");
 }
 
 double BrickParameters::turgid_side(const ParenchymaParameters &cell) const {

@@ -69,6 +69,13 @@ inline void to_rows(const Eight &v, FloatRow *rows) {
   }
 }
 
+/// to[0 .. count - 1] += the first of the eight rows; count <= 8.
+inline void add_rows(const Eight &v, const std::size_t count, FloatRow *to) {
+  FloatRow rows[8];
+  to_rows(v, rows);
+  for (std::size_t lane = 0; lane < count; ++lane) to[lane] += rows[lane];
+}
+
 using FourDoubles = double __attribute__((vector_size(32)));
 
 #if defined(__AVX__)

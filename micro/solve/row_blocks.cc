@@ -207,10 +207,7 @@ void RowBlocks::add(const FloatRow *p, const std::size_t begin, const std::size_
       const Eight you = columns([&](const int lane) { return p[one->to[lane]]; });
       times(one->column, you.x - me.x, you.y - me.y, you.z - me.z);
     }
-    FloatRow rows[width];
-    to_rows(sum, rows);
-    for (std::size_t lane = 0; lane < std::min(width, end - i); ++lane)
-      product[i - begin + lane] += rows[lane];
+    add_rows(sum, std::min(width, end - i), product + (i - begin));
   }
 }
 

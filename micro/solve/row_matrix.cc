@@ -144,10 +144,7 @@ void RowMatrix::add(const FloatRow *p, const std::size_t begin, const std::size_
       sum.y += numbers * one.g.y;
       sum.z += numbers * one.g.z;
     }
-    FloatRow rows[width];
-    to_rows(sum, rows);
-    for (std::size_t lane = 0; lane < std::min(width, end - i); ++lane)
-      product[i - begin + lane] += rows[lane];
+    add_rows(sum, std::min(width, end - i), product + (i - begin));
   }
 }
 

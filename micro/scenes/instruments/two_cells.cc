@@ -97,8 +97,7 @@ bool TwoCells::holds(const double force) const {
   }
   throw RunFailed(
       "the pair neither came to rest nor separated within a million steps of the search for the pull-off "
-      "force; "
-      "approach.csv is whole.");
+      "force; approach.csv is whole.");
 }
 
 void TwoCells::run(RunContext &context) {
