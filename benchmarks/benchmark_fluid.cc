@@ -8,7 +8,7 @@
 // neighbours within the support), neighbours, list_bytes_particle. The time column is wall time.
 // TURGOR_SIMD=avx2 or portable measures those sweeps.
 #include "micro/cells/sph_parenchyma.h"
-#include "micro/cells/annealed_cells.h"
+#include "micro/processes/annealed_cells.h"
 #include "micro/engine/kick_drift_kick.h"
 
 #include <benchmark/benchmark.h>

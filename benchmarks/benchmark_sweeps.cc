@@ -7,7 +7,7 @@
 // part; pairs_only: the same with no wall in reach, so that the difference of the two is the wall. viscosity:
 // all of an impulse. lists: one build of a cell's. Lists have the skin of a run. No EOS to speak of.
 #include "micro/cells/sph_parenchyma.h"
-#include "micro/cells/annealed_cells.h"
+#include "micro/processes/annealed_cells.h"
 #include "micro/terms/sph_lists.h"
 
 #include <benchmark/benchmark.h>

@@ -1,6 +1,6 @@
 #include "rve/sph_rve.h"
 
-#include "micro/cells/annealed_cells.h"
+#include "micro/processes/annealed_cells.h"
 #include "micro/cells/parenchyma.h"
 #include "run/cpu_clock.h"
 #include "run/number_text.h"

@@ -52,7 +52,6 @@ class SphRve final : public Rve<2> {
   double burst() const override;
 
   std::size_t particle_count() const { return particles; }
-  double time_step() const { return dt; }
 
  private:
   struct Scratch;

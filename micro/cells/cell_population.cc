@@ -69,8 +69,4 @@ void CellPopulation::archive(Archive &a) {
                        " cells beside " + number_text(size()) + " cells.");
   archive_terms(a);
 }
-
-double sphere_volume(const double radius) { return 4. / 3. * std::numbers::pi * radius * radius * radius; }
-
-double sphere_radius(const double volume) { return std::cbrt(volume / (4. / 3. * std::numbers::pi)); }
 }  // namespace turgor

@@ -15,6 +15,8 @@
 #pragma once
 
 #include "micro/engine/particle_system.h"
+#include "micro/geometry/ball.h"
+#include "micro/laws/cell_state.h"
 
 #include <cstdint>
 #include <string>
@@ -22,22 +24,6 @@
 
 namespace turgor {
 class Archive;
-
-enum class CellState : std::uint8_t {
-  proliferating,  ///< in its cycle, and growing unless in mitosis
-  quiescent,      ///< G0: lives, neither grows nor advances
-  necrotic,       ///< dead, its volume on the way to the solid part
-  lysed           ///< dead, only the solid part is left
-};
-
-/// States of all cells, as they are read: states[i].
-struct CellStates {
-  const std::uint8_t *values;
-  CellState operator[](const std::size_t i) const { return CellState(values[i]); }
-  bool alive(const std::size_t i) const {
-    return (*this)[i] == CellState::proliferating || (*this)[i] == CellState::quiescent;
-  }
-};
 
 struct CellPopulation : ParticleSystem<3> {
   CellPopulation();
@@ -73,7 +59,4 @@ struct CellPopulation : ParticleSystem<3> {
   void set_groups();  ///< one of each cell
 };
 
-/// m^3 of a sphere, and its radius (m).
-double sphere_volume(double radius);
-double sphere_radius(double volume);
 }  // namespace turgor

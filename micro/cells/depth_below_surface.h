@@ -17,7 +17,7 @@
 //   const std::vector<unsigned char> deep = deeper_than(30e-6, particles, find_outer_cells(particles));
 #pragma once
 
-#include "micro/cells/outer_cells.h"
+#include "micro/terms/outer_cells.h"
 
 #include <vector>
 

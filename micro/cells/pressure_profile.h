@@ -6,7 +6,7 @@
 // one, empty ones are left out.
 #pragma once
 
-#include "micro/cells/outer_cells.h"
+#include "micro/terms/outer_cells.h"
 
 #include <vector>
 

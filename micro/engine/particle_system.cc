@@ -125,6 +125,18 @@ double ParticleSystem<dim>::active_work(const double h) const {
 }
 
 template <int dim>
+bool ParticleSystem<dim>::random_forces(const std::vector<double> &medium, const double h,
+                                        const std::uint64_t step) {
+  if (std::none_of(terms.begin(), terms.end(), [](const auto &term) { return term->acts_at_random(); }))
+    return false;
+  std::vector<double> gamma = medium;
+  for (const auto &term : terms) term->add_friction(particles, gamma);
+  for (auto &f : particles.f) std::fill(f.begin(), f.end(), 0.);
+  for (const auto &term : terms) term->add_random_forces(particles, gamma, h, step);
+  return true;
+}
+
+template <int dim>
 double ParticleSystem<dim>::heat() const {
   double total = 0.;
   for (const auto &term : terms) total += term->heat();

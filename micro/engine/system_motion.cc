@@ -70,9 +70,8 @@ void SystemMotion<dim>::again(Particles<dim> &particles) {
 }
 
 template <int dim>
-bool SystemMotion<dim>::random_forces(Particles<dim> &particles, const double h, const std::uint64_t step) {
-  if (random) random(particles, h, step);
-  return bool(random);
+bool SystemMotion<dim>::random_forces(Particles<dim> &, const double h, const std::uint64_t step) {
+  return system.random_forces(medium, h, step);
 }
 
 template <int dim>

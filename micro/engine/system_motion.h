@@ -6,15 +6,13 @@
 //   Overdamped<3> stepper(parameters, motion, system.threads);
 //   stepper.step(system.particles, limit);
 //
-// All forces are those of terms. What has no energy does work (Term::active_work), which a step that checks
-// its energy counts.
+// All forces are those of terms, random ones too. What has no energy does work (Term::active_work), which a
+// step that checks its energy counts.
 #pragma once
 
 #include "micro/engine/motion.h"
 #include "micro/engine/particle_system.h"
 #include "micro/solve/motion_matrix.h"
-
-#include <functional>
 
 namespace turgor {
 template <int dim>
@@ -22,9 +20,7 @@ class SystemMotion final : public Motion<dim> {
  public:
   SystemMotion(ParticleSystem<dim> &system, const SolveParameters &solve);
 
-  std::vector<double> medium;  ///< N s/m, of each particle
-  /// particles.f = the random forces (N) of step number `step` of length h (s).
-  std::function<void(Particles<dim> &, double h, std::uint64_t step)> random;
+  std::vector<double> medium;     ///< N s/m, of each particle
   bool correct_clusters = false;  ///< clusters' net force and torque exactly (motion_matrix.h), where the
                                   ///< medium is much weaker than the links
   double own_length = 0.;         ///< m, of length(); 0: the mean of the field `radius`

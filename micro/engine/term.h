@@ -8,7 +8,9 @@
 
 #include <cmath>
 #include <limits>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace turgor {
 class MotionMatrix;
@@ -77,6 +79,15 @@ class Term {
   /// prepare(): its friction, and for implicit steps of h (s) h times the positive part of its stiffness; h =
   /// 0: explicit. Links and products that are given by reference last until the next prepare().
   virtual void collect(MotionMatrix &, const Particles<dim> &, double /*h*/) {}
+
+  /// gamma (N s/m, of each particle) += its friction with what is no particle: bodies of given velocity.
+  virtual void add_friction(const Particles<dim> &, std::vector<double> & /*gamma*/) const {}
+
+  /// f += random forces (N) that move the particles after step number `step` of h (s) by themselves; gamma:
+  /// N s/m, of each with all that is no particle.
+  virtual void add_random_forces(Particles<dim> &, const std::vector<double> & /*gamma*/, double /*h*/,
+                                 std::uint64_t /*step*/) {}
+  virtual bool acts_at_random() const { return false; }  ///< whether it has such forces
 
   /// A step of dt (s) has ended, forces are those of the present positions: a drag that acts by impulses
   /// changes the group's velocities. Its forces are then in no f; a mode that it damps loses energy whatever

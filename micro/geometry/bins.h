@@ -37,15 +37,15 @@ class Bins {
     for (std::uint32_t i = 0; i < n; ++i) order[next[bin_of[i]]++] = i;
   }
 
-  /// visit(i) for all points in the bins up to two beside that of the place p: at least those nearer than two
-  /// widths.
+  /// visit(i) for all points in the bins up to so many beside that of the place p: at least those nearer than
+  /// as many widths.
   template <typename Visit>
-  void near(const double *p, const Visit &visit) const {
+  void near(const double *p, const Visit &visit, const int beside = 2) const {
     int from[3] = {}, to[3] = {};
     for (int d = 0; d < dim; ++d) {
       const int at = index(p[d], d);
-      from[d] = std::max(at - 2, 0);
-      to[d] = std::min(at + 2, count[d] - 1);
+      from[d] = std::max(at - beside, 0);
+      to[d] = std::min(at + beside, count[d] - 1);
     }
     for (int z = from[2]; z <= to[2]; ++z)
       for (int y = from[1]; y <= to[1]; ++y) {

@@ -7,7 +7,6 @@
 #include "micro/geometry/tensor.h"
 
 #include <array>
-#include <cmath>
 
 namespace turgor {
 template <int dim>
@@ -23,15 +22,6 @@ struct Box {
     for (int d = 0; d < dim; ++d)
       if (shift[d] != 0) result += double(shift[d]) * H.col(d);
     return result;
-  }
-
-  /// r (m) brought to the nearest image in the periodic directions (exact for
-  /// |r| below half the smallest lattice plane distance).
-  Vector<dim> minimum_image(Vector<dim> r) const {
-    const Vector<dim> fraction = H.inverse() * r;
-    for (int d = 0; d < dim; ++d)
-      if (periodic[d]) r -= std::round(fraction[d]) * H.col(d);
-    return r;
   }
 };
 }  // namespace turgor

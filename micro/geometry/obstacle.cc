@@ -2,6 +2,8 @@
 
 #include "run/number_text.h"
 
+#include <Eigen/Dense>
+
 #include <algorithm>
 
 namespace turgor {
@@ -18,13 +20,50 @@ void Obstacle<dim>::set_groups(const std::size_t pusher, const std::size_t group
 
 template <int dim>
 void Obstacle<dim>::push(const std::size_t pusher, const std::size_t group, const Vector<dim> &x,
-                         const Contact &contact, const double pressing_now, const Vector<dim> &drag) {
+                         const Contact &contact, const double pressing_now, const Vector<dim> &along) {
   Push &sum = pushes[pusher][group];
-  const Vector<dim> f = drag - pressing_now * contact.normal;
+  const Vector<dim> f = along - pressing_now * contact.normal;
   sum.pressing += pressing_now;
   sum.force += f;
   sum.moment += moment_of<dim>(x - contact.distance * contact.normal - centre, f);
   sum.deepest = std::max(sum.deepest, -contact.distance);
+}
+
+template <int dim>
+void Obstacle<dim>::pull(const std::size_t pusher, const std::size_t group, const Vector<dim> &x,
+                         const Vector<dim> &force) {
+  pushes[pusher][group].force += force;
+  pushes[pusher][group].moment += moment_of<dim>(x - centre, force);
+}
+
+template <int dim>
+void Obstacle<dim>::balance(const std::vector<Rub> &rubs) {
+  constexpr int turns = Moment<dim>::RowsAtCompileTime, all = dim + turns;
+  Eigen::Matrix<double, all, all> matrix = Eigen::Matrix<double, all, all>::Zero();
+  Eigen::Matrix<double, all, 1> right;
+  matrix.template topLeftCorner<dim, dim>().diagonal().setConstant(drag);
+  matrix.template bottomRightCorner<turns, turns>().diagonal().setConstant(turning_drag);
+  right.template head<dim>() = load + force();
+  right.template tail<turns>() = torque + moment();
+  for (const Rub &rub : rubs) {
+    Eigen::Matrix<double, dim, all> way;  // of the place, by velocity and spin
+    way.template leftCols<dim>().setIdentity();
+    const Vector<dim> arm = rub.x - centre;
+    if constexpr (dim == 2)
+      way.col(2) = Vector<2>(-arm[1], arm[0]);
+    else
+      for (int d = 0; d < 3; ++d) way.col(3 + d) = Vector<3>::Unit(d).cross(arm);
+    matrix += rub.friction * way.transpose() * way;
+    right += rub.friction * way.transpose() * rub.v;
+  }
+  if (turning_drag == 0.) {  // its spin is given
+    right.template head<dim>() -= matrix.template topRightCorner<dim, turns>() * spin;
+    velocity = matrix.template topLeftCorner<dim, dim>().ldlt().solve(right.template head<dim>());
+    return;
+  }
+  const Eigen::Matrix<double, all, 1> found = matrix.ldlt().solve(right);
+  velocity = found.template head<dim>();
+  spin = found.template tail<turns>();
 }
 
 template <int dim>
@@ -72,7 +111,7 @@ double Obstacle<dim>::work_of_last_step() const {
 template <int dim>
 double Obstacle<dim>::advance(const double dt) {
   if (mass > 0.) velocity += dt * (load + force()) / mass;
-  const Step step{dt * velocity, dt * spin, dt * growth};
+  const Step step{dt * velocity, turning(dt), dt * growth};
   const double work = work_over(
       {0.5 * (last.way + step.way), 0.5 * (last.turn + step.turn), 0.5 * (last.growth + step.growth)});
   last = step;
@@ -92,7 +131,7 @@ std::string Obstacle<dim>::passed(const std::size_t particle, const double, cons
 
 template <int dim>
 void Obstacle<dim>::archive(Archive &a) {
-  a(centre, velocity, spin, growth, load, last);
+  a(centre, velocity, spin, growth, load, torque, last);
   for (auto &groups : pushes) a(groups);
 }
 

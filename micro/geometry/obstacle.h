@@ -3,12 +3,15 @@
 //
 //   at(x)         signed distance d (m), positive on the side of the particles; normal = grad d, the way in
 //                 which the surface pushes; curvature (1/m): 1/R of a sphere from outside, -1/R from inside,
-//                 0 of planes and facets; velocity (m/s) of the surface next to x; the nearest feature
+//                 0 of planes, of facets as facet_curvature.h has it; bend: its slope over x; velocity (m/s)
+//                 of the surface next to x; the nearest feature
 //   push(...)     by a law, of a group of particles: one thread a group. Summed in the order of groups, so
 //                 that force, moment and what follows from them have the same bits on any number of threads
-//   advance(dt)   driven by velocity, spin and growth, or by a force on a body with mass: mass dv/dt = load +
-//                 force, leapfrog with v half a step behind x. Returns the work done on the particles, sum of
-//                 (F_n + F_n+1)/2 step_n, sorted by the forces
+//   advance(dt)   driven by velocity, spin and growth; or by the forces on it: with mass, mass dv/dt = load +
+//                 force, leapfrog with v half a step behind x (and a body that turns freely by its moment,
+//                 see TriangulatedBody); or without, drag v = load + force, turning_drag spin = torque +
+//                 moment. Returns the work done on the particles, sum of (F_n + F_n+1)/2 step_n, sorted by
+//                 the forces
 //   settle(...)   a body whose shape answers to what presses on it
 //
 // All in SI units and the frame of the particles. Obstacles do not cross a periodic box.
@@ -49,6 +52,7 @@ class Obstacle {
     double distance = HUGE_VAL;
     Vector<dim> normal = Vector<dim>::Zero();
     double curvature = 0.;
+    Vector<dim> bend = Vector<dim>::Zero();  ///< 1/m^2, slope of the curvature where x moves
     Feature feature = Feature::surface;
     std::uint32_t number = 0;  ///< of the face, edge or vertex
   };
@@ -56,9 +60,11 @@ class Obstacle {
   Vector<dim> centre = Vector<dim>::Zero();    ///< m; about it the body turns, and moments count
   Vector<dim> velocity = Vector<dim>::Zero();  ///< m/s
   Moment<dim> spin = Moment<dim>::Zero();      ///< 1/s
-  double growth = 0.;  ///< m/s, of the whole surface along its normal: towards the particles
-  double mass = 0.;    ///< kg; 0: driven, the velocity is given
-  Vector<dim> load = Vector<dim>::Zero();  ///< N, on a body with mass
+  double growth = 0.;                   ///< m/s, of the whole surface along its normal: towards the particles
+  double mass = 0.;                     ///< kg; 0: driven, the velocity is given
+  double drag = 0., turning_drag = 0.;  ///< N s/m, N m s: of a body without mass that forces move
+  Vector<dim> load = Vector<dim>::Zero();    ///< N, on a body that forces move
+  Moment<dim> torque = Moment<dim>::Zero();  ///< N m, the same about its centre
 
   virtual ~Obstacle() = default;
 
@@ -84,9 +90,21 @@ class Obstacle {
   void set_groups(std::size_t pusher, std::size_t groups);
   /// Forgets what a group has pushed; at the start of its evaluation.
   void clear(std::size_t pusher, std::size_t group) { pushes[pusher][group] = Push(); }
-  /// A particle at x presses against the surface (N, along -normal on the body) and drags it (N).
+  /// A particle at x presses against the surface (N, along -normal on the body) and drags it along (N).
   void push(std::size_t pusher, std::size_t group, const Vector<dim> &x, const Contact &contact,
-            double pressing, const Vector<dim> &drag = Vector<dim>::Zero());
+            double pressing, const Vector<dim> &along = Vector<dim>::Zero());
+
+  /// A force (N) on the body that acts at x itself.
+  void pull(std::size_t pusher, std::size_t group, const Vector<dim> &x, const Vector<dim> &force);
+
+  /// What rubs against a body with drag: place (m), friction (N s/m) and velocity (m/s) of a particle.
+  struct Rub {
+    Vector<dim> x;
+    double friction;
+    Vector<dim> v;
+  };
+  /// The velocity and spin at which load, forces, drag and friction with all that rub balance.
+  void balance(const std::vector<Rub> &rubs);
 
   double pressing() const;     ///< N, sum of all forces along the surface's normals, positive into the body
   Vector<dim> force() const;   ///< N, on the body
@@ -102,6 +120,9 @@ class Obstacle {
   double work_of_last_step() const;  ///< J, that half, with the forces of now
 
   virtual double energy() const { return 0.; }  ///< J, stored in the body
+  virtual double kinetic_energy() const { return 0.5 * mass * velocity.squaredNorm(); }  ///< J
+  /// 1/kg, of any of its points under a force there, at most.
+  virtual double mobility() const { return mass > 0. ? 1. / mass : 0.; }
 
   /// Particles that press on a body whose shape answers, in their order: places, and how far from the surface
   /// they feel it (m).
@@ -129,6 +150,8 @@ class Obstacle {
  protected:
   /// centre and so on have moved: what else is kept in space follows.
   virtual void turn(const Moment<dim> &) {}
+  /// rad, about the centre over dt (s); spin is then that of this step.
+  virtual Moment<dim> turning(const double dt) { return dt * spin; }
   virtual void grow(double) {}
 
  private:

@@ -2,10 +2,13 @@
 
 #include "micro/geometry/closed_surface.h"
 #include "micro/geometry/closest_point.h"
+#include "micro/geometry/facet_curvature.h"
+#include "micro/geometry/solid_inertia.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 
 namespace turgor {
 TriangulatedBody::TriangulatedBody(TriangleMesh mesh_, const std::vector<Vector<3>> &nodes,
@@ -31,6 +34,7 @@ TriangulatedBody::TriangulatedBody(TriangleMesh mesh_, const std::vector<Vector<
   }
   for (auto *normals : {&of_edge, &of_node})
     for (Vector<3> &n : *normals) n.normalize();
+  roundness = facet_curvature(surface, at_rest);
   grid = FacetGrid(at_rest, surface.faces);
 }
 
@@ -74,7 +78,79 @@ TriangulatedBody::Contact TriangulatedBody::at(const Vector<3> &x, const double 
   const double size = at_rest[surface.faces[face][0]].norm();
   contact.distance = out * sign * away;
   contact.normal = turned * Vector<3>(out * (away > 1e-12 * size ? Vector<3>(sign / away * from) : *normal));
+  bend_of(face, nearest, contact);
   return contact;
+}
+
+/// Linear over the triangle: at the nearest point, which moves with x on a face, along an edge, and not at
+/// all at a vertex.
+void TriangulatedBody::bend_of(const std::uint32_t face, const ClosestPoint &nearest,
+                               Contact &contact) const {
+  const auto &f = surface.faces[face];
+  const double at[3] = {roundness[f[0]], roundness[f[1]], roundness[f[2]]};
+  if (at[0] == 0. && at[1] == 0. && at[2] == 0.) return;
+  const Vector<3> &a = at_rest[f[0]], ab = at_rest[f[1]] - a, ac = at_rest[f[2]] - a, n = ab.cross(ac);
+  Vector<3> slope = ((at[1] - at[0]) * ac.cross(n) + (at[2] - at[0]) * n.cross(ab)) / n.squaredNorm();
+  const double out = side == ParticlesAre::outside ? 1. : -1.;
+  contact.curvature = out * (at[0] + slope.dot(nearest.point - a));
+  if (nearest.on == ClosestPoint::corner) return;
+  if (nearest.on == ClosestPoint::edge) {
+    const int k = nearest.which;
+    const Vector<3> along = (at_rest[f[(k + 1) % 3]] - at_rest[f[k]]).normalized();
+    slope = slope.dot(along) * along;
+  }
+  contact.bend = turned * Vector<3>(out * slope);
+}
+
+void TriangulatedBody::set_free(const double density) {
+  if (!(density > 0.))
+    throw std::invalid_argument("a body that moves freely needs a density above 0 (kg/m^3).");
+  const SolidInertia solid = solid_inertia(surface, at_rest);
+  for (Vector<3> &x : at_rest) x -= solid.middle;
+  grid = FacetGrid(at_rest, surface.faces);
+  velocity += spin.cross(turned * solid.middle);
+  centre += turned * solid.middle;
+  mass = density * solid.volume;
+  const Eigen::SelfAdjointEigenSolver<Tensor2<3>> own(solid.inertia(density));
+  principal = own.eigenvalues();
+  axes = own.eigenvectors();
+  if (axes.determinant() < 0.) axes.col(2) *= -1.;
+  const Tensor2<3> frame = turned * axes;
+  L = frame * principal.asDiagonal() * (frame.transpose() * spin);
+  for (const Vector<3> &x : at_rest) farthest = std::max(farthest, x.norm());
+}
+
+double TriangulatedBody::kinetic_energy() const {
+  const Vector<3> own = (turned * axes).transpose() * L;
+  double turns = 0.;
+  for (int k = 0; k < 3; ++k)
+    if (principal[k] > 0.) turns += 0.5 * own[k] * own[k] / principal[k];
+  return turns + Obstacle<3>::kinetic_energy();
+}
+
+double TriangulatedBody::mobility() const {
+  const double least = principal.minCoeff();
+  return Obstacle<3>::mobility() + (least > 0. ? farthest * farthest / least : 0.);
+}
+
+Vector<3> TriangulatedBody::turning(const double dt) {
+  if (!(principal[0] > 0.)) return Obstacle<3>::turning(dt);
+  L += dt * (torque + moment());
+  const Tensor2<3> frame = turned * axes;
+  Vector<3> own = frame.transpose() * L;
+  Eigen::Quaterniond all = Eigen::Quaterniond::Identity();
+  for (const auto &[axis, share] : {std::pair(0, 0.5), {1, 0.5}, {2, 1.}, {1, 0.5}, {0, 0.5}}) {
+    const Eigen::Quaterniond part(
+        Eigen::AngleAxisd(share * dt * own[axis] / principal[axis], Vector<3>::Unit(axis)));
+    own = part.conjugate() * own;
+    all = all * part;
+  }
+  const double sine = all.vec().norm();
+  const Vector<3> way =
+      sine > 0. ? Vector<3>(2. * std::atan2(sine, all.w()) / sine * all.vec()) : Vector<3>(Vector<3>::Zero());
+  const Vector<3> turn_by = frame * way;
+  if (dt > 0.) spin = turn_by / dt;
+  return turn_by;
 }
 
 void TriangulatedBody::turn(const Vector<3> &by) {
@@ -94,6 +170,6 @@ void TriangulatedBody::grow(const double by) {
 
 void TriangulatedBody::archive(Archive &a) {
   Obstacle<3>::archive(a);
-  a(turned);
+  a(turned, L);
 }
 }  // namespace turgor

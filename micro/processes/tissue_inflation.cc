@@ -223,7 +223,7 @@ void TissueInflation::end() {
   tissue.system.compute_forces();
   if (tissue.flow) {
     tissue.wall->set_flow(tissue.flow);
-    WallYielding<2>(*tissue.wall, tissue.flow).apply(tissue.system);
+    WallYielding(*tissue.wall, tissue.flow).apply(tissue.system);
   }
 }
 }  // namespace turgor

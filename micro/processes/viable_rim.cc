@@ -1,7 +1,7 @@
 #include "micro/processes/viable_rim.h"
 
 #include "micro/cells/depth_below_surface.h"
-#include "micro/cells/outer_cells.h"
+#include "micro/terms/outer_cells.h"
 
 namespace turgor {
 void ViableRim::change(Interval &now) {

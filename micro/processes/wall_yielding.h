@@ -7,11 +7,11 @@
 //   unloading, reloading  elastic, from the new rest length
 //
 // Rate independent; between steps. The reversible reading of Eq. 3.8 (force g F_el on the way out and back)
-// needs no process.
+// needs no process. Of cells in 2D, whose curve the thesis has.
 #pragma once
 
 #include "micro/engine/particle_system.h"
-#include "micro/terms/bonded_wall.h"
+#include "micro/terms/ring_wall.h"
 
 #include <algorithm>
 #include <memory>
@@ -19,14 +19,13 @@
 #include <vector>
 
 namespace turgor {
-template <int dim>
 class WallYielding {
  public:
-  WallYielding(const BondedWall<dim> &wall_, std::shared_ptr<WallFlow> flow_)
+  WallYielding(const RingWall &wall_, std::shared_ptr<WallFlow> flow_)
       : wall(wall_), flow(std::move(flow_)) {}
 
   /// Lengthens the bonds that yield; if there are any, computes the forces of their cells anew. True then.
-  bool apply(ParticleSystem<dim> &system) const {
+  bool apply(ParticleSystem<2> &system) const {
     // A group looks at its own bonds only: shared out over threads, same bits on any number of them. The
     // forces must be current before (they are at the end of a step).
     std::vector<unsigned char> yielded(flow->permanent.size(), 0);
@@ -50,7 +49,7 @@ class WallYielding {
   }
 
  private:
-  const BondedWall<dim> &wall;
+  const RingWall &wall;
   std::shared_ptr<WallFlow> flow;
 };
 }  // namespace turgor

@@ -1,7 +1,7 @@
 // The reference cell that scenes of SPH tissue start from, annealed with progress shown.
 #pragma once
 
-#include "micro/cells/annealed_cells.h"
+#include "micro/processes/annealed_cells.h"
 
 namespace turgor {
 class RunContext;

@@ -88,7 +88,6 @@ class MotionMatrix {
   bool moves_bodies() const { return !given_velocity.empty(); }
 
   unsigned int iterations() const { return last_iterations; }
-  std::uint64_t total_iterations() const { return all_iterations; }
   std::size_t memory_bytes() const;
 
  private:
@@ -136,6 +135,5 @@ class MotionMatrix {
   std::vector<Eight> r, Ap, correction;
   std::vector<double> parts, squares;
   unsigned int last_iterations = 0;
-  std::uint64_t all_iterations = 0;
 };
 }  // namespace turgor

@@ -143,7 +143,6 @@ void MotionMatrix::finish(const double forces, double residual,
   // A correction is worth six digits at most: single precision has no more.
   for (; !(residual <= allowed); residual = find_clusters ? correct_as_rigid() : exact_residual())
     correct(std::max(0.25 * allowed, 2.5e-13 * residual), residual, allowed);
-  all_iterations += last_iterations;
   for_chunks(threads, Chunks(medium.size()), [&](std::size_t begin, std::size_t last) {
     for (std::size_t i = begin; i < last; ++i)
       for (int d = 0; d < dim; ++d) velocity[d][i] = v[i].v[d];

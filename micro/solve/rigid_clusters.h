@@ -36,7 +36,6 @@ class RigidClusters {
   void correct(const std::vector<BodyVector> &r, std::vector<BodyVector> &v) const;
 
   std::size_t count() const { return clusters; }
-  const std::vector<std::uint32_t> &cluster_of() const { return label; }  ///< of each body
 
  private:
   using Numbers = Eigen::VectorXd;

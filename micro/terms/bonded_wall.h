@@ -1,10 +1,9 @@
-// What the processes between steps (failure, yielding) need of a cell wall made of bonds, whatever its
+// What the process of failure needs of a cell wall made of bonds, whatever its
 // shape: a ring in 2D, a triangulated net in 3D. Bonds and faces are numbered per cell (group).
 #pragma once
 
 #include "micro/engine/term.h"
 #include "micro/terms/wall_damage.h"
-#include "micro/terms/wall_flow.h"
 
 #include <array>
 #include <cstdint>
@@ -22,21 +21,10 @@ class BondedWall : public Term<dim> {
   /// The faces at a bond; in 2D the bond itself, twice.
   virtual std::array<std::uint32_t, 2> faces_at(std::size_t bond) const = 0;
 
-  /// Largest elastic stretch that a bond can bear when it is stretched to `stretch` in all: where the elastic
-  /// law carries what the yield curve allows there, F_elastic(result) = g(stretch) F_elastic(stretch).
-  virtual double bearable_stretch(double stretch) const = 0;
-
-  /// False where a bond with that permanent stretch surely stays below the yield curve: spares
-  /// bearable_stretch.
-  virtual bool may_yield(double /*stretch*/, double /*permanent*/) const { return true; }
-
   /// Broken bonds carry nothing. Shared with the fluid and the process that breaks them.
   void set_damage(std::shared_ptr<const WallDamage> damage_) { damage = std::move(damage_); }
-  /// Bonds are at rest at permanent x rest length.
-  void set_flow(std::shared_ptr<const WallFlow> flow_) { flow = std::move(flow_); }
 
  protected:
   std::shared_ptr<const WallDamage> damage;
-  std::shared_ptr<const WallFlow> flow;
 };
 }  // namespace turgor

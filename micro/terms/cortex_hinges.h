@@ -19,11 +19,6 @@ class CortexHinges final : public Term<3> {
   /// stiffness: k_b, N m.
   CortexHinges(std::shared_ptr<CellSurfaces> surfaces, double stiffness);
 
-  /// N m, of a cortex with modulus E (Pa), thickness h (m), Poisson's ratio nu.
-  static double stiffness_of(const double E, const double h, const double nu) {
-    return 2. / std::sqrt(3.) * E * h * h * h / (12. * (1. - nu * nu));
-  }
-
   std::string name() const override { return "cortex_hinges"; }
   void declare(Particles<3> &) override {}
   void add_forces(Particles<3> &particles, const Box<3> &box, std::size_t group) override;

@@ -93,12 +93,12 @@ std::string ElasticCapsule::passed(std::size_t, const double modulus, const doub
 
 double ElasticCapsule::pressure() const { return pressing() / (4. * pi * R * R); }
 
-/// Root of weight(r) = 4 pi r^2 [p_el(r) + drag log(r/from)] - cells(r), between the rest radius and the
+/// Root of weight(r) = 4 pi r^2 [p_el(r) + lag log(r/from)] - cells(r), between the rest radius and the
 /// outermost reach.
 void ElasticCapsule::settle(const Pressing &near, const double dt) {
-  const double drag = dt > 0. ? parameters.damping / dt : 0., from = R;
+  const double lag = dt > 0. ? parameters.damping / dt : 0., from = R;
   std::vector<double> distance;  // from the centre
-  double low = drag > 0. ? std::min(parameters.radius, from) : parameters.radius, high = std::max(low, from);
+  double low = lag > 0. ? std::min(parameters.radius, from) : parameters.radius, high = std::max(low, from);
   for (std::size_t k = 0; k < near.x.size(); ++k) {
     const double x = near.x[k][0] - centre[0], y = near.x[k][1] - centre[1], z = near.x[k][2] - centre[2];
     distance.push_back(std::sqrt(x * x + y * y + z * z));
@@ -113,8 +113,8 @@ void ElasticCapsule::settle(const Pressing &near, const double dt) {
         slope -= stiffness;
       }
     const double h = 1e-6 * r, area = 4. * pi * r * r;
-    const double p = wall_pressure(r) + drag * std::log(r / from);
-    const double dp = (wall_pressure(r + h) - wall_pressure(r - h)) / (2. * h) + drag / r;
+    const double p = wall_pressure(r) + lag * std::log(r / from);
+    const double dp = (wall_pressure(r + h) - wall_pressure(r - h)) / (2. * h) + lag / r;
     return std::pair(area * p - force, area * dp + 8. * pi * r * p - slope);
   };
   R = std::clamp(from, low, high);

@@ -1,11 +1,11 @@
 // Forces that a scene gives as they are (light, tweezers, a puller): no law of the particles, so no energy;
 // what they do is active work.
 //
-//   system.add(std::make_unique<GivenLoad<3>>([this](Particles<3> &p, std::size_t) { p.f[0][tip] += pull;
-//     }));
+//   system.add(std::make_unique<GivenLoad<3>>([this](const Particles<3> &p, std::size_t group, auto &f) {
+//     f[0][tip] += pull; }));
 //
-// In: the function, which adds forces (N) to particles.f of the given group alone. It is called by one thread
-// a group.
+// In: the function, which adds the forces (N) on the particles of the given group to f, where they begin with
+// zero. It is called by one thread a group.
 #pragma once
 
 #include "micro/engine/term.h"
@@ -17,7 +17,8 @@ namespace turgor {
 template <int dim>
 class GivenLoad final : public Term<dim> {
  public:
-  using Load = std::function<void(Particles<dim> &, std::size_t group)>;
+  using Forces = typename Particles<dim>::Components;
+  using Load = std::function<void(const Particles<dim> &, std::size_t group, Forces &)>;
   explicit GivenLoad(Load load_) : load(std::move(load_)) {}
 
   std::string name() const override { return "given_load"; }
@@ -27,18 +28,10 @@ class GivenLoad final : public Term<dim> {
 
   void add_forces(Particles<dim> &particles, const Box<dim> &, const std::size_t group) override {
     const Group &g = particles.groups[group];
+    for (auto &f : given) std::fill(f.begin() + g.begin, f.begin() + g.end, 0.);
+    load(particles, group, given);
     for (int d = 0; d < dim; ++d)
-      std::swap_ranges(particles.f[d].begin() + g.begin, particles.f[d].begin() + g.end,
-                       given[d].begin() + g.begin);
-    for (int d = 0; d < dim; ++d)
-      std::fill(particles.f[d].begin() + g.begin, particles.f[d].begin() + g.end, 0.);
-    load(particles, group);
-    for (int d = 0; d < dim; ++d)
-      for (std::size_t i = g.begin; i < g.end; ++i) {
-        const double others = given[d][i];
-        given[d][i] = particles.f[d][i];
-        particles.f[d][i] += others;
-      }
+      for (std::size_t i = g.begin; i < g.end; ++i) particles.f[d][i] += given[d][i];
   }
 
   double energy(const Particles<dim> &, const Box<dim> &, std::size_t) const override { return 0.; }
@@ -54,6 +47,6 @@ class GivenLoad final : public Term<dim> {
 
  private:
   Load load;
-  typename Particles<dim>::Components given;  ///< N, where forces were last asked
+  Forces given;  ///< N, where forces were last asked
 };
 }  // namespace turgor

@@ -23,10 +23,11 @@ struct LaserBeams {
   }  ///< Pa, sigma_0
 };
 
-/// particles.f += the forces (N) of sigma_0 (Pa) on the nodes of a cell. axis: unit vector. The area that a
+/// f += the forces (N) of sigma_0 (Pa) on the nodes of a cell. axis: unit vector. The area that a
 /// node stands for, with its normal, is dV/dx.
-inline void add_laser_forces(const CellSurfaces &surfaces, Particles<3> &particles, const std::size_t cell,
-                             const Vector<3> &axis, const double sigma_0) {
+inline void add_laser_forces(const CellSurfaces &surfaces, const Particles<3> &particles,
+                             const std::size_t cell, const Vector<3> &axis, const double sigma_0,
+                             Particles<3>::Components &f) {
   const Group &group = particles.groups[cell];
   std::vector<Vector<3>> area(group.wall_count(), Vector<3>::Zero());
   surfaces.add_volume_gradient(particles, cell, area);
@@ -35,7 +36,8 @@ inline void add_laser_forces(const CellSurfaces &surfaces, Particles<3> &particl
     middle += particles.position(i) / double(group.wall_count());
   for (std::uint32_t i = group.begin; i < group.fluid; ++i) {
     const double cosine = (particles.position(i) - middle).normalized().dot(axis);
-    add_force(particles, i, sigma_0 * cosine * cosine * area[i - group.begin]);
+    const Vector<3> pull = sigma_0 * cosine * cosine * area[i - group.begin];
+    for (int d = 0; d < 3; ++d) f[d][i] += pull[d];
   }
 }
 }  // namespace turgor

@@ -51,20 +51,7 @@ double NetWall::stretch(const Particles<3> &p, const std::size_t group, const st
 double NetWall::tension(const Particles<3> &p, const std::size_t group, const std::size_t edge) const {
   return broken(group, edge)
              ? 0.
-             : parameters.stiffness * shape.width[edge] *
-                   spring_force(stretch(p, group, edge) * shape.rest_length[edge] / rest(group, edge));
-}
-
-double NetWall::bearable_stretch(const double stretch) const {
-  // l - l^-5 = target: its slope is at least 1 and it is concave above 1, so Newton from the right converges
-  const double target = yield.share(stretch) * spring_force(stretch);
-  double l = stretch;
-  for (int k = 0; k < 60; ++k) {
-    const double change = (spring_force(l) - target) / (1. + 5. * std::pow(l, -6.));
-    l -= change;
-    if (std::abs(change) <= 1e-15 * l) break;
-  }
-  return l;
+             : parameters.stiffness * shape.width[edge] * spring_force(stretch(p, group, edge));
 }
 
 void NetWall::add_forces(Particles<3> &particles, const Box<3> &, const std::size_t group) {
@@ -86,7 +73,7 @@ void NetWall::add_forces(Particles<3> &particles, const Box<3> &, const std::siz
     const Vector<3> e = b - a;
     const double length = e.norm();
     const Vector<3> pull =
-        parameters.stiffness * shape.width[k] * spring_force(length / rest(group, k)) / length * e;
+        parameters.stiffness * shape.width[k] * spring_force(length / shape.rest_length[k]) / length * e;
     if (hinged(group, k)) {
       const Vector<3> c = at(edge.c), d = at(edge.d);
       const TriangleHinge hinge(a, b, c, d);
@@ -111,9 +98,9 @@ double NetWall::energy(const Particles<3> &particles, const Box<3> &, const std:
     if (broken(group, k)) continue;
     const TriangleMesh::Edge &edge = mesh->edges[k];
     const Vector<3> a = particles.position(begin + edge.a), b = particles.position(begin + edge.b);
-    const double lambda = (b - a).norm() / rest(group, k), l2 = lambda * lambda;
-    total += parameters.stiffness * shape.width[k] * rest(group, k) * (l2 - 1.) * (l2 - 1.) * (2. * l2 + 1.) /
-             (4. * l2 * l2);
+    const double lambda = (b - a).norm() / shape.rest_length[k], l2 = lambda * lambda;
+    total += parameters.stiffness * shape.width[k] * shape.rest_length[k] * (l2 - 1.) * (l2 - 1.) *
+             (2. * l2 + 1.) / (4. * l2 * l2);
     if (hinged(group, k)) {
       const double bent =
           TriangleHinge(a, b, particles.position(begin + edge.c), particles.position(begin + edge.d)).angle -
@@ -138,7 +125,7 @@ double NetWall::stiffest(const Particles<3> &particles, const std::size_t group,
   for (std::uint32_t k = 0; k < mesh->edges.size(); ++k) {
     const TriangleMesh::Edge &edge = mesh->edges[k];
     const Vector<3> e = particles.position(g.begin + edge.b) - particles.position(g.begin + edge.a);
-    const double length = e.norm(), lambda = length / rest(group, k);
+    const double length = e.norm(), lambda = length / shape.rest_length[k];
     const double slope = 1. + 5. * std::pow(std::min(lambda, 1.), -6.);
     direction.push_back(e / length);
     root.push_back(std::sqrt(parameters.stiffness * shape.width[k] / shape.rest_length[k] * slope));

@@ -13,14 +13,13 @@
 //   mass       density t0 times a third of the triangles around a node
 //
 // The net is stress-free in the shape it is made from, hinges included. Isotropic net: E = 3 G equibiaxial, 4
-// G uniaxial. With WallFlow, a bond that has flown is one of lambda_p times the rest length. With WallDamage,
+// G uniaxial. With WallDamage,
 // a broken bond carries nothing, and hinges that lack a bond or a face are gone. Lengths in m, G t0 in N/m,
 // k_b in N m; forces depend on differences of positions only, so momentum and angular momentum hold.
 #pragma once
 
 #include "micro/geometry/triangle_mesh.h"
 #include "micro/terms/bonded_wall.h"
-#include "micro/laws/wall_yield.h"
 
 #include <memory>
 #include <vector>
@@ -63,19 +62,12 @@ class NetWall final : public BondedWall<3> {
   std::array<std::uint32_t, 2> faces_at(const std::size_t edge) const override {
     return {mesh->edges[edge].left, mesh->edges[edge].right};
   }
-  /// With the yield curve of set_yield: F_el(result) = g(stretch) F_el(stretch).
-  double bearable_stretch(double stretch) const override;
-  void set_yield(const WallYield &value) { yield = value; }
   /// N, positive in tension; 0 for a broken bond.
   double tension(const Particles<3> &particles, std::size_t group, std::size_t edge) const;
 
  private:
   bool broken(const std::size_t group, const std::size_t edge) const {
     return damage && damage->cells[group].bond_broken[edge];
-  }
-  /// m, what has flown included.
-  double rest(const std::size_t group, const std::size_t edge) const {
-    return shape.rest_length[edge] * (flow ? flow->permanent[group][edge] : 1.);
   }
   bool hinged(const std::size_t group, const std::size_t edge) const {
     return bending > 0. && !(damage && (damage->cells[group].face_gone[mesh->edges[edge].left] ||
@@ -89,7 +81,6 @@ class NetWall final : public BondedWall<3> {
   std::shared_ptr<const TriangleMesh> mesh;
   NetShape shape;
   NetWallParameters parameters;
-  double bending;   ///< N m, k_b
-  WallYield yield;  ///< of plastic flow (process WallYielding); the force itself is the elastic one
+  double bending;  ///< N m, k_b
 };
 }  // namespace turgor

@@ -60,8 +60,25 @@ void Obstacles<dim>::prepare(const Particles<dim> &particles, const Box<dim> &, 
 
 template <int dim>
 void Obstacles<dim>::advance(const Particles<dim> &particles, const double dt) {
-  for (const auto &body : bodies) done += body->advance(dt);
+  for (const auto &body : bodies) {
+    if (body->drag > 0.) body->balance(rubbing(particles, *body));
+    done += body->advance(dt);
+  }
   if (dt > 0.) settle(particles, dt, list && list->covers(particles));
+}
+
+template <int dim>
+std::vector<typename Obstacle<dim>::Rub> Obstacles<dim>::rubbing(const Particles<dim> &particles,
+                                                                 const Obstacle<dim> &body) const {
+  std::vector<typename Obstacle<dim>::Rub> rubs;
+  if (friction() > 0.)
+    for_touches(particles, [&](const Touch &t) {
+      if (&t.body != &body) return;
+      Vector<dim> v;
+      for (int d = 0; d < dim; ++d) v[d] = particles.v[d][t.particle];
+      rubs.push_back({t.x - t.contact.distance * t.contact.normal, friction() * t.does.area, v});
+    });
+  return rubs;
 }
 
 template <int dim>
@@ -81,6 +98,11 @@ void Obstacles<dim>::add_forces_of(Particles<dim> &particles, const Box<dim> &, 
                 const double force = view(i, c.distance, c.curvature).force;
                 for (int d = 0; d < dim; ++d) particles.f[d][i] += force * c.normal[d];
                 body.push(number[k], group, x, c, force);
+                if (c.bend.squaredNorm() > 0.) {
+                  const Vector<dim> f = -view.by_curvature(i, c.distance, c.curvature) * c.bend;
+                  for (int d = 0; d < dim; ++d) particles.f[d][i] += f[d];
+                  body.pull(number[k], group, x, -f);
+                }
               });
         }
       },
@@ -177,7 +199,7 @@ Rates Obstacles<dim>::rates(const Particles<dim> &particles) const {
   for (const Group &g : particles.groups)
     for (std::uint32_t i = g.begin; i < g.end; ++i)
       (i < g.fluid ? wall : fluid) = std::max(i < g.fluid ? wall : fluid, particles.inverse_mass[i]);
-  for (const auto &body : bodies) lightest = std::max(lightest, body->mass > 0. ? 1. / body->mass : 0.);
+  for (const auto &body : bodies) lightest = std::max(lightest, body->mobility());
   // all particles may touch a body that moves
   bound.wall.frequency_squared = penalty->stiffness * wall;
   bound.wall.frequency_squared += penalty->stiffness * lightest * double(particles.size());

@@ -93,7 +93,7 @@ class Obstacles final : public Term<dim> {
 
   double friction() const;  ///< N s/m^3, of what touches, by the area of its contact
   /// gamma (N s/m) += the friction of each particle with the bodies, where forces were last asked.
-  void add_friction(const Particles<dim> &particles, std::vector<double> &gamma) const;
+  void add_friction(const Particles<dim> &particles, std::vector<double> &gamma) const override;
 
   /// Of what cells live on: m, of a place below the surface of the nearest body that lets it through;
   /// infinite where there is none.
@@ -138,6 +138,9 @@ class Obstacles final : public Term<dim> {
                      if (c.distance < reach) visit(group, i, x, c);
                    });
   }
+  /// What rubs against a body, at the velocities of the step that has ended.
+  std::vector<typename Obstacle<dim>::Rub> rubbing(const Particles<dim> &particles,
+                                                   const Obstacle<dim> &body) const;
   /// The bodies whose shape answers, into balance with what presses on them; dt (s): 0 at once.
   void settle(const Particles<dim> &particles, double dt, bool listed);
 

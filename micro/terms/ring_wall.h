@@ -6,6 +6,7 @@
 #pragma once
 
 #include "micro/terms/bonded_wall.h"
+#include "micro/terms/wall_flow.h"
 #include "micro/laws/neo_hookean_wall.h"
 #include "micro/laws/wall_bending.h"
 
@@ -41,8 +42,14 @@ class RingWall final : public BondedWall<2> {
   std::array<std::uint32_t, 2> faces_at(const std::size_t bond) const override {
     return {std::uint32_t(bond), std::uint32_t(bond)};
   }
-  double bearable_stretch(double stretch) const override;
-  bool may_yield(const double stretch, const double permanent) const override {
+  /// Bonds are at rest at permanent x rest length.
+  void set_flow(std::shared_ptr<const WallFlow> flow_) { flow = std::move(flow_); }
+  /// Largest elastic stretch that a bond can bear when it is stretched to `stretch` in all: where the elastic
+  /// law carries what the yield curve allows there, F_elastic(result) = g(stretch) F_elastic(stretch).
+  double bearable_stretch(double stretch) const;
+  /// False where a bond with that permanent stretch surely stays below the yield curve: spares
+  /// bearable_stretch.
+  bool may_yield(const double stretch, const double permanent) const {
     return elastic_law.force(stretch / permanent) > yielding_law.force(stretch);
   }
   /// N, of a bond as it is now.
@@ -55,6 +62,7 @@ class RingWall final : public BondedWall<2> {
   /// The law while loaded, with its yielding; with plastic flow (set_flow) the bonds themselves follow its
   /// elastic part.
   NeoHookeanWall yielding_law, elastic_law;
+  std::shared_ptr<const WallFlow> flow;
   std::vector<RingShape> shapes;                             ///< per group
   double spacing, node_mass, shortest, stiffest_hinge = 0.;  ///< m, kg, m of bonds at rest, N m
   bool one_length;

@@ -6,12 +6,13 @@
 //
 // A law holds for a part of a group (holds_for) and is asked through a view that is bound to the particles'
 // fields once (SurfaceLaw::on): reach (m): it is felt for w < reach; (i, w, curvature) -> force along the
-// normal (N), slope of the force (N/m), area (m^2). A third law is a structure of this form and its name in
-// SurfaceLaw.
+// normal (N), slope of the force (N/m), area (m^2); by_curvature (J m): slope of the energy. A third law is a
+// structure of this form and its name in SurfaceLaw.
 #pragma once
 
 #include "micro/terms/wall_contact.h"
 
+#include <algorithm>
 #include <utility>
 #include <variant>
 
@@ -30,6 +31,7 @@ struct SurfacePenalty {
       return {-law.stiffness * w, law.stiffness, 0., 0.5 * law.stiffness * w * w};
     }
     double energy(std::size_t, const double w, double) const { return 0.5 * law.stiffness * w * w; }
+    double by_curvature(std::size_t, double, double) const { return 0.; }
     bool ends_at(double) const { return false; }
     double modulus(std::size_t) const { return 0.; }
     double modulus_of_wall() const { return HUGE_VAL; }
@@ -52,10 +54,19 @@ struct SphereOnSurface {
     }
     double reach(const std::size_t i) const { return radius[i]; }
     SphereContact operator()(const std::size_t i, const double w, const double curvature) const {
-      return material(radius[i], reference(i), modulus_of[i], curvature, w);
+      return material(radius[i], reference(i), modulus_of[i], bounded(i, curvature), w);
     }
     double energy(const std::size_t i, const double w, const double curvature) const {
-      return material.energy(radius[i], reference(i), modulus_of[i], curvature, w);
+      return material.energy(radius[i], reference(i), modulus_of[i], bounded(i, curvature), w);
+    }
+    /// Of the energy: it goes with sqrt(R), 1/R = 1/R_i + curvature.
+    double by_curvature(const std::size_t i, const double w, const double curvature) const {
+      const double c = bounded(i, curvature);
+      return c == curvature ? -0.5 * energy(i, w, c) / (1. / radius[i] + c) : 0.;
+    }
+    /// A hollow that the sphere does not fit into is one that it just fits into.
+    double bounded(const std::size_t i, const double curvature) const {
+      return std::max(curvature, -0.95 / radius[i]);
     }
     bool ends_at(const double w) const { return !(w > 0.); }
     double modulus(const std::size_t i) const  ///< Pa, of its contacts, as packed under some kPa

@@ -1,68 +1,12 @@
 #include "micro/terms/thesis_pairs.h"
 
+#include "micro/geometry/bins.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 namespace turgor {
-namespace {
-/// Places in bins of a width over the box that holds all of them.
-template <int dim>
-class CellBins {
- public:
-  using Places = std::array<const double *, dim>;
-
-  CellBins(const Places &all, const std::uint32_t count, const double bin_width) : width(bin_width) {
-    for (int d = 0; d < dim; ++d) {
-      const auto [least, most] = std::minmax_element(all[d], all[d] + count);
-      low[d] = *least;
-      bins[d] = std::clamp(int(std::min((*most - *least) / width, 1e6)) + 1, 1, dim == 2 ? 512 : 64);
-      total *= std::size_t(bins[d]);
-    }
-  }
-
-  std::vector<std::vector<std::uint32_t>> sorted(const Places &x, const std::uint32_t count) const {
-    std::vector<std::vector<std::uint32_t>> result(total);
-    for (std::uint32_t k = 0; k < count; ++k) {
-      std::size_t at = 0;
-      for (int d = dim - 1; d >= 0; --d) at = at * std::size_t(bins[d]) + std::size_t(bin(x, k, d));
-      result[at].push_back(k);
-    }
-    return result;
-  }
-
-  /// visit(bin) for the bin of place k of x and its neighbours.
-  template <class Visit>
-  void around(const Places &x, const std::uint32_t k, Visit &&visit) const {
-    std::array<int, dim> from, to;
-    for (int d = 0; d < dim; ++d) {
-      const int own = bin(x, k, d);
-      from[d] = std::max(own - 1, 0);
-      to[d] = std::min(own + 1, bins[d] - 1);
-    }
-    const auto visit_row = [&](const std::size_t row) {
-      for (int c = from[0]; c <= to[0]; ++c) visit(row * std::size_t(bins[0]) + std::size_t(c));
-    };
-    if constexpr (dim == 2)
-      for (int cy = from[1]; cy <= to[1]; ++cy) visit_row(std::size_t(cy));
-    else
-      for (int cz = from[2]; cz <= to[2]; ++cz)
-        for (int cy = from[1]; cy <= to[1]; ++cy)
-          visit_row(std::size_t(cz) * std::size_t(bins[1]) + std::size_t(cy));
-  }
-
- private:
-  int bin(const Places &x, const std::uint32_t k, const int d) const {
-    return std::clamp(int(std::min((x[d][k] - low[d]) / width, 1e6)), 0, bins[d] - 1);
-  }
-
-  double width;
-  std::array<double, dim> low;
-  std::array<int, dim> bins;
-  std::size_t total = 1;
-};
-}  // namespace
-
 template <int dim>
 void ThesisPairs<dim>::build(const Group &g, const double reach, const double wall_reach,
                              const Faces &faces) {
@@ -87,15 +31,30 @@ void ThesisPairs<dim>::build(const Group &g, const double reach, const double wa
     for (int d = 0; d < dim; ++d) r2 += (x[d][k] - inside[d][i]) * (x[d][k] - inside[d][i]);
     return std::sqrt(r2);
   };
-  const CellBins<dim> bins(nodes, nw + n, std::max(reach, wall_reach));
-  const auto fluid_bins = bins.sorted(inside, n), wall_bins = bins.sorted(nodes, nw);
+  double low[dim], high[dim];
+  for (int d = 0; d < dim; ++d) {
+    const auto [least, most] = std::minmax_element(nodes[d], nodes[d] + nw + n);
+    low[d] = *least;
+    high[d] = *most;
+  }
+  const double width = std::max(reach, wall_reach), most_bins = dim == 2 ? 512. : 64.;
+  const Bins<dim> fluid_bins(inside.data(), n, width, low, high, most_bins),
+      wall_bins(nodes.data(), nw, width, low, high, most_bins);
   for (std::uint32_t i = 0; i < n; ++i) {
-    bins.around(inside, i, [&](const std::size_t at) {
-      for (const std::uint32_t j : fluid_bins[at])
-        if (j > i && distance(inside, j, i) < reach) fluid.push_back(j);
-      for (const std::uint32_t k : wall_bins[at])
-        if (distance(nodes, k, i) < wall_reach) wall.push_back(k);
-    });
+    std::array<double, dim> place;
+    for (int d = 0; d < dim; ++d) place[d] = inside[d][i];
+    fluid_bins.near(
+        place.data(),
+        [&](const std::uint32_t j) {
+          if (j > i && distance(inside, j, i) < reach) fluid.push_back(j);
+        },
+        1);
+    wall_bins.near(
+        place.data(),
+        [&](const std::uint32_t k) {
+          if (distance(nodes, k, i) < wall_reach) wall.push_back(k);
+        },
+        1);
     first_fluid[i + 1] = std::uint32_t(fluid.size());
     first_wall[i + 1] = std::uint32_t(wall.size());
   }

@@ -3,8 +3,8 @@
 #include "micro/cells/cell_stress.h"
 #include "micro/laws/counter_random.h"
 #include "micro/engine/overdamped.h"
-#include "micro/processes/cell_motility.h"
 #include "micro/engine/system_motion.h"
+#include "micro/terms/cell_motility.h"
 #include "micro/terms/sphere_links.h"
 #include "run/archive.h"
 
@@ -72,6 +72,13 @@ struct System {
     for (std::uint32_t i = 0; i < p.size(); ++i) p.groups.push_back({i, i, i + 1});
     system.add(std::make_unique<SphereContacts>(HertzContact(), 1e-6)).friction = friction;
     motion.medium.assign(p.size(), gamma);
+  }
+
+  void move_at_random(const double diffusion, const std::uint64_t seed,
+                      const std::vector<std::uint64_t> &id) {
+    system.add(std::make_unique<CellMotility>(diffusion, seed));
+    p.cells.resize(p.size());
+    p.cells.column<std::uint64_t>("id") = id;
   }
 };
 }  // namespace
@@ -389,9 +396,7 @@ BOOST_AUTO_TEST_CASE(motility_in_the_engine) {
       }
       System all(p, {.normal = 5e10, .tangential = 5e10}, 0.3, threads);
       Overdamped<3> stepper({.method = method, .first_step = 50., .longest_step = 100.}, all.motion, threads);
-      all.motion.random = [&](Particles<3> &q, const double h, const std::uint64_t step) {
-        set_motility_forces(q, id, all.motion.medium, D, h, 4, step);
-      };
+      all.move_at_random(D, 4, id);
       double t = 0.;
       while (t < 1000.) t += stepper.step(all.p, 1000. - t);
       double sum = 0.;
@@ -418,9 +423,7 @@ BOOST_AUTO_TEST_CASE(steps_of_a_large_population_have_the_same_bits_on_two_threa
         System all(p, {.normal = 5e9, .tangential = 2e9}, 0.3, threads);
         Overdamped<3> stepper({.method = method, .first_step = 100., .mean_error = mean}, all.motion,
                               threads);
-        all.motion.random = [&](Particles<3> &q, const double h, const std::uint64_t step) {
-          set_motility_forces(q, id, all.motion.medium, 1e-16, h, 4, step);
-        };
+        all.move_at_random(1e-16, 4, id);
         for (int k = 0; k < 3; ++k) stepper.step(all.p, 1e3);
         BOOST_TEST(stepper.rejected() > 0u);
         next[threads - 1] = stepper.next_step();

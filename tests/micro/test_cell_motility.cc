@@ -1,7 +1,8 @@
 // Random and persistent motion of cells alone: mean squared displacements, correlation, order of convergence
 // in the step.
-#include "micro/processes/cell_motility.h"
+#include "micro/processes/polarity.h"
 #include "micro/scenes/spheroid/cell_culture.h"
+#include "micro/terms/cell_motility.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -21,6 +22,8 @@ struct Walkers {
     particles.cells.resize(n);
     declare_polarity(particles.cells);
     std::iota(id.begin(), id.end(), 7u);
+    particles.cells.declare<std::uint64_t>("id");
+    particles.cells.column<std::uint64_t>("id") = id;
   }
 
   void clear() {
@@ -68,7 +71,8 @@ BOOST_AUTO_TEST_CASE(free_diffusion) {
     Walkers w(20000);
     for (int k = 0; k < steps; ++k) {
       const double h = t / steps;
-      set_motility_forces(w.particles, w.id, w.gamma, D, h, 11, std::uint64_t(k));
+      w.clear();
+      CellMotility(D, 11).add_random_forces(w.particles, w.gamma, h, std::uint64_t(k));
       for (std::size_t d = 0; d < 3; ++d)
         for (std::size_t i = 0; i < w.id.size(); ++i)
           w.particles.x[d][i] += h * w.particles.f[d][i] / w.gamma[i];
@@ -79,9 +83,9 @@ BOOST_AUTO_TEST_CASE(free_diffusion) {
 
 BOOST_AUTO_TEST_CASE(random_numbers_follow_the_cell_not_its_place) {
   Walkers w(5), turned(5);
-  turned.id = {11, 10, 9, 8, 7};
-  set_motility_forces(w.particles, w.id, w.gamma, 1e-16, 10., 1, 3);
-  set_motility_forces(turned.particles, turned.id, turned.gamma, 1e-16, 10., 1, 3);
+  turned.particles.cells.column<std::uint64_t>("id") = {11, 10, 9, 8, 7};
+  for (Walkers *all : {&w, &turned})
+    CellMotility(1e-16, 1).add_random_forces(all->particles, all->gamma, 10., 3);
   for (std::size_t i = 0; i < 5; ++i) BOOST_TEST(w.particles.f[0][i] == turned.particles.f[0][4 - i]);
 }
 

@@ -13,7 +13,7 @@
 #include "micro/terms/sphere_contacts.h"
 #include "run/archive.h"
 #include "micro/cells/cell_population.h"
-#include "micro/cells/dextran_pressure.h"
+#include "micro/terms/dextran_pressure.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -73,7 +73,8 @@ BOOST_AUTO_TEST_CASE(stress_of_the_beams_by_hand) {
   CellSurfaces surfaces;
   const DeformableShape shape = sphere_shape(8, 8.8e-6);
   surfaces.add(system.particles, shape.mesh, shape.nodes);
-  add_laser_forces(surfaces, system.particles, 0, Vector<3>::UnitZ(), 1.);
+  for (auto &f : system.particles.f) f.assign(system.particles.size(), 0.);
+  add_laser_forces(surfaces, system.particles, 0, Vector<3>::UnitZ(), 1., system.particles.f);
   double up = 0., all = 0.;
   for (std::size_t i = 0; i < system.particles.size(); ++i) {
     all += system.particles.f[2][i];

@@ -1,6 +1,6 @@
 // The fluid, wall and lamella terms of a patch of cells: F = -dE/dx by finite differences,
 // momentum, gamma against direct quadrature, both instruction sets against each other.
-#include "micro/cells/annealed_cells.h"
+#include "micro/processes/annealed_cells.h"
 #include "micro/engine/kick_drift_kick.h"
 #include "micro/terms/sph_fluid.h"
 #include "run/archive.h"

@@ -1,6 +1,6 @@
 // Cells of their own sizes filled with particles: own counts and masses, F = -dE/dx, stress, and annealed
 // apart.
-#include "micro/cells/annealed_cells.h"
+#include "micro/processes/annealed_cells.h"
 #include "tests/micro/unlike_cells.h"
 
 #include <boost/test/unit_test.hpp>

@@ -171,7 +171,7 @@ BOOST_AUTO_TEST_CASE(plastic_bonds_follow_the_curve_and_unload_elastically) {
   const auto flow = std::make_shared<WallFlow>(1, Ring::n);
   ring.wall->set_flow(flow);
   Particles<2> &p = ring.system.particles;
-  const WallYielding<2> yielding(*ring.wall, flow);
+  const WallYielding yielding(*ring.wall, flow);
   const Particles<2>::Components x0 = p.x;
   const auto resize = [&](const double size) {
     for (int d = 0; d < 2; ++d)

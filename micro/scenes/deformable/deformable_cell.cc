@@ -24,10 +24,12 @@ DeformableCell<Spring>::DeformableCell(const DeformableShape &shape,
   system.add(std::make_unique<CortexArea>(surfaces, parameters.area));
   inside = &system.add(std::make_unique<Cytoplasm>(surfaces, parameters.bulk_modulus));
   system.add(std::make_unique<GivenLoad<3>>(
-      [this](Particles<3> &particles, std::size_t) { load(loaded_until, particles); }));
+      [this](const Particles<3> &particles, std::size_t, Particles<3>::Components &f) {
+        load(loaded_until, particles, f);
+      }));
   motion.medium.assign(p.size(),
                        6. * std::numbers::pi * parameters.viscosity * parameters.radius / double(p.size()));
-  load = [](double, Particles<3> &) {};
+  load = [](double, const Particles<3> &, Particles<3>::Components &) {};
   begin_anew();
   energies.start = elastic();
 }
@@ -47,10 +49,8 @@ void DeformableCell<Spring>::begin_anew() {
 
 template <class Spring>
 void DeformableCell<Spring>::load_at(const double time, Particles<3>::Components &to) {
-  Particles<3> &p = system.particles;
-  for (auto &f : p.f) std::fill(f.begin(), f.end(), 0.);
-  load(time, p);
-  to = p.f;
+  for (auto &f : to) f.assign(system.particles.size(), 0.);
+  load(time, system.particles, to);
 }
 
 template <class Spring>

@@ -4,8 +4,9 @@
 //   elastic - elastic at the start + heat = work of what acts from outside + what steps of finite length lose
 //
 //   DeformableCell<FeneSpring> cell(shape, parameters, threads);
-//   cell.load = [](double t, Particles<3> &p) { ... };               adds the forces from outside (N) at time
-//   t (s) to p.f cell.step(limit);
+//   cell.load = [](double t, const Particles<3> &p, auto &f) { ... };    adds the forces from outside (N) at
+//     time t (s) to f
+//   cell.step(limit);
 //
 // Work: the mean of the load before and after a step, times the way. Heat: friction with the medium, dashpots
 // of the edges, flow of the edges. All in J.
@@ -14,6 +15,7 @@
 #include "micro/cells/deformable_shapes.h"
 #include "micro/engine/overdamped.h"
 #include "micro/engine/system_motion.h"
+#include "micro/scenes/deformable/deformable_material.h"
 #include "micro/terms/cortex_area.h"
 #include "micro/terms/cortex_edges.h"
 #include "micro/terms/cortex_hinges.h"
@@ -25,19 +27,15 @@
 
 namespace turgor {
 template <class Spring>
-struct DeformableCellParameters {
+struct DeformableCellParameters : DeformableMaterial {
   Spring spring;
-  double dashpots = 0.;      ///< N s/m, of each edge
-  double flow = 0.;          ///< N s/m, in series with each spring; 0: none
-  double bending = 0.;       ///< N m, k_b
-  AreaStiffness area;        ///< N/m
-  double bulk_modulus = 0.;  ///< Pa
+  double dashpots = 0.;  ///< N s/m, of each edge
+  double flow = 0.;      ///< N s/m, in series with each spring; 0: none
+  double bending = 0.;   ///< N m, k_b
+  AreaStiffness area;    ///< N/m
   double radius =
       0.;  ///< m: drag of the whole is 6 pi mu R, shared by its nodes; what errors are measured by
-  double viscosity = 1e-3;    ///< Pa s, mu of the medium
-  double tolerance = 1e-3;    ///< error of a step over the radius
-  double first_step = 1e-3;   ///< s
-  double longest_step = 1e9;  ///< s
+  double first_step = 1e-3;  ///< s
 };
 
 struct DeformableEnergies {
@@ -53,7 +51,7 @@ class DeformableCell {
   DeformableCell(const DeformableCell &) = delete;
   DeformableCell &operator=(const DeformableCell &) = delete;
 
-  std::function<void(double time, Particles<3> &)> load;
+  std::function<void(double time, const Particles<3> &, Particles<3>::Components &f)> load;
   /// The length of the coming steps may be another, what came before says nothing: where loads or laws jump.
   void begin_anew();
   /// One step of at most `limit` (s), under the load at its end; its length. Throws std::runtime_error where

@@ -15,8 +15,8 @@
 namespace turgor {
 double OpticalStretcher::warmed(const double power) const {
   const double share = (power - 0.9) / 0.2;
-  if (warming == "none" || power == 0.) return 1.;
-  if (warming == "fit") return std::min(1., 0.29 * std::pow(0.11 / 0.29, share));
+  if (warming == Warming::none || power == 0.) return 1.;
+  if (warming == Warming::fit) return std::min(1., 0.29 * std::pow(0.11 / 0.29, share));
   const double cold = 290., warm = cold + std::max(0., 20. + 5. * share);
   return std::exp(55e3 / 8.314 * (1. / warm - 1. / cold));
 }
@@ -31,7 +31,7 @@ class OpticalStretcher::Run {
  public:
   Run(const OpticalStretcher &scene_, RunContext &context_) : scene(scene_), context(context_) {
     for (const bool flows : {false, true})
-      if (scene.elements == "both" || flows == (scene.elements == "modified_maxwell"))
+      if (scene.elements == Elements::both || flows == (scene.elements == Elements::modified_maxwell))
         for (const double power : scene.powers) cases.push_back({power, flows});
     begin_case();
   }
@@ -91,7 +91,7 @@ std::pair<double, double> OpticalStretcher::Run::strains() const {
 }
 
 void OpticalStretcher::Run::begin_case() {
-  cell.emplace(sphere_shape(scene.nu, scene.radius), scene.cell(element(), cases[at.number].power),
+  cell.emplace(sphere_shape(scene.material.nu, scene.radius), scene.cell(element(), cases[at.number].power),
                context.threads());
   at.length = cell->extent(Vector<3>::UnitZ());
   at.width = cell->extent(Vector<3>::UnitX()) + cell->extent(Vector<3>::UnitY());
@@ -104,8 +104,8 @@ void OpticalStretcher::Run::follow_light() {
   LaserBeams light = scene.beams;
   light.power = lit() ? power : 0.;
   cell->set_friction(friction * element().friction, friction * element().flow);
-  cell->load = [this, stress = light.stress()](double, Particles<3> &p) {
-    if (stress != 0.) add_laser_forces(*cell->surfaces, p, 0, Vector<3>::UnitZ(), stress);
+  cell->load = [this, stress = light.stress()](double, const Particles<3> &p, Particles<3>::Components &f) {
+    if (stress != 0.) add_laser_forces(*cell->surfaces, p, 0, Vector<3>::UnitZ(), stress, f);
   };
 }
 
@@ -165,8 +165,8 @@ void OpticalStretcher::Run::go() {
     a.section("run");
     a(at, found);
     if (a.loading()) {
-      cell.emplace(sphere_shape(scene.nu, scene.radius), scene.cell(element(), cases[at.number].power),
-                   context.threads());
+      cell.emplace(sphere_shape(scene.material.nu, scene.radius),
+                   scene.cell(element(), cases[at.number].power), context.threads());
       a(*cell);
       follow_light();
     } else

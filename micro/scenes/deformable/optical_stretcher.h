@@ -15,12 +15,21 @@
 
 #include "micro/scenes/deformable/deformable_cell.h"
 #include "micro/terms/laser_stress.h"
+#include "run/choice.h"
 #include "run/scenario.h"
 
 #include <string>
 #include <vector>
 
 namespace turgor {
+/// What the edges of the cortex are.
+enum class Elements { kelvin_voigt, modified_maxwell, both };
+constexpr const char *words_of(Elements) { return "kelvin_voigt|modified_maxwell|both"; }
+
+/// How light makes the cortex less viscous.
+enum class Warming { fit, arrhenius, none };
+constexpr const char *words_of(Warming) { return "fit|arrhenius|none"; }
+
 class OpticalStretcher final : public Scenario {
  public:
   void declare_parameters(InputEntries &prm) override;
@@ -53,11 +62,14 @@ class OpticalStretcher final : public Scenario {
   double share_of_small_strain(const Element &element, double power) const;
 
   std::vector<double> powers{0.9, 1.1};
-  std::string elements = "both", warming = "fit";
-  double on = 2., off = 2., tolerance = 2.5e-5, longest_step = 0.01;
+  Elements elements = Elements::both;
+  Warming warming = Warming::fit;
+  double on = 2., off = 2.;
+  DeformableMaterial material{
+      .nu = 8, .bulk_modulus = 2500., .viscosity = 1e-3, .tolerance = 2.5e-5, .longest_step = 0.01};
   LaserBeams beams;
-  unsigned int nu = 8, samples = 200;
-  double radius = 8.8e-6, area_modulus = 8e-4, bulk_modulus = 2500., viscosity = 1e-3;
+  unsigned int samples = 200;
+  double radius = 8.8e-6, area_modulus = 8e-4;
   Element kelvin_voigt{1e-4, 2e-17, 2.3e-4, 0.}, modified_maxwell{5e-4, 2e-17, 3e-5, 3e-3};
   bool fields = true;
 };

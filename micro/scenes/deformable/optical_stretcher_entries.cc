@@ -24,24 +24,17 @@ void OpticalStretcher::declare_parameters(InputEntries &prm) {
                     List(Double(0., 100.), 1, 20));
   prm.add_parameter("Elements", elements,
                     "What the edges of the cortex are: kelvin_voigt, modified_maxwell, or both, one after "
-                    "the other. Units: none.",
-                    Selection("kelvin_voigt|modified_maxwell|both"));
+                    "the other. Units: none.");
   prm.add_parameter("Time on", on, "Time for which the light is on. Units: s.", Double(1e-6, 1e6));
   prm.add_parameter("Time off", off, "Time for which the cell is watched afterwards. Units: s.",
                     Double(1e-6, 1e6));
   prm.add_parameter("Warming", warming,
                     "How light makes the cortex less viscous: fit (the thesis's 0.29 at 0.9 W and 0.11 at "
                     "1.1 W, exponential in the power), arrhenius (4.1 with"
-                    " 55 kJ/mol, 20 K at 0.9 W and 25 K at 1.1 W above 290 K) or none. Units: none.",
-                    Selection("fit|arrhenius|none"));
-  prm.add_parameter(
-      "Tolerance", tolerance,
-      "Allowed error of a node's place in one step over the radius, and as many times less as the "
-      "springs at rest would let the cell be stretched by less than 0.5 %; decides the length of "
-      "steps. Units: none.",
-      Double(1e-8, 1.));
-  prm.add_parameter("Longest step", longest_step, "Largest step in time that is taken. Units: s.",
-                    Double(1e-9, 1e6));
+                    " 55 kJ/mol, 20 K at 0.9 W and 25 K at 1.1 W above 290 K) or none. Units: none.");
+  material.declare_steps(prm,
+                         "the radius, and as many times less as the springs at rest would let the cell be "
+                         "stretched by less than 0.5 %");
   prm.add_parameter(
       "Samples", samples,
       "Number of rows of axes.csv at least for each of the runs, spread evenly over time. Units: none.",
@@ -58,21 +51,12 @@ void OpticalStretcher::declare_parameters(InputEntries &prm) {
                     Double(1., 3.));
   prm.leave_subsection();
   prm.enter_subsection("Cell");
-  prm.add_parameter("Frequency", nu,
-                    "Parts nu of each edge of the icosahedron that the net is made of; it has 10 nu^2 + 2 "
-                    "nodes. Units: none.",
-                    Integer(2, 60));
+  material.declare_cell(prm, "");
   prm.add_parameter("Radius", radius, "Radius of the cell at rest. Units: m.", Double(1e-7, 1e-3));
   prm.add_parameter(
       "Area modulus", area_modulus,
       "Resistance K_A of each triangle against a change of its area, beside that of its edges. Units: N/m.",
       Double(0., 10.));
-  prm.add_parameter("Bulk modulus", bulk_modulus,
-                    "Resistance K of the content against a change of its volume. Units: Pa.",
-                    Double(0., 1e9));
-  prm.add_parameter("Medium viscosity", viscosity,
-                    "Viscosity mu of the medium; the nodes share the drag 6 pi mu R. Units: Pa s.",
-                    Double(1e-6, 1e6));
   prm.leave_subsection();
   const auto element = [&prm](const char *name, Element &e, const bool flows) {
     prm.enter_subsection(name);
@@ -102,17 +86,15 @@ double OpticalStretcher::share_of_small_strain(const Element &element, const dou
 DeformableCellParameters<LinearSpring> OpticalStretcher::cell(const Element &element,
                                                               const double power) const {
   DeformableCellParameters<LinearSpring> p;
+  static_cast<DeformableMaterial &>(p) = material;
   p.spring = {element.stiffness};
   p.dashpots = element.friction;
   p.flow = element.flow;
   p.bending = element.bending;
   p.area.local = area_modulus;
-  p.bulk_modulus = bulk_modulus;
   p.radius = radius;
-  p.viscosity = viscosity;
-  p.tolerance = tolerance * share_of_small_strain(element, power);
+  p.tolerance *= share_of_small_strain(element, power);
   p.first_step = 1e-4 * std::min(on, off);
-  p.longest_step = longest_step;
   return p;
 }
 }  // namespace turgor

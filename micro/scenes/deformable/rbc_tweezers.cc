@@ -19,9 +19,9 @@ class RbcTweezers::Run {
   Run(const RbcTweezers &scene_, RunContext &context_)
       : scene(scene_),
         context(context_),
-        cell(red_cell_shape(scene.nu, scene.diameter), scene.cell(), context.threads()) {
+        cell(red_cell_shape(scene.material.nu, scene.diameter), scene.cell(), context.threads()) {
     choose_pulled();
-    cell.load = [this](const double t, Particles<3> &p) { pull(t, p); };
+    cell.load = [this](const double t, const Particles<3> &, auto &f) { pull(t, f); };
   }
 
   void go();
@@ -38,7 +38,7 @@ class RbcTweezers::Run {
   double last() const { return period() * double(scene.forces.size()); }
   double force_at(double t) const;  ///< N
   void choose_pulled();
-  void pull(double t, Particles<3> &p) const;
+  void pull(double t, Particles<3>::Components &f) const;
   void advance();
   void sample();
   void measure();
@@ -81,10 +81,10 @@ void RbcTweezers::Run::choose_pulled() {
   right = outermost(1.);
 }
 
-void RbcTweezers::Run::pull(const double t, Particles<3> &p) const {
+void RbcTweezers::Run::pull(const double t, Particles<3>::Components &f) const {
   const double force = force_at(t);
-  for (const std::uint32_t i : left) p.f[0][i] -= force / double(left.size());
-  for (const std::uint32_t i : right) p.f[0][i] += force / double(right.size());
+  for (const std::uint32_t i : left) f[0][i] -= force / double(left.size());
+  for (const std::uint32_t i : right) f[0][i] += force / double(right.size());
 }
 
 void RbcTweezers::Run::advance() {

@@ -38,10 +38,11 @@ class RbcTweezers final : public Scenario {
   DeformableCellParameters<FeneSpring> cell() const;
   std::vector<Measured> experiment_points() const;  ///< of the file; throws InputError
 
-  unsigned int nu = 16;
+  DeformableMaterial material{
+      .nu = 16, .bulk_modulus = 1000., .viscosity = 1e-3, .tolerance = 1e-3, .longest_step = 0.1};
   double diameter = 7.82e-6, shear_modulus = 2.9e-6, largest_stretch = 1.65, rigidity = 2.4e-19;
-  double local_area = 2.9e-6, whole_area = 1.4e-4, bulk_modulus = 1000.;
-  double cortex_viscosity = 6e-7, medium_viscosity = 1e-3, tolerance = 1e-3, longest_step = 0.1;
+  double local_area = 2.9e-6, whole_area = 1.4e-4;
+  double cortex_viscosity = 6e-7;
   std::vector<double> forces{16e-12,  31e-12,  47e-12,  68e-12,  88e-12, 109e-12,
                              130e-12, 151e-12, 173e-12, 193e-12, 200e-12};
   double ramp = 1., hold = 1., pulled = 0.05;

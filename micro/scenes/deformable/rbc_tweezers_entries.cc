@@ -29,12 +29,7 @@ void RbcTweezers::declare_parameters(InputEntries &prm) {
                     "and of the transverse diameter in um."
                     " Units: none.",
                     WordOrFile("none"));
-  prm.add_parameter("Tolerance", tolerance,
-                    "Allowed error of a node's place in one step over half the diameter; decides the length "
-                    "of steps. Units: none.",
-                    Double(1e-7, 1.));
-  prm.add_parameter("Longest step", longest_step, "Largest step in time that is taken. Units: s.",
-                    Double(1e-9, 1e6));
+  material.declare_steps(prm, "half the diameter");
   prm.add_parameter("Samples", samples,
                     "Number of rows of history.csv at least, spread evenly over time. Units: none.",
                     Integer(1, 100000));
@@ -42,10 +37,7 @@ void RbcTweezers::declare_parameters(InputEntries &prm) {
       "Fields", fields,
       "Whether the surface is written at each of Forces, for pictures and ParaView. Units: none.", Bool());
   prm.enter_subsection("Cell");
-  prm.add_parameter("Frequency", nu,
-                    "Parts nu of each edge of the icosahedron that the net is made of; it has 10 nu^2 + 2 "
-                    "nodes. Units: none.",
-                    Integer(2, 60));
+  material.declare_cell(prm, " of half the diameter");
   prm.add_parameter("Diameter", diameter, "Diameter of the disc at rest. Units: m.", Double(1e-7, 1e-4));
   prm.add_parameter("Shear modulus", shear_modulus,
                     "Shear modulus of the net at rest, per length. Units: N/m.", Double(1e-9, 1.));
@@ -63,17 +55,10 @@ void RbcTweezers::declare_parameters(InputEntries &prm) {
   prm.add_parameter("Whole area modulus", whole_area,
                     "Resistance of the whole surface against a change of its area. Units: N/m.",
                     Double(0., 1.));
-  prm.add_parameter("Bulk modulus", bulk_modulus,
-                    "Resistance K of the content against a change of its volume. Units: Pa.",
-                    Double(0., 1e9));
   prm.add_parameter("Cortex viscosity", cortex_viscosity,
                     "Shear viscosity of the membrane, per length; each edge has a dashpot of 4/sqrt(3) of "
                     "it. Units: N s/m.",
                     Double(0., 1.));
-  prm.add_parameter(
-      "Medium viscosity", medium_viscosity,
-      "Viscosity mu of the medium; the nodes share the drag 6 pi mu R of half the diameter. Units: Pa s.",
-      Double(1e-6, 1e6));
   prm.leave_subsection();
 }
 
@@ -109,16 +94,13 @@ std::vector<RbcTweezers::Measured> RbcTweezers::experiment_points() const {
 
 DeformableCellParameters<FeneSpring> RbcTweezers::cell() const {
   DeformableCellParameters<FeneSpring> p;
+  static_cast<DeformableMaterial &>(p) = material;
   p.spring = FeneSpring::of_net(shear_modulus, 1. / largest_stretch);
   p.dashpots = 4. / std::sqrt(3.) * cortex_viscosity;
   p.bending = 2. / std::sqrt(3.) * rigidity;
   p.area = {.local = local_area, .whole = whole_area};
-  p.bulk_modulus = bulk_modulus;
   p.radius = 0.5 * diameter;
-  p.viscosity = medium_viscosity;
-  p.tolerance = tolerance;
   p.first_step = 1e-3 * ramp;
-  p.longest_step = longest_step;
   return p;
 }
 }  // namespace turgor

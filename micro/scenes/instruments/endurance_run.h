@@ -2,7 +2,7 @@
 // adds up to.
 #pragma once
 
-#include "micro/cells/annealed_cells.h"
+#include "micro/processes/annealed_cells.h"
 #include "micro/engine/watched_steps.h"
 #include "micro/scenes/instruments/cell_endurance.h"
 

@@ -41,7 +41,7 @@ class PulledRing {
       p.x[1][k] = radius * std::sin(2. * std::numbers::pi * k / nodes);
     }
     system.compute_forces();
-    if (flow) WallYielding<2>(*wall, flow).apply(system);
+    if (flow) WallYielding(*wall, flow).apply(system);
     return -p.f[0][0] / (2. * std::sin(std::numbers::pi / nodes));  // node 0 is at (radius, 0)
   }
 

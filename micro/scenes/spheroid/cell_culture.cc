@@ -2,6 +2,8 @@
 
 #include "run/archive.h"
 #include "micro/engine/space_order.h"
+#include "micro/processes/polarity.h"
+#include "micro/terms/cell_motility.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,15 +43,11 @@ CellCulture::CellCulture(const CultureParameters &parameters_, Surroundings surr
     life.add(
         std::make_unique<Polarity>(parameters.migration, parameters.life.variability.seed, directions()));
   life.declare(cells.particles);
+  if (parameters.motility > 0.)
+    cells.add(
+        std::make_unique<CellMotility>(parameters.motility, parameters.life.variability.seed, directions()));
   surroundings.join(cells, contacts);
   if (migrates()) cells.add(std::make_unique<CellMigration>(parameters.migration));
-  if (parameters.motility > 0.)
-    motion.random = [this](Particles<3> &particles, const double step, const std::uint64_t number) {
-      std::vector<double> gamma = motion.medium;
-      if (surroundings.walls) surroundings.walls->add_friction(particles, gamma);
-      set_motility_forces(particles, cells.id(), gamma, parameters.motility, step,
-                          parameters.life.variability.seed, number, directions());
-    };
 }
 
 std::vector<std::string> CellCulture::term_names() const {
@@ -57,7 +55,6 @@ std::vector<std::string> CellCulture::term_names() const {
   if (parameters.friction.normal > 0. || parameters.friction.tangential > 0.)
     names.push_back("cell_friction");
   if (parameters.stiffness) names.push_back("local_stiffness");
-  if (parameters.motility > 0.) names.push_back("motility");
   for (const std::string &name : cells.term_names())
     if (name != names.front()) names.push_back(name);
   return names;

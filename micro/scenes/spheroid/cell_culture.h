@@ -13,8 +13,8 @@
 
 #include "micro/engine/overdamped.h"
 #include "micro/processes/cell_life.h"
-#include "micro/processes/cell_migration.h"
 #include "micro/engine/system_motion.h"
+#include "micro/terms/cell_migration.h"
 #include "micro/terms/sphere_contacts.h"
 
 #include <functional>

@@ -5,7 +5,7 @@
 #include "run/number_text.h"
 #include "run/run_context.h"
 #include "run/judged.h"
-#include "micro/cells/dextran_pressure.h"
+#include "micro/terms/dextran_pressure.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "micro/scenes/spheroid/spheroid_run.h"
 
-#include "micro/cells/outer_cells.h"
+#include "micro/terms/outer_cells.h"
 #include "run/archive.h"
 #include "run/number_text.h"
 #include "run/step_loop.h"

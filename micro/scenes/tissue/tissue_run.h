@@ -65,7 +65,7 @@ class TissueLoading::Run {
   std::optional<Respa<2>> split;  ///< while the plate moves, with Substeps > 1; its step is not watched
   Obstacles<2> *plates = nullptr;
   std::optional<Failure<2>> failure;
-  std::optional<WallYielding<2>> yielding;
+  std::optional<WallYielding> yielding;
   double dt = 0., reach = 0., sound = 0.;
 
   std::unique_ptr<Series> loading, by_row;

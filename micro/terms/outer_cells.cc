@@ -1,4 +1,4 @@
-#include "micro/cells/outer_cells.h"
+#include "micro/terms/outer_cells.h"
 
 #include <algorithm>
 #include <cmath>

@@ -21,7 +21,7 @@
 // Fields read: radius, reference_volume.
 #pragma once
 
-#include "micro/cells/outer_cells.h"
+#include "micro/terms/outer_cells.h"
 #include "micro/engine/term.h"
 
 namespace turgor {

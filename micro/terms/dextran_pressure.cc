@@ -1,6 +1,6 @@
-#include "micro/cells/dextran_pressure.h"
+#include "micro/terms/dextran_pressure.h"
 
-#include "micro/cells/cell_population.h"
+#include "micro/geometry/ball.h"
 #include "run/archive.h"
 
 #include <algorithm>

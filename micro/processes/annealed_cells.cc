@@ -1,4 +1,4 @@
-#include "micro/cells/annealed_cells.h"
+#include "micro/processes/annealed_cells.h"
 
 #include "micro/engine/kick_drift_kick.h"
 #include "run/number_text.h"

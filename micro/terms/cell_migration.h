@@ -1,17 +1,38 @@
-// Living cells migrate along their polarity (cell_motility.h): its force as a term, and the process that
-// advances it.
+// Living cells migrate: a force F_0 P along a polarity P, which a process changes (processes/polarity.h).
 //
-//   cells.add(std::make_unique<CellMigration>(parameters));  life.add(std::make_unique<Polarity>(parameters,
-//     seed, directions));
+//   cells.add(std::make_unique<CellMigration>(parameters));
 //
 // Columns of a cell: polarity_x, _y, _z (none), state. In: F_0 (N). f += F_0 P of each cell that lives.
 #pragma once
 
-#include "micro/cells/cell_population.h"
-#include "micro/processes/cell_motility.h"
-#include "micro/processes/process.h"
+#include "micro/engine/term.h"
+#include "micro/laws/cell_state.h"
+
+#include <vector>
 
 namespace turgor {
+struct MigrationParameters {
+  double force = 0.;                        ///< F_0, N
+  double persistence = 3600.;               ///< tau, s
+  double spread = 0.577350269189625765;     ///< s; 1/sqrt(3): <|P|^2> = 1 without a preferred direction
+  Vector<3> preferred = Vector<3>::Zero();  ///< P_0
+};
+
+/// The columns that polarity is kept in.
+inline void declare_polarity(Table &cells) {
+  for (const char *name : {"polarity_x", "polarity_y", "polarity_z"}) cells.declare(name);
+}
+
+/// f += F_0 P of those of the cells [begin, end) that live: crawls(i).
+template <class Crawls>
+void add_migration_forces(Particles<3> &particles, const MigrationParameters &parameters,
+                          const std::size_t begin, const std::size_t end, const Crawls &crawls) {
+  const Table &cells = particles.cells;
+  const std::vector<double> *P[3] = {&cells.column("polarity_x"), &cells.column("polarity_y"),
+                                     &cells.column("polarity_z")};
+  for (std::size_t i = begin; i < end; ++i)
+    for (int d = 0; d < 3 && crawls(i); ++d) particles.f[d][i] += parameters.force * (*P[d])[i];
+}
 class CellMigration final : public Term<3> {
  public:
   explicit CellMigration(const MigrationParameters &parameters_) : parameters(parameters_) {}
@@ -42,26 +63,5 @@ class CellMigration final : public Term<3> {
 
  private:
   MigrationParameters parameters;
-};
-
-/// That of rest from the start on, once the first cells have divided; daughters have their mother's. It is
-/// held during a step.
-class Polarity final : public Process {
- public:
-  Polarity(const MigrationParameters &parameters_, const std::uint64_t seed_, const int directions_)
-      : parameters(parameters_), seed(seed_), directions(directions_) {}
-  void declare(Particles<3> &particles) const override { declare_polarity(particles.cells); }
-  void rearrange(Interval &now) override {
-    if (now.steps == 0) after_step(now.cells, HUGE_VAL, ~std::uint64_t(0));
-  }
-  void after_step(CellPopulation &cells, const double dt, const std::uint64_t step) override {
-    advance_polarity(cells.particles.cells, cells.id(), parameters, dt, seed, step, directions);
-  }
-  double longest_step() const override { return 0.25 * parameters.persistence; }
-
- private:
-  MigrationParameters parameters;
-  std::uint64_t seed;
-  int directions;
 };
 }  // namespace turgor
