@@ -17,7 +17,7 @@ void TipSwing::row(const Tissue<2> &tissue, const RveLaw<2> &) {
 }
 
 void TipSwing::results(RunContext &context, const Tissue<2> &tissue, const RveLaw<2> &) {
-  write_cell_displacement(context, tissue, {{cells, cells}}, period, samples);
+  write_cell_displacement(context, tissue, {{cells, cells}}, cell_size, samples);
   const dealii::Tensor<1, 2> u = tissue.displacement_at(tip).front();
   context.result("tip_displacement_x", u[0], "m");
   context.result("tip_displacement_y", u[1], "m");

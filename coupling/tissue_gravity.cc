@@ -14,9 +14,11 @@ TissueGravity::TissueGravity() {
 
 void TissueGravity::declare_parameters(InputEntries &prm) {
   prm.enter_subsection("Tissue gravity");
-  prm.add_parameter("Cells", settings.cells,
-                    "Cells along each side of the square; its width is W = Cells * Cell/Period. Units: 1.",
-                    Patterns::Integer(1, 100000));
+  prm.add_parameter(
+      "Cells", settings.cells,
+      "Cells along each side; the width is W = Cells * Cell/Period with square cells, else Cells times "
+      "what a cell is long at turgor, and the height likewise. Units: 1.",
+      Patterns::Integer(1, 100000));
   prm.add_parameter(
       "Load", load,
       "Body force as the stress rho b W it would make at the clamp if spread evenly; acts downwards from "
@@ -38,9 +40,9 @@ void TissueGravity::check() const {
 
 void TissueGravity::run(RunContext &context) {
   const std::shared_ptr<const Rve<2>> rve = make_rve(rve_parameters);
-  settings.period = rve_parameters.cell.period;
-  const double width = settings.cells * settings.period;
-  settings.tissue.size = {{width, width}};
+  settings.cell_size = cell_size(rve_parameters, *rve);
+  const double width = settings.cells * settings.cell_size[0];
+  settings.tissue.size = {{width, settings.cells * settings.cell_size[1]}};
   settings.tissue.body_force = dealii::Tensor<1, 2>();
   settings.tissue.body_force[1] = -load / (rve->density() * width);
   settings.law.threads = context.threads();

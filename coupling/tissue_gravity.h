@@ -1,5 +1,5 @@
 // Scene tissue_gravity: the example of thesis 3.4.3. A square of cells x cells parenchyma
-// cells, W = cells * period, clamped at x = 0, under a body force b in -y that is switched on
+// cells, W = cells times their length, clamped at x = 0, under a body force b in -y that is switched on
 // at t = 0:
 //
 //   rho b W = load,   rho = density of the RVE

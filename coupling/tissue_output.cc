@@ -69,13 +69,15 @@ FieldFrame failing_tissue_frame(const Tissue<2> &tissue) {
 }
 
 void write_cell_displacement(RunContext &context, const Tissue<2> &tissue,
-                             const std::array<unsigned int, 2> &cells, double period, unsigned int samples) {
+                             const std::array<unsigned int, 2> &cells, const std::array<double, 2> &cell_size,
+                             unsigned int samples) {
   std::vector<Point<2>> points;
   for (unsigned int j = 0; j < cells[1]; ++j)
     for (unsigned int i = 0; i < cells[0]; ++i)
       for (unsigned int b = 0; b < samples; ++b)
         for (unsigned int a = 0; a < samples; ++a)
-          points.emplace_back((i + (a + 0.5) / samples) * period, (j + (b + 0.5) / samples) * period);
+          points.emplace_back((i + (a + 0.5) / samples) * cell_size[0],
+                              (j + (b + 0.5) / samples) * cell_size[1]);
   const std::vector<Tensor<1, 2>> u = tissue.displacement_at(points);
 
   const auto table =

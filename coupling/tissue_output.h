@@ -20,10 +20,11 @@ FieldFrame tissue_frame(const Tissue<2> &tissue, const RveLaw<2> &law);
 /// points did; no points where none has.
 FieldFrame failing_tissue_frame(const Tissue<2> &tissue);
 
-/// cell_displacement.csv: the displacement averaged over each of the cells[0] x cells[1] squares of side
-/// `period` (m), by samples x samples points each. The piece is [0, cells[0] period] x [0, cells[1] period].
+/// cell_displacement.csv: the displacement averaged over each of the cells[0] x cells[1] rectangles of
+/// cell_size (m), by samples x samples points each. The piece is as large as all of them.
 void write_cell_displacement(RunContext &context, const Tissue<2> &tissue,
-                             const std::array<unsigned int, 2> &cells, double period, unsigned int samples);
+                             const std::array<unsigned int, 2> &cells, const std::array<double, 2> &cell_size,
+                             unsigned int samples);
 
 /// rve_outlines.csv: rings of points (m) of the RVEs nearest to some places of the piece, with their
 /// quadrature point (m, deformed), F, periods (m; all four components where they are oblique), fluid pressure

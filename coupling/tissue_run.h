@@ -18,8 +18,8 @@ struct RveParameters;
 struct TissueRunSettings {
   TissueParameters<2> tissue;  ///< size and load filled in
   RveLawSettings law;
-  unsigned int cells = 16;        ///< along each side, of the piece that swings
-  double period = 100e-6;         ///< m, side of a cell
+  unsigned int cells = 16;                            ///< along each side, of the piece that swings
+  std::array<double, 2> cell_size{{100e-6, 100e-6}};  ///< m
   unsigned int cell_samples = 5;  ///< points per direction for the mean displacement of a cell
   unsigned int outlined_rves = 6;
 

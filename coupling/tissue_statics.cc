@@ -22,9 +22,11 @@ constexpr double means_nothing = 0.1;        // relative residual, where roundin
 
 void TissueStatics::declare_parameters(InputEntries &prm) {
   prm.enter_subsection("Tissue statics");
-  prm.add_parameter("Cells", cells,
-                    "Cells from the clamp to the free end; its width is W = Cells * Cell/Period. Units: 1.",
-                    Patterns::Integer(1, 100000));
+  prm.add_parameter(
+      "Cells", cells,
+      "Cells from the clamp to the free end; the width is W = Cells * Cell/Period with square cells, "
+      "else Cells times what a cell is long at turgor. Units: 1.",
+      Patterns::Integer(1, 100000));
   prm.add_parameter("Cells across", cells_across,
                     "Cells along the clamp; 0: as many as Cells, a square. Units: 1.",
                     Patterns::Integer(0, 100000));
@@ -65,10 +67,10 @@ std::array<unsigned int, 2> TissueStatics::block() const {
   return {{cells, cells_across > 0 ? cells_across : cells}};
 }
 
-TissueParameters<2> TissueStatics::piece() const {
+TissueParameters<2> TissueStatics::piece(const std::array<double, 2> &cell) const {
   TissueParameters<2> it = tissue;
   it.elements = {{elements, elements_across > 0 ? elements_across : elements}};
-  it.size = {{block()[0] * rve_parameters.cell.period, block()[1] * rve_parameters.cell.period}};
+  it.size = {{block()[0] * cell[0], block()[1] * cell[1]}};
   return it;
 }
 
@@ -78,7 +80,8 @@ void TissueStatics::check() const {
         "RVE/Fluid = " + word_of(rve_parameters.fluid) + " with RVE/Rule = " + word_of(rve_parameters.rule) +
         " gives no tangents; a static state needs 'Fluid = hydrostatic' with 'Rule = elastic_equilibrium' or "
         "'cauchy_born'.");
-  const TissueParameters<2> whole = piece();
+  const double about = rve_parameters.cell.period;
+  const TissueParameters<2> whole = piece({{about, about}});
   try {
     whole.check();
   } catch (const std::invalid_argument &e) {
@@ -102,8 +105,9 @@ void TissueStatics::run(RunContext &context) {
                  number_text(load) + " Pa the cells would not feel what " +
                  number_text(rve_parameters.equilibrium_tolerance()) + " of turgor leaves out of balance.");
   const std::shared_ptr<const Rve<2>> rve = make_rve(cells_inside);
-  const double period = rve_parameters.cell.period, width = cells * period;
-  TissueParameters<2> whole = piece();
+  const std::array<double, 2> cell = cell_size(rve_parameters, *rve);
+  const double width = cells * cell[0];
+  TissueParameters<2> whole = piece(cell);
   whole.body_force = dealii::Tensor<1, 2>();
   whole.body_force[1] = -load / (rve->density() * width);
   RveLawSettings shares;
@@ -156,7 +160,7 @@ void TissueStatics::run(RunContext &context) {
   context.result("body_force", whole.body_force.norm(), "m/s^2");
   context.result("solve_time",
                  std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count(), "s");
-  write_cell_displacement(context, body, block(), period, cell_samples);
+  write_cell_displacement(context, body, block(), cell, cell_samples);
   fields.write();
 }
 

@@ -1,5 +1,5 @@
 // Scene tissue_statics: the static state of the piece of tissue_gravity by FE^2. A block of cells x
-// cells_across parenchyma cells, W = cells * period long, clamped at x = 0, under a body force b in -y:
+// cells_across parenchyma cells, W = cells times their length, clamped at x = 0, under a body force b in -y:
 //
 //   Div P(F) + rho b = 0,  rho b W = load,   P of a hydrostatic RVE in elastic equilibrium (thesis Eq. 3.21)
 //
@@ -30,7 +30,7 @@ class TissueStatics : public Scenario {
   unsigned int cells_across = 0, elements_across = 0;  ///< 0: as along the length
 
   std::array<unsigned int, 2> block() const;  ///< cells in x and y
-  TissueParameters<2> piece() const;
+  TissueParameters<2> piece(const std::array<double, 2> &cell) const;
 };
 
 std::unique_ptr<Scenario> make_tissue_statics();

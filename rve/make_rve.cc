@@ -1,9 +1,12 @@
 #include "rve/make_rve.h"
 
+#include "micro/processes/annealed_cells.h"
 #include "run/run_context.h"
+#include "run/stop_flag.h"
 #include "rve/hydrostatic_rve.h"
 #include "rve/sph_rve.h"
 
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
 
@@ -69,8 +72,20 @@ std::unique_ptr<Rve<2>> make_rve(const RveParameters &p) {
     if (p.fluid == RveFluid::hydrostatic)
       return std::make_unique<HydrostaticRve>(
           turgid_tissue(p.structure, p.yielding_cell(), p.columns, p.rows), hydrostatic_settings(p));
-    return std::make_unique<SphRve>(p.cell, sph_settings(p));
+    if (p.structure.square() && p.structure.rotation == 0.)
+      return std::make_unique<SphRve>(p.cell, sph_settings(p));
+    CellLayout layout = turgid_tissue(p.structure, p.cell, p.columns, p.rows);
+    AnnealedCells at_rest = anneal(layout, p.sph, unannealed_cells(layout, p.sph),
+                                   [](double) { stop_here("while the cells of an RVE were annealed"); });
+    return std::make_unique<SphRve>(std::move(layout), std::move(at_rest.cells), sph_settings(p));
   });
+}
+
+std::array<double, 2> cell_size(const RveParameters &p, const Rve<2> &rve) {
+  if (p.structure.square()) return {{p.cell.period, p.cell.period}};
+  const double area = rve.lattice().determinant() / (double(p.columns) * p.rows),
+               width = p.structure.rotation != 0. ? std::sqrt(area) : rve.lattice().col(0).norm() / p.columns;
+  return {{width, area / width}};
 }
 
 std::size_t state_size(const RveParameters &p) {

@@ -155,10 +155,6 @@ void RveParameters::check() const {
   equilibrium_tolerance();
   structure.check();
   if (structure.measured()) structure.given();  // for what is wrong with its file
-  if (fluid != RveFluid::hydrostatic && (!structure.square() || structure.rotation != 0.))
-    throw std::invalid_argument("Structure/Structure = " + word_of(structure.kind) +
-                                " and Structure/Rotation need 'RVE/Fluid = hydrostatic' (it is " +
-                                word_of(fluid) + "): RVEs with particles have square cells as they lie.");
   if (!structure.square()) require_walls_that_hold();
   make_parenchyma(yielding_cell(), columns, rows, true, true);
   if (fluid == RveFluid::hydrostatic && rule == RveRule::constrained_runs)

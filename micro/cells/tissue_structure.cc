@@ -134,14 +134,15 @@ void TissueStructure::check() const {
 }
 
 Tiling TissueStructure::tiling(const double side, const unsigned int columns, const unsigned int rows,
-                               const double shortest) const {
+                               const double shortest, const Periods periods) const {
   check();
   if (kind == StructureKind::voronoi)
     return without_short_sides(random_laguerre(*this, side, columns, rows), shortest);
-  Tiling tiling = replicated(kind == StructureKind::hexagon ? hexagon_tiling(side)
-                             : kind == StructureKind::brick ? brick_tiling(side)
-                                                            : square_tiling(side),
-                             columns, rows);
+  const Tiling one = kind == StructureKind::hexagon ? hexagon_tiling(side)
+                     : kind == StructureKind::brick ? brick_tiling(side)
+                                                    : square_tiling(side);
+  Tiling tiling =
+      periods == Periods::upright ? replicated_upright(one, columns, rows) : replicated(one, columns, rows);
   for (std::size_t v = 0; v < tiling.vertices.size(); ++v)
     for (std::size_t d = 0; d < 2; ++d)
       tiling.vertices[v][d] += jitter * side * (2. * random_uniform(seed, 2 * v + d) - 1.);
@@ -149,7 +150,7 @@ Tiling TissueStructure::tiling(const double side, const unsigned int columns, co
 }
 
 CellLayout laid_tissue(const TissueStructure &structure, ParenchymaParameters cell,
-                       const unsigned int columns, const unsigned int rows) {
+                       const unsigned int columns, const unsigned int rows, const Periods periods) {
   structure.check();
   if (structure.square()) return make_parenchyma(cell, columns, rows, true, true);
   TissueStructure laid = structure;
@@ -160,14 +161,15 @@ CellLayout laid_tissue(const TissueStructure &structure, ParenchymaParameters ce
     laid.area_scatter = found.area_scatter();
     cell.period = std::sqrt(found.mean_area());
   }
-  return lay_cells(laid.tiling(cell.period, columns, rows, cell.period / cell.nodes_per_side), cell);
+  return lay_cells(laid.tiling(cell.period, columns, rows, cell.period / cell.nodes_per_side, periods), cell);
 }
 
 CellLayout turgid_tissue(const TissueStructure &structure, const ParenchymaParameters &cell,
-                         const unsigned int columns, const unsigned int rows) {
+                         const unsigned int columns, const unsigned int rows, const Periods periods) {
   structure.check();
-  CellLayout layout = structure.square() ? turgid_parenchyma(cell, columns, rows, true, true)
-                                         : turgid_with_lattice(laid_tissue(structure, cell, columns, rows));
+  CellLayout layout = structure.square()
+                          ? turgid_parenchyma(cell, columns, rows, true, true)
+                          : turgid_with_lattice(laid_tissue(structure, cell, columns, rows, periods));
   return structure.rotation == 0. ? layout
                                   : turned(std::move(layout), structure.rotation * std::numbers::pi / 180.);
 }

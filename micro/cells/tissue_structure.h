@@ -28,6 +28,10 @@ class InputEntries;
 enum class StructureKind { square, hexagon, brick, voronoi, polygons, image };
 constexpr const char *words_of(StructureKind) { return "square|hexagon|brick|voronoi|polygons|image"; }
 
+/// Of many cells: copies side by side as their own lattice has them, which leans where rows are moved by half
+/// a cell; or at right angles, as a block with sides has them.
+enum class Periods { leaning, upright };
+
 struct TissueStructure {
   StructureKind kind = StructureKind::square;
   unsigned int seed = 1;
@@ -54,15 +58,16 @@ struct TissueStructure {
   void check() const;
 
   /// columns x rows cells before they are turned, without sides shorter than `shortest` (m).
-  Tiling tiling(double side, unsigned int columns, unsigned int rows, double shortest) const;
+  Tiling tiling(double side, unsigned int columns, unsigned int rows, double shortest,
+                Periods periods = Periods::leaning) const;
 };
 
 /// columns x rows periodic cells as they are laid, before turgor: nodes, bonds and ties are those of
 /// turgid_tissue(). Throws std::invalid_argument.
 CellLayout laid_tissue(const TissueStructure &structure, ParenchymaParameters cell, unsigned int columns,
-                       unsigned int rows);
+                       unsigned int rows, Periods periods = Periods::leaning);
 
 /// The same at turgor, turned: the reference F = I of an RVE. Throws std::invalid_argument.
 CellLayout turgid_tissue(const TissueStructure &structure, const ParenchymaParameters &cell,
-                         unsigned int columns, unsigned int rows);
+                         unsigned int columns, unsigned int rows, Periods periods = Periods::leaning);
 }  // namespace turgor

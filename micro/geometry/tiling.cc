@@ -167,6 +167,22 @@ Tiling replicated(const Tiling &tiling, const unsigned int columns, const unsign
   return result;
 }
 
+Tiling replicated_upright(const Tiling &tiling, const unsigned int columns, const unsigned int rows) {
+  const auto upright = [](const Tiling &t) {
+    return std::abs(t.lattice.col(0).dot(t.lattice.col(1))) < 1e-9 * t.lattice.determinant();
+  };
+  if (upright(tiling)) return replicated(tiling, columns, rows);
+  const Tiling pair = replicated(tiling, 1, 2);
+  if (rows % 2 != 0 || tiling.cells.size() != 1 || !upright(pair))
+    throw std::invalid_argument("rows that are moved by half a cell make an upright block two by two");
+  const Tiling pairs = replicated(pair, columns, rows / 2);
+  Tiling result = pairs;
+  for (unsigned int row = 0; row < rows; ++row)
+    for (unsigned int column = 0; column < columns; ++column)
+      result.cells[row * columns + column] = pairs.cells[2 * (row / 2 * columns + column) + row % 2];
+  return result;
+}
+
 Tiling rotated(Tiling tiling, const double angle) {
   Tensor2<2> turn;
   turn << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);

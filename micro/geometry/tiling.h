@@ -63,6 +63,11 @@ struct Tiling {
 /// period is taken as upright as the lattice allows.
 Tiling replicated(const Tiling &tiling, unsigned int columns, unsigned int rows);
 
+/// The same with periods at right angles, for rows of one cell that are moved by half a cell against each
+/// other: two of them make an upright pair, of which copies are laid. Cell c = row * columns + column. Throws
+/// std::invalid_argument where that needs an even number of rows.
+Tiling replicated_upright(const Tiling &tiling, unsigned int columns, unsigned int rows);
+
 /// Turned by an angle (rad, counter-clockwise), lattice and vertices.
 Tiling rotated(Tiling tiling, double angle);
 

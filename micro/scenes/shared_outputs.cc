@@ -18,7 +18,9 @@ Outputs cell_displacement_outputs() {
   Outputs all;
   all.table(
       "cell_displacement", "One row for each cell of the block, at the end of the run.",
-      {{"cell_x", "", "Column of the cell in the block, from 0 at the clamp."},
+      {{"cell_x", "",
+        "Column of the cell in the block, from 0 at the clamp; of Laguerre cells, which stand in none, the "
+        "place of the centroid over the mean width of a cell."},
        {"cell_y", "", "Row of the cell in the block, from 0 at the bottom."},
        {"displacement_x", "m",
         "Mean displacement of the cell's inside since the unloaded state, along x (away from the clamp)."},

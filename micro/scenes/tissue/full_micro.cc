@@ -1,6 +1,7 @@
 #include "micro/scenes/tissue/full_micro.h"
 
 #include "micro/cells/sph_cell_entries.h"
+#include "micro/cells/structured_block.h"
 #include "micro/engine/at_rest.h"
 #include "micro/engine/sound_state.h"
 #include "micro/engine/watched_steps.h"
@@ -55,7 +56,7 @@ FieldFrame frame_of(const Particles<2> &p, const Particles<2>::Components &x0, c
 /// One run: the block, how it is stepped, what is recorded of it.
 class FullMicro::Run {
  public:
-  Run(const FullMicro &scene, RunContext &context);
+  Run(const FullMicro &scene, RunContext &context, const CellLayout &turgid, const AnnealedCells &contents);
   void go();
 
  private:
@@ -70,7 +71,7 @@ class FullMicro::Run {
 
   const FullMicro &scene;
   RunContext &context;
-  const ReferenceCell reference;
+  const AtRest reference;
   TissueBlock block;
   ParticleSystem<2> &system;
   WatchedSteps<2> integrator;
@@ -112,6 +113,9 @@ void FullMicro::declare_parameters(InputEntries &prm) {
                                    "written for ParaView and pictures; 0: never. Units: none."),
                     Integer(0, 100000));
   declare_checkpoints(prm, checkpoints);
+  prm.enter_subsection("Structure");
+  structure.add_parameters(prm);
+  prm.leave_subsection();
   declare_sph_cell(prm, cell, sph);
 }
 
@@ -120,17 +124,26 @@ void FullMicro::check() const {
     throw InputError(
         "Columns x Rows x Particles per side^2 is more than 2e8 particles: choose a smaller block.");
   check_sph_cell(cell, sph);
+  check_block(structure, rows);
 }
 
-void FullMicro::run(RunContext &context) { Run(*this, context).go(); }
+CellLayout FullMicro::laid_out() const {
+  return structure.square() ? make_parenchyma(cell, columns, rows, true, true)
+                            : turgid_block(structure, cell, columns, rows);
+}
 
-FullMicro::Run::Run(const FullMicro &scene_, RunContext &context_)
+void FullMicro::run(RunContext &context) {
+  const CellLayout turgid = laid_out();
+  Run run(*this, context, turgid, anneal_block(context, structure, cell, sph, turgid));
+  run.go();
+}
+
+FullMicro::Run::Run(const FullMicro &scene_, RunContext &context_, const CellLayout &turgid,
+                    const AnnealedCells &contents)
     : scene(scene_),
       context(context_),
-      reference(anneal_reference(context, scene.cell, scene.sph)),
-      block(make_tissue_block(make_parenchyma(scene.cell, scene.columns, scene.rows, true, true), scene.sph,
-                              std::vector<CellContents>(std::size_t(scene.columns) * scene.rows, reference),
-                              scene.surfaces)),
+      reference(contents),
+      block(make_tissue_block(turgid, scene.sph, contents.cells, scene.surfaces)),
       system(block.cells->system),
       integrator(system, scene.step_fraction, collision_spacings,
                  scene.cell.fluid_viscosity / scene.cell.fluid_density),
@@ -286,7 +299,8 @@ void FullMicro::Run::write_cells() {
     for (std::uint32_t i = g.fluid; i < g.end; ++i)
       for (int d = 0; d < 2; ++d) sum[d] += p.x[d][i] - x0[d][i];
     sum /= g.fluid_count();
-    table->add_row({double(c % scene.columns), double(c / scene.columns), sum[0], sum[1]});
+    const Vector<2> place = place_in_block(scene.structure, block.cells->layout, scene.columns, c);
+    table->add_row({place[0], place[1], sum[0], sum[1]});
   }
 }
 

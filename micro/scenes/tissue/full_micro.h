@@ -4,6 +4,7 @@
 #pragma once
 
 #include "micro/cells/tissue_block.h"
+#include "micro/cells/tissue_structure.h"
 #include "micro/engine/kick_drift_kick.h"
 #include "run/run_context.h"
 #include "run/scenario.h"
@@ -19,7 +20,10 @@ class FullMicro final : public Scenario {
  private:
   class Run;
 
+  CellLayout laid_out() const;  ///< periodic both ways, at turgor
+
   ParenchymaParameters cell;
+  TissueStructure structure;
   SphParameters sph;
   unsigned int columns = 16, rows = 16;
   double load = 20e3;

@@ -1,6 +1,7 @@
 #include "micro/scenes/tissue/static_lattice.h"
 
 #include "micro/cells/parenchyma.h"
+#include "micro/cells/structured_block.h"
 #include "run/field_output.h"
 #include "run/input_entries.h"
 #include "micro/scenes/shared_entries.h"
@@ -25,6 +26,9 @@ void StaticLattice::declare_parameters(InputEntries &prm) {
                     "Whether wall nodes with displacement and pressure are written for ParaView. "
                     "Units: true or false.",
                     Bool());
+  prm.enter_subsection("Structure");
+  structure.add_parameters(prm);
+  prm.leave_subsection();
   prm.enter_subsection("Cell");
   cell.add_parameters(prm);
   prm.leave_subsection();
@@ -36,6 +40,13 @@ void StaticLattice::check() const {
         "Columns x Rows x 4 x Cell/Nodes per side is more than 1e6 wall nodes, too many for a direct solver: "
         "choose a smaller block.");
   make_parenchyma(cell, 1, 1, true, true);
+  check_block(structure, rows);
+}
+
+LatticeBlock StaticLattice::make_block() const {
+  if (structure.square()) return {cell, columns, rows, surfaces};
+  const CellLayout turgid = turgid_block(structure, cell, columns, rows);
+  return {turgid, turgid, surfaces};
 }
 
 /// Wall nodes at the positions x (m), with displacement from the relaxed state, pressure and cell.
@@ -63,8 +74,10 @@ void StaticLattice::write_cells(RunContext &context, const LatticeBlock &block) 
       context.series("cell_displacement",
                      {{"cell_x", ""}, {"cell_y", ""}, {"displacement_x", "m"}, {"displacement_y", "m"}});
   const std::vector<Vector<2>> displacement = block.cell_displacement();
-  for (std::size_t c = 0; c < displacement.size(); ++c)
-    table->add_row({double(c % columns), double(c / columns), displacement[c][0], displacement[c][1]});
+  for (std::size_t c = 0; c < displacement.size(); ++c) {
+    const Vector<2> place = place_in_block(structure, block.network->layout(), columns, c);
+    table->add_row({place[0], place[1], displacement[c][0], displacement[c][1]});
+  }
 }
 
 void StaticLattice::run(RunContext &context) {
@@ -76,7 +89,7 @@ void StaticLattice::run(RunContext &context) {
   settings.each_iteration = [&] {
     if (context.stop_requested()) throw RunStopped("stopped before the full load was carried");
   };
-  LatticeBlock block(cell, columns, rows, surfaces);
+  LatticeBlock block = make_block();
   context.result("setup_time", seconds(), "s");
   context.progress(0.1, "relaxing without load");
   const LatticeEffort relaxing = block.relax(settings);

@@ -15,6 +15,7 @@
 // In: SI units. Out: displacement of the middle of the right side (m), cell_displacement.csv (centroids, m).
 #pragma once
 
+#include "micro/cells/tissue_structure.h"
 #include "micro/scenes/tissue/lattice_block.h"
 #include "run/run_context.h"
 #include "run/scenario.h"
@@ -35,7 +36,10 @@ class StaticLattice final : public Scenario {
                                     double share_of_load);
   void write_cells(RunContext &context, const LatticeBlock &block) const;
 
+  LatticeBlock make_block() const;
+
   ParenchymaParameters cell;
+  TissueStructure structure;
   unsigned int columns = 16, rows = 16;
   double load = 20e3;
   Surfaces surfaces = Surfaces::frozen;
