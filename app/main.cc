@@ -1,7 +1,8 @@
 // The command line:
 //   turgor run FILE.prm [-o DIR] [--set 'Section/Name=value']... [--resume] [--threads N] [--ranks N]
-//   turgor list | parameters SCENARIO | check FILE.prm | study FILE.prm [--list] | validate [NAME...] | plot
-//     DIR
+//   turgor list | parameters SCENARIO | check FILE.prm | study FILE.prm [--list] | compare FILE.prm
+//     | validate [NAME...] | plot DIR
+#include "app/compare_command.h"
 #include "app/nearest_name.h"
 #include "app/outputs_text.h"
 #include "app/plot_command.h"
@@ -86,10 +87,12 @@ struct CommandLine {
   bool under_mpi = false;
   RunOptions run;
   StudyOptions study;
+  CompareOptions compare;
   ValidateOptions validate;
   std::string scenario, part, plot_directory, plot_data;
   bool all_outputs = false;
-  CLI::App *run_app, *list_app, *parameters_app, *check_app, *study_app, *validate_app, *plot_app;
+  CLI::App *run_app, *list_app, *parameters_app, *check_app, *study_app, *compare_app, *validate_app,
+      *plot_app;
 
   CommandLine() {
     app.require_subcommand(1);
@@ -100,6 +103,7 @@ struct CommandLine {
     add_parameters();
     add_check();
     add_study();
+    add_compare();
     add_validate();
     add_plot();
     app.add_subcommand("test", "Build and run all tests (by the launcher ./turgor)");
@@ -173,6 +177,29 @@ struct CommandLine {
         ->allow_extra_args(false);
   }
 
+  void add_compare() {
+    compare_app = app.add_subcommand(
+        "compare",
+        "A tissue of finite elements against every one of its cells: error, where it comes from, run time");
+    compare_app->footer(
+        "Inputs of tissue_statics (against static_lattice: seconds) and of tissue_gravity (against "
+        "full_micro: "
+        "minutes to hours).");
+    compare_app->add_option("FILE", compare.file, "Input file of the tissue (.prm)")->required();
+    compare_app
+        ->add_option("--set", compare.overrides, "Section/Name=value, over the file's value; may be repeated")
+        ->allow_extra_args(false);
+    compare_app->add_option(
+        "-o,--output", compare.directory,
+        "Directory of tables, pictures and, in its cache/, the runs (default runs/<name of "
+        "the file>_compared, runs in runs/cache)");
+    compare_app->add_option("--threads", compare.threads, "Threads of each run (default 1)")
+        ->check(CLI::Range(1u, 1024u));
+    compare_app->add_option("--jobs", compare.jobs, "Runs beside each other (default 1)")
+        ->check(CLI::Range(1u, 1024u));
+    compare_app->add_flag("--list", compare.list_only, "Only print the runs and what is cached");
+  }
+
   void add_validate() {
     validate_app =
         app.add_subcommand("validate", "Run the validation scenes; exit code 1 when a row misses its target");
@@ -227,10 +254,11 @@ int dispatch(int argc, char **argv) {
   if (line.list_app->parsed()) return list_command(registry);
   if (line.parameters_app->parsed()) return print_parameters(line, registry);
   if (line.check_app->parsed()) return check_command(line.run, registry);
-  if (line.study_app->parsed() || line.validate_app->parsed())
+  if (line.study_app->parsed() || line.compare_app->parsed() || line.validate_app->parsed())
     require_alone(surrounding_job(),
                   "It runs many runs one after the other: start it once, without that launcher.");
   if (line.study_app->parsed()) return study_command(line.study, registry);
+  if (line.compare_app->parsed()) return compare_command(line.compare, registry);
   if (line.validate_app->parsed()) return validate_command(line.validate, registry);
   if (line.plot_app->parsed()) return plot_command(line.plot_directory, line.plot_data);
   throw InputError("The tests are built and run by the launcher: ./turgor test");

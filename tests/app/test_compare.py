@@ -1,0 +1,67 @@
+"""`turgor compare`: both sides of a small tissue, the parts of the error, what is refused, a second call that computes nothing."""
+import csv
+import os
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.path.join(os.environ["TURGOR_BUILD"], "app", "turgor")
+SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+STATICS = os.path.join(SOURCE, "inputs", "tissue_statics.prm")
+SMALL = [word for value in ("Cells=8", "Elements=4", "Lateral sides=periodic") for word in ("--set", "Tissue statics/" + value)]
+
+
+def compare(*words):
+    return subprocess.run([PROGRAM, "compare", *words], capture_output=True, text=True, stdin=subprocess.DEVNULL)
+
+
+class Compare(unittest.TestCase):
+    def test_parts_make_up_the_error(self):
+        with tempfile.TemporaryDirectory() as directory:
+            out = os.path.join(directory, "out")
+            first = compare(STATICS, "-o", out, *SMALL, "--set", "Structure/Structure=brick", "--set", "Cell/Nodes per side=8")
+            self.assertEqual(first.returncode, 0, first.stderr)
+            with open(os.path.join(out, "split.csv"), newline="", encoding="utf-8") as file:
+                tip = {row["what"]: float(row["tip [%]"] or "nan") for row in csv.DictReader(file)}
+            product = 1.
+            for part in ("mesh", "RVE size", "number of cells", "rest"):
+                product *= 1. + tip[part] / 100.
+            self.assertAlmostEqual(product, 1. + tip["error of FE2"] / 100., places=6)
+            # The unit cell answers as any number of them does while nothing buckles.
+            self.assertLess(abs(tip["RVE size"]), 1e-4)
+            # A slab of 8 bricks: the clamp along their steps takes a quarter of a brick, which goes with 1/n (doc/results/rve/blocks.md).
+            self.assertLess(abs(tip["rest"]), 0.1 * abs(tip["number of cells"]))
+            again = compare(STATICS, "-o", out, *SMALL, "--set", "Structure/Structure=brick", "--set", "Cell/Nodes per side=8")
+            self.assertEqual(again.returncode, 0, again.stderr)
+            self.assertNotIn("Running", again.stdout)
+            self.assertEqual(again.stdout[again.stdout.index("error of FE2"):], first.stdout[first.stdout.index("error of FE2"):])
+
+    def test_what_cannot_be_compared(self):
+        with tempfile.TemporaryDirectory() as directory:
+            for file, words, sentence in (
+                    ("laplace.prm", [], "There is no scene that has every cell of laplace; compared are inputs of tissue_statics, tissue_gravity."),
+                    ("tissue_statics.prm", ["--set", "Tissue statics/Lateral sides=clamped"],
+                     "Tissue statics/Lateral sides is clamped, but a block of all cells is held at its left side alone: compare with free or "
+                     "periodic."),
+                    ("tissue_statics.prm", ["--set", "Wall/Yielding=plastic"],
+                     "Wall/Yielding is plastic, but the scene of all cells (static_lattice) has walls that neither yield nor break: compare "
+                     "with none, or 0.")):
+                refused = compare(os.path.join(SOURCE, "inputs", file), "-o", os.path.join(directory, "out"), *words)
+                self.assertEqual(refused.returncode, 2, refused.stdout)
+                self.assertEqual(refused.stderr.strip(), "turgor: " + sentence)
+            self.assertEqual(os.listdir(directory), [])
+
+    def test_a_swing_is_listed(self):
+        with tempfile.TemporaryDirectory() as directory:
+            listed = compare(os.path.join(SOURCE, "inputs", "tissue_gravity.prm"), "-o", os.path.join(directory, "out"), "--list", "--set",
+                             "Tissue/Lateral sides=periodic", "--set", "Structure/Structure=hexagon", "--set", "Skipping/Skipping=certified")
+            self.assertEqual(listed.returncode, 0, listed.stderr)
+            for run in ("all cells", "half as many cells", "FE2, refined: mesh", "FE2, refined: RVE size", "FE2, refined: skipping",
+                        "FE2, refined: time step"):
+                self.assertIn(run, listed.stdout)
+            with open(os.path.join(directory, "out", "tissue_gravity_cells.prm"), encoding="utf-8") as file:
+                self.assertIn("set Rows = 2\nset Surfaces = slab", file.read())
+
+
+if __name__ == "__main__":
+    unittest.main()
