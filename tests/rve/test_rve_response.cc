@@ -134,8 +134,6 @@ BOOST_AUTO_TEST_CASE(tissue_that_is_not_square_tells_its_periods_and_moduli) {
       return std::string(e.what()).find(words) != std::string::npos;
     });
   };
-  refused("subsection Structure\nset Structure = hexagon\nend\nsubsection RVE\nset Fluid = sph\nend\n",
-          "need 'RVE/Fluid = hydrostatic'");
   refused("subsection Structure\nset Structure = image\nend\n", "Structure/Tissue file is none");
   refused("subsection Structure\nset Tissue file = cells.png\nend\n", "Structure = square has none");
   refused("subsection Structure\nset Corner jitter = 0.1\nend\n", "Structure/Corner jitter is 0.1");
