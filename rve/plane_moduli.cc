@@ -1,5 +1,7 @@
 #include "rve/plane_moduli.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <cmath>
 
 namespace turgor {
@@ -8,7 +10,7 @@ PlaneModuli::PlaneModuli(const Tensor4<2> &tangent) {
   Eigen::Matrix<double, 4, 3> strain = Eigen::Matrix<double, 4, 3>::Zero();
   strain(0, 0) = strain(3, 1) = 1.;
   strain(1, 2) = strain(2, 2) = 0.5;
-  const Eigen::Matrix3d stiffness = strain.transpose() * tangent * strain;
+  stiffness = strain.transpose() * tangent * strain;
   compliance = stiffness.inverse();
   held_x = stiffness(0, 0);
   held_y = stiffness(1, 1);
@@ -20,5 +22,17 @@ double PlaneModuli::free(const double angle) const {
   const double c = std::cos(angle), s = std::sin(angle);
   const Eigen::Vector3d n(c * c, s * s, c * s);
   return 1. / n.dot(compliance * n);
+}
+
+double PlaneModuli::shear(const double angle) const {
+  const double c = std::cos(angle), s = std::sin(angle);
+  const Eigen::Vector3d g(-2. * c * s, 2. * c * s, c * c - s * s);
+  return 1. / g.dot(compliance * g);
+}
+
+double PlaneModuli::smallest() const {
+  const Eigen::Vector3d unit(1., 1., std::sqrt(2.));  // xy and yx each count
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(unit.asDiagonal() * stiffness * unit.asDiagonal())
+      .eigenvalues()[0];
 }
 }  // namespace turgor

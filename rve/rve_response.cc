@@ -1,14 +1,15 @@
 #include "rve/rve_response.h"
 
-#include "micro/geometry/tensor_text.h"
 #include "run/input_entries.h"
+#include "run/judged.h"
 #include "run/number_text.h"
 #include "run/run_context.h"
 #include "rve/closed_form_comparison.h"
-#include "rve/deformation_path.h"
-#include "rve/free_side.h"
+#include "rve/condition_report.h"
 #include "rve/make_rve.h"
+#include "rve/mixed_control.h"
 #include "rve/structure_report.h"
+#include "rve/tangent_report.h"
 
 #include <cmath>
 #include <cstdio>
@@ -24,14 +25,6 @@ std::string printed(const Tensor2<2> &F) {
   std::ostringstream out;
   out << F(0, 0) << ", " << F(0, 1) << "; " << F(1, 0) << ", " << F(1, 1);
   return out.str();
-}
-
-/// What no cell lives through: a wave crosses it ten thousand times slower.
-void require_rate(const Tensor2<2> &F_dot, const std::string &entry, const std::string &advice) {
-  constexpr double most = 1e9;  // 1/s
-  if (const double rate = F_dot.cwiseAbs().maxCoeff(); !(rate <= most))
-    throw InputError(entry + " has a rate of " + number_text(rate) + " 1/s, allowed are " +
-                     number_text(most) + ": " + advice + ".");
 }
 
 /// Stress over strain at the first small deformation of a kind; both stresses are zero without one, by the
@@ -85,151 +78,195 @@ std::vector<Column> stress_columns() {
                                  {"cpu_time", "s"}});
   return columns;
 }
+
+/// Of a path on which F is given throughout. A point whose tangent is not defined has a stress all the same.
+RveAnswer<2> answer(const Rve<2> &cells, const RveState<2> &state, const LoadingPath::Load &load,
+                    const double since, Rve<2>::Workspace &workspace, bool &with_tangent) {
+  RveRequest request;
+  request.time_since_commit = since;
+  request.tangent = with_tangent;
+  RveAnswer<2> result = cells.evaluate(state, load.F, load.F_dot, request, workspace);
+  if (with_tangent && !result.diagnostics.converged) {
+    with_tangent = request.tangent = false;
+    const RveDiagnostics tried = result.diagnostics;
+    result = cells.evaluate(state, load.F, load.F_dot, request, workspace);
+    result.diagnostics.iterations += tried.iterations;
+    result.diagnostics.cpu_seconds += tried.cpu_seconds;
+  }
+  return result;
+}
 }  // namespace
 
 void RveResponse::declare_parameters(InputEntries &prm) {
-  using namespace Patterns;
   prm.enter_subsection("Path");
-  prm.add_parameter(
-      "Keyframes", path,
-      "Deformation gradient over time, linear between keyframes: time : xx, xy; yx, yy | time : ... "
-      "Units: s, 1.",
-      Anything());
-  prm.add_parameter("Points", points, "Evenly spaced times at which the stress is asked for. Units: 1.",
-                    Integer(2, 1000000));
-  prm.add_parameter("F", F_by_hand,
-                    "One deformation gradient by hand, xx, xy; yx, yy, instead of the path. Units: 1.",
-                    Anything());
-  prm.add_parameter(
-      "F_dot", F_dot_by_hand,
-      "Its rate, xx, xy; yx, yy; empty: the slope of the path, or zero where F is given by hand. "
-      "Units: 1/s.",
-      Anything());
-  prm.add_parameter(
-      "Free component", free_component,
-      "Component of F whose values on the path are not imposed but found so that the stress P there is zero, "
-      "as of tissue "
-      "with free sides; none: F is as it is given. Needs RVE/Fluid = hydrostatic. Units: none.");
+  loading.add_parameters(prm);
+  prm.add_parameter("Tangents", tangents,
+                    "Whether elasticity and viscosity tensors, moduli along the path and the smallest "
+                    "eigenvalue of the acoustic tensor are written. Not of particles that relax "
+                    "(RVE/Fluid = sph), whose tangent is a bound. Units: none.");
   prm.leave_subsection();
   rve.add_parameters(prm);
 }
 
 void RveResponse::check() const {
-  if (!F_dot_by_hand.empty())
-    require_rate(parse_tensor(F_dot_by_hand, "Path/F_dot"), "Path/F_dot", "take a smaller one");
-  if (F_by_hand.empty()) {
-    const DeformationPath way(path, "Path/Keyframes");
-    for (const double time : way.keyframe_times())
-      require_rate(way.F_dot(time), "Path/Keyframes", "give the path more time");
-  } else if (!(parse_tensor(F_by_hand, "Path/F").determinant() > 0.))
-    throw InputError("Path/F is '" + F_by_hand + "', but its determinant has to be positive.");
-  if (free_component != FreeComponent::none && rve.fluid != RveFluid::hydrostatic)
-    throw InputError("Path/Free component is " + word_of(free_component) +
-                     ", but it needs 'RVE/Fluid = hydrostatic' (it is " + word_of(rve.fluid) + ").");
+  const LoadingPath path(loading);
+  if (!path.found().empty() && rve.fluid == RveFluid::sph && rve.rule == RveRule::constrained_runs)
+    throw InputError("Path/Stress components is " + loading.found +
+                     ", but with RVE/Rule = constrained_runs the stress of a burst is that of a whole time "
+                     "step and depends on more than F: use elastic_equilibrium or cauchy_born.");
   rve.check();
 }
 
-std::vector<RveResponse::Asked> RveResponse::all_asked() const {
-  std::vector<Asked> all;
-  if (!F_by_hand.empty())
-    all.push_back({0., parse_tensor(F_by_hand, "Path/F"), Tensor2<2>::Zero()});
-  else {
-    const DeformationPath way(path, "Path/Keyframes");
-    for (unsigned int i = 0; i < points; ++i) {
-      const double time =
-          i + 1 == points ? way.end() : way.start() + (way.end() - way.start()) * i / (points - 1);
-      all.push_back({time, way.F(time), way.F_dot(time)});
-    }
+/// What one walk along the path works with, and what it has found.
+struct RveResponse::Walk {
+  Walk(RunContext &context, const LoadingPath &path_, const Rve<2> &cells_, const RveParameters &rve)
+      : path(path_),
+        cells(cells_),
+        workspace(cells_.make_workspace()),
+        control(cells_, path_, search_of(rve)),
+        state(cells_.initial_state()),
+        comparison(rve),
+        table(context.series("stress", stress_columns())) {
+    if (cells.has_history()) condition.emplace(context);
   }
-  if (!F_dot_by_hand.empty())
-    for (Asked &item : all) item.F_dot = parse_tensor(F_dot_by_hand, "Path/F_dot");
-  return all;
-}
 
-RveAnswer<2> RveResponse::answer(const Rve<2> &cells, const RveState<2> &state, Asked &asked,
-                                 const double since, Rve<2>::Workspace &workspace) const {
-  RveRequest request;
-  request.time_since_commit = since;
-  Tensor2<2> &F = asked.F;
-  RveAnswer<2> result;
-  if (free_component == FreeComponent::none)
-    result = cells.evaluate(state, F, asked.F_dot, request, workspace);
-  else {
-    const int k = free_component == FreeComponent::xx ? 0 : 1;
-    F(k, k) = state.F(k, k);  // where the search begins
-    result = answer_with_free_side(cells, state, F, asked.F_dot, request, k, workspace);
-  }
-  if (!result.diagnostics.converged) {
-    std::ostringstream sentence;
-    sentence << "The RVE gives no stress at time " << asked.time << " s, F = " << printed(F) << ": "
-             << result.diagnostics.message;
-    throw RunFailed(sentence.str());
-  }
-  return result;
-}
-
-void RveResponse::run(RunContext &context) {
-  const std::unique_ptr<Rve<2>> cells = make_rve(rve);
-  const std::unique_ptr<Rve<2>::Workspace> workspace = cells->make_workspace();
-  std::vector<Asked> todo = all_asked();
-  context.active({"neo_hookean_wall", "wall_bending", "lamella_tie",
-                  rve.fluid == RveFluid::hydrostatic              ? "hydrostatic_pressure"
-                  : rve.sph.formulation == SphFormulation::thesis ? "thesis_fluid+lennard_jones_wall"
-                                                                  : "sph_fluid"},
-                 {});
-  const std::unique_ptr<Series> table = context.series("stress", stress_columns());
-  RveState<2> state = cells->initial_state();
-  if (!rve.structure.square()) report_structure(context, rve.structure, *cells, *workspace);
-  double last_time = todo.front().time, cpu = 0.;
+  const LoadingPath &path;
+  const Rve<2> &cells;
+  std::unique_ptr<Rve<2>::Workspace> workspace;
+  MixedControl control;
+  RveState<2> state;
+  ClosedFormComparison comparison;
+  std::unique_ptr<Series> table;
+  std::optional<TangentReport> tangents;
+  std::optional<ConditionReport> condition;
+  RveAnswer<2> last;
+  double last_time = 0.;  ///< s
+  std::size_t points = 0;
+  double cpu = 0.;
   long iterations = 0;
   Moduli moduli;
-  ClosedFormComparison comparison(rve);
-  RveAnswer<2> last;
-  for (std::size_t i = 0; i < todo.size(); ++i) {
-    Asked &at = todo[i];
-    last = answer(*cells, state, at, at.time - last_time, *workspace);
-    state = last.trial;
-    last_time = at.time;
+  std::optional<double> unstable;  ///< s, since when dead load would not be borne
 
-    // The closed form and the moduli are elastic: they are of the stress without the viscous part of F_dot.
-    const Tensor2<2> L = at.F_dot * at.F.inverse();
-    const Tensor2<2> elastic =
-        last.sigma - rve.cell.fluid_viscosity * (L + L.transpose() + L.trace() * Tensor2<2>::Identity());
-    moduli.add(at.F, elastic);
-    const ClosedFormComparison::Point flat = comparison.add(at.F, elastic, last.pressure);
-    std::vector<double> row = {at.time};
-    for (const Tensor2<2> &tensor : {at.F, at.F_dot, last.sigma, last.P})
-      for (int c = 0; c < 4; ++c) row.push_back(tensor(c / 2, c % 2));
-    const RveDiagnostics &how = last.diagnostics;
-    row.insert(row.end(), {last.pressure, last.energy, flat.applies ? 1. : 0., flat.stress(0, 0),
-                           flat.stress(0, 1), flat.stress(1, 1), flat.pressure, flat.deviation,
-                           how.stress_spread, double(how.iterations), how.residual, how.cpu_seconds});
-    table->add_row(row);
-    cpu += how.cpu_seconds;
-    iterations += how.iterations;
-    context.progress(double(i + 1) / double(todo.size()), "stress along the path");
-    if (context.stop_requested())
-      throw RunStopped("Stopped after the stress of " + number_text(i + 1) + " of " +
-                       number_text(todo.size()) + " points was written.");
+ private:
+  static MixedControlSettings search_of(const RveParameters &rve) {
+    MixedControlSettings search;
+    search.exact_tangent = rve.fluid == RveFluid::hydrostatic || rve.rule == RveRule::cauchy_born;
+    // Particles count as balanced up to 50 times their tolerance; what that leaves of the stress is less.
+    if (!search.exact_tangent) search.stress_accuracy = 5. * rve.equilibrium_tolerance() * rve.cell.turgor;
+    return search;
   }
+};
 
-  if (!rve.structure.square()) write_outlines(context, *cells, cells->initial_state(), state);
+void RveResponse::add_row(Walk &walk, const LoadingPath::Load &at) const {
+  const RveAnswer<2> &last = walk.last;
+  // The closed form and the moduli are elastic: they are of the stress without the viscous part of F_dot.
+  const Tensor2<2> L = at.F_dot * at.F.inverse();
+  const Tensor2<2> elastic =
+      last.sigma - rve.cell.fluid_viscosity * (L + L.transpose() + L.trace() * Tensor2<2>::Identity());
+  walk.moduli.add(at.F, elastic);
+  const ClosedFormComparison::Point flat = walk.comparison.add(at.F, elastic, last.pressure);
+  std::vector<double> row = {at.time};
+  for (const Tensor2<2> &tensor : {at.F, at.F_dot, last.sigma, last.P})
+    for (int c = 0; c < 4; ++c) row.push_back(tensor(c / 2, c % 2));
+  const RveDiagnostics &how = last.diagnostics;
+  row.insert(row.end(), {last.pressure, last.energy, flat.applies ? 1. : 0., flat.stress(0, 0),
+                         flat.stress(0, 1), flat.stress(1, 1), flat.pressure, flat.deviation,
+                         how.stress_spread, double(how.iterations), how.residual, how.cpu_seconds});
+  walk.table->add_row(row);
+  walk.cpu += how.cpu_seconds;
+  walk.iterations += how.iterations;
+  ++walk.points;
+}
+
+void RveResponse::take(Walk &walk, const LoadingPath::Load &load, const RveAnswer<2> &found,
+                       const bool with_tangent) const {
+  walk.last = found;
+  walk.last_time = load.time;
+  walk.state = found.trial;
+  add_row(walk, load);
+  if (walk.tangents && with_tangent)
+    walk.tangents->add(load.time, found);
+  else if (walk.tangents)
+    walk.tangents->add_without();
+  if (walk.condition) walk.condition->add(load.time, found);
+  if (walk.control.searches() && !walk.unstable && !(walk.control.stiffness() > 0.))
+    walk.unstable = load.time;
+}
+
+void RveResponse::walk(RunContext &context, Walk &walk) const {
+  const std::vector<double> times = walk.path.times();
+  double time = times.front();
+  for (const double next : times) {
+    LoadingPath::Load load;
+    bool with_tangent = walk.tangents.has_value();
+    RveAnswer<2> found;
+    if (walk.control.searches())
+      found = walk.control.advance(walk.state, time, next, load, *walk.workspace);
+    else {
+      load = walk.path.at(next);
+      found = answer(walk.cells, walk.state, load, next - time, *walk.workspace, with_tangent);
+      time = next;
+    }
+    if (!found.diagnostics.converged) {
+      if (walk.points > 0 && time > walk.last_time) take(walk, load, walk.control.reached());
+      finish(context, walk);
+      throw RunFailed("The RVE gives no stress at time " + number_text(next) + " s, F = " + printed(load.F) +
+                      ": " + found.diagnostics.message);
+    }
+    take(walk, load, found, with_tangent);
+    context.progress(double(walk.points) / double(times.size()), "stress along the path");
+    if (context.stop_requested())
+      throw RunStopped("Stopped after the stress of " + number_text(walk.points) + " of " +
+                       number_text(times.size()) + " points was written.");
+  }
+  finish(context, walk);
+}
+
+void RveResponse::finish(RunContext &context, const Walk &walk) const {
+  if (!rve.structure.square()) write_outlines(context, walk.cells, walk.cells.initial_state(), walk.state);
+  if (walk.points == 0) return;
+  const RveAnswer<2> &last = walk.last;
   for (int c = 0; c < 4; ++c)
     context.result(std::string("final_sigma_") + component_names[c], last.sigma(c / 2, c % 2), "Pa");
   context.result("final_pressure", last.pressure, "Pa");
-  moduli.results(context);
-  context.result("evaluations", double(todo.size()), "");
-  context.result("iterations", double(iterations), "");
-  context.result("cpu_time_per_evaluation", cpu / double(todo.size()), "s");
-  comparison.results(context);
-  comparison.remarks(context);
+  walk.moduli.results(context);
+  context.result("evaluations", double(walk.points), "");
+  context.result("iterations", double(walk.iterations), "");
+  context.result("cpu_time_per_evaluation", walk.cpu / double(walk.points), "s");
+  walk.comparison.results(context);
+  walk.comparison.remarks(context);
+  if (walk.tangents) walk.tangents->results(context);
+  if (walk.condition) walk.condition->results(context);
   char line[200];
   std::snprintf(line, sizeof line, "sigma = %.6g, %.6g; %.6g, %.6g kPa at the last point, pressure %.6g kPa",
                 1e-3 * last.sigma(0, 0), 1e-3 * last.sigma(0, 1), 1e-3 * last.sigma(1, 0),
                 1e-3 * last.sigma(1, 1), 1e-3 * last.pressure);
   context.say(line);
-  moduli.say(context);
-  comparison.say(context);
+  walk.moduli.say(context);
+  walk.comparison.say(context);
+  if (walk.tangents) walk.tangents->say(context);
+  if (walk.condition) walk.condition->say(context);
+  if (walk.unstable) {
+    context.result("dead_load_unstable_time", *walk.unstable, "s");
+    remarked(context, "dead_load_unstable_time",
+             "from time " + number_text(*walk.unstable) +
+                 " s on the stresses given are balanced, but not stable: a dead load would run away.");
+  }
+}
+
+void RveResponse::run(RunContext &context) {
+  const LoadingPath path(loading);
+  const std::unique_ptr<Rve<2>> cells = make_rve(rve);
+  context.active({"neo_hookean_wall", "wall_bending", "lamella_tie",
+                  rve.fluid == RveFluid::hydrostatic              ? "hydrostatic_pressure"
+                  : rve.sph.formulation == SphFormulation::thesis ? "thesis_fluid+lennard_jones_wall"
+                                                                  : "sph_fluid"},
+                 {});
+  Walk way(context, path, *cells, rve);
+  if (!rve.structure.square()) report_structure(context, rve.structure, *cells, *way.workspace);
+  if (tangents && (rve.fluid == RveFluid::hydrostatic || rve.rule == RveRule::cauchy_born))
+    way.tangents.emplace(context, *cells, *way.workspace);
+  walk(context, way);
 }
 
 std::unique_ptr<Scenario> make_rve_response() { return std::make_unique<RveResponse>(); }

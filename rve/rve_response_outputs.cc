@@ -1,5 +1,8 @@
 #include "rve/rve_response.h"
 
+#include "rve/condition_report.h"
+#include "rve/tangent_report.h"
+
 namespace turgor {
 namespace {
 const char *const other = "with Structure other than square";
@@ -74,6 +77,12 @@ std::vector<OutputDefinition> closed_form_results() {
 
 Outputs RveResponse::outputs() const {
   Outputs all;
+  TangentReport::define(all);
+  ConditionReport::define(all);
+  all.results({{"dead_load_unstable_time", "s",
+                "Time of the first point at which the stresses given are balanced, but would not be borne "
+                "stably by dead load.",
+                "where Path/Stress components are given"}});
   all.results(stress_results())
       .results(structure_results())
       .results(

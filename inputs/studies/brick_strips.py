@@ -27,7 +27,7 @@ STRIP = {"Gap": 0, "Columns": 2, "Yielding": "none", "End strain": 0.2, "Frames"
 
 
 def wanted():
-    yield "rve", "rve_response", {**CELL, "Cell/Fluid viscosity": 0, "Structure/Structure": "brick", "Path/Free component": "xx", "Path/Points": 41,
+    yield "rve", "rve_response", {**CELL, "Cell/Fluid viscosity": 0, "Structure/Structure": "brick", "Path/Stress components": "xx", "Path/Points": 41,
                                   "Path/Keyframes": "0 : 1, 0; 0, 1 | 1 : 1, 0; 0, 0.8", "Path/F_dot": "0, 0; 0, 0"}
     for n in STRUCK:
         yield f"struck_{n}", "tissue_impact", {**STRIP, "Rows": n, "Sides": "periodic", "Speed": 5, "End strain": 0.12}

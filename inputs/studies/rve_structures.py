@@ -48,7 +48,7 @@ def wanted():
                 way, free, _, _, points, _ = PATHS[path]
                 yield label(tissue, seed, path), "rve_response", {
                     **CELL, "Structure/Structure": structure, "Structure/Structure seed": seed, "RVE/Columns": n, "RVE/Rows": n, "Path/Keyframes": way,
-                    "Path/Free component": free, "Path/Points": points, **more}
+                    "Path/Stress components": free, "Path/Points": points, **more}
 
 
 def curve(run, path):

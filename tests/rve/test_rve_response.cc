@@ -29,8 +29,8 @@ class Memory : public RunContext {
   };
   std::map<std::string, double> results;
   std::map<std::string, std::string> notes;
-  std::vector<std::vector<double>> rows;
-  std::vector<Column> header;
+  std::map<std::string, std::vector<std::vector<double>>> tables;
+  std::map<std::string, std::vector<Column>> headers;
   std::filesystem::path where = ".";
 
   const std::filesystem::path &directory() const override { return where; }
@@ -39,10 +39,10 @@ class Memory : public RunContext {
   void result(const std::string &name, double value, const std::string &) override { results[name] = value; }
   void note(const std::string &name, const std::string &text) override { notes[name] = text; }
   void active(const std::vector<std::string> &, const std::vector<std::string> &) override {}
-  std::unique_ptr<Series> series(const std::string &, const std::vector<Column> &columns) override {
-    header = columns;
+  std::unique_ptr<Series> series(const std::string &name, const std::vector<Column> &columns) override {
+    headers[name] = columns;
     auto s = std::make_unique<Rows>();
-    s->rows = &rows;
+    s->rows = &tables[name];
     return s;
   }
   void progress(double, const std::string &) override {}
@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(wrong_paths_are_named) {
                         says("Path/F_dot has a rate of"));
   BOOST_CHECK_EXCEPTION(run(memory, "subsection Path\nset F = 1, 0; 0, -1\nend\n"), InputError,
                         says("determinant has to be positive"));
-  BOOST_TEST(memory.rows.empty());
+  BOOST_TEST(memory.tables.empty());
 }
 
 BOOST_AUTO_TEST_CASE(factory_refuses_what_does_not_exist) {
@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(tissue_that_is_not_square_tells_its_periods_and_moduli) {
   BOOST_TEST(memory.results.at("points_with_closed_form") == 0.);
   BOOST_TEST(std::abs(memory.results.at("final_sigma_xx")) < 1.);
   BOOST_TEST(memory.results.at("final_sigma_yy") < -50e3);
-  BOOST_TEST(memory.header.front().name == "cell");
+  BOOST_TEST(memory.headers.at("cells").front().name == "cell");
   const auto refused = [&](const std::string &entries, const std::string &words) {
     BOOST_CHECK_EXCEPTION(run(memory, entries), std::exception, [words](const std::exception &e) {
       return std::string(e.what()).find(words) != std::string::npos;
@@ -137,8 +137,10 @@ BOOST_AUTO_TEST_CASE(tissue_that_is_not_square_tells_its_periods_and_moduli) {
   refused("subsection Structure\nset Structure = image\nend\n", "Structure/Tissue file is none");
   refused("subsection Structure\nset Tissue file = cells.png\nend\n", "Structure = square has none");
   refused("subsection Structure\nset Corner jitter = 0.1\nend\n", "Structure/Corner jitter is 0.1");
-  refused("subsection Path\nset Free component = yy\nend\nsubsection RVE\nset Fluid = sph\nend\n",
-          "Path/Free component is yy");
+  refused(
+      "subsection Path\nset Free component = yy\nend\nsubsection RVE\nset Fluid = sph\nset Rule = "
+      "constrained_runs\nend\n",
+      "Path/Stress components is yy");
 }
 
 BOOST_AUTO_TEST_CASE(a_table_of_polygons_is_measured) {
@@ -223,8 +225,8 @@ BOOST_AUTO_TEST_CASE(default_tolerance_suits_the_fluid) {
 BOOST_AUTO_TEST_CASE(scene_agrees_with_the_closed_form) {
   Memory memory;
   run(memory, "subsection Path\nset F = 1, 0.05; 0, 1\nend\n");
-  BOOST_TEST(memory.rows.size() == 1u);
-  BOOST_TEST(memory.rows[0].size() == memory.header.size());
+  BOOST_TEST(memory.tables.at("stress").size() == 1u);
+  BOOST_TEST(memory.tables.at("stress")[0].size() == memory.headers.at("stress").size());
   BOOST_TEST(std::abs(memory.results["final_sigma_xy"] - 10.47e3) < 0.01 * 10.47e3);
   BOOST_TEST(memory.results["max_deviation_over_allowed"] < 1.);
   BOOST_TEST(memory.notes.empty());
@@ -247,7 +249,7 @@ BOOST_AUTO_TEST_CASE(scene_agrees_with_the_closed_form) {
   }
   Memory path;
   run(path, "subsection Path\nset Points = 5\nend\n");
-  BOOST_TEST(path.rows.size() == 5u);
+  BOOST_TEST(path.tables.at("stress").size() == 5u);
   BOOST_TEST(std::abs(path.results["final_sigma_xy"] - 150.6e3) < 0.01 * 150.6e3);
 }
 

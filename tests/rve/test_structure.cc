@@ -1,8 +1,8 @@
 // RVEs of tissue that is not square: stress free at F = I, the same however many cells and however turned,
 // and the numbers of the trial of general cells (12 nodes a side, lamella ratio 1) to 1 %.
 #include "micro/cells/tissue_structure.h"
-#include "rve/free_side.h"
 #include "rve/hydrostatic_rve.h"
+#include "rve/mixed_control.h"
 #include "rve/plane_moduli.h"
 
 #include <boost/test/unit_test.hpp>
@@ -39,14 +39,20 @@ RveAnswer<2> answer_at(const HydrostaticRve &rve, const Tensor2<2> &F) {
 
 /// kPa, pressed along `axis` in steps of 1 %, sides free: nominal stress at 5, 10 and 20 %.
 std::vector<double> pressed(const HydrostaticRve &rve, const int axis) {
+  LoadingEntries entries;
+  entries.path = axis == 0 ? "0 : 1, 0; 0, 1 | 1 : 0.8, 0; 0, 1" : "0 : 1, 0; 0, 1 | 1 : 1, 0; 0, 0.8";
+  entries.found = axis == 0 ? "yy" : "xx";
+  entries.F_dot_by_hand = "0, 0; 0, 0";
+  entries.points = 21;
+  const LoadingPath path(entries);
+  MixedControl control(rve, path, {});
   const auto workspace = rve.make_workspace();
   RveState<2> state = rve.initial_state();
-  Tensor2<2> F = Tensor2<2>::Identity();
+  double time = 0.;
   std::vector<double> stress;
   for (int percent = 1; percent <= 20; ++percent) {
-    F(axis, axis) = 1. - 0.01 * percent;
-    const RveAnswer<2> answer =
-        answer_with_free_side(rve, state, F, Tensor2<2>::Zero(), {}, 1 - axis, *workspace);
+    LoadingPath::Load load;
+    const RveAnswer<2> answer = control.advance(state, time, path.times()[percent], load, *workspace);
     BOOST_REQUIRE_MESSAGE(answer.diagnostics.converged, answer.diagnostics.message);
     BOOST_TEST(std::abs(answer.P(1 - axis, 1 - axis)) < 1.);
     state = answer.trial;
