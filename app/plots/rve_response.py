@@ -1,7 +1,7 @@
 """The picture of an rve_response run: the path of deformation, stress against strain, pressure.
 
 main(directory) reads stress.csv and writes rve_response.png; of tissue that is not square also rve_cells.png, from cells.csv and the periods in
-summary.json. A path of several parts has a stress-strain curve for each of the two components
+summary.json, and what rve_tangents.py draws. A path of several parts has a stress-strain curve for each of the two components
 of F that lead most of it.
 """
 import json
@@ -14,6 +14,7 @@ from matplotlib.collections import PolyCollection
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from drawing import ACCENT, ALONG, INK, plt, read_table, style  # noqa: E402
 from own_data import draw_data  # noqa: E402
+from rve_tangents import draw  # noqa: E402
 
 COMPONENTS = ("xx", "xy", "yx", "yy")
 COLOURS = {"xx": ACCENT, "yy": ALONG, "xy": "#6b8e4e", "yx": "#8a6fb0"}
@@ -100,7 +101,7 @@ def main(directory):
     figure.savefig(made, dpi=130)
     plt.close(figure)
     cells = draw_cells(directory, np.array([table[f"F_{c} [1]"][-1] for c in COMPONENTS]).reshape(2, 2))
-    return [made, cells] if cells else [made]
+    return [made] + ([cells] if cells else []) + draw(directory)
 
 
 if __name__ == "__main__":
