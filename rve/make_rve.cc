@@ -12,15 +12,26 @@
 
 namespace turgor {
 namespace {
-/// Of squares: mirrors, and quarter turns where there are as many columns as rows. None is claimed of other
-/// cells.
+/// Mirrors and turns that leave cells and periods as they are, but for the identity and its negative. Squares
+/// and bricks: both axes; squares and hexagons, where there are as many columns as rows: quarter or sixth
+/// turns and the mirrors between. The periods of bricks lean: their mirror images are periods too only where
+/// the rows are a multiple of the columns. None is claimed of cells with jitter or of Laguerre cells.
 std::vector<Tensor2<2>> symmetries(const RveParameters &p) {
-  if (!p.structure.square()) return {};
+  const StructureKind kind = p.structure.kind;
+  const bool even = p.columns == p.rows, square = kind == StructureKind::square,
+             hexagon = kind == StructureKind::hexagon && even,
+             brick = kind == StructureKind::brick && p.rows % p.columns == 0;
+  if (p.structure.jitter > 0. || !(square || hexagon || brick)) return {};
   Tensor2<2> mirror, swap;
   mirror << 1., 0., 0., -1.;
   swap << 0., 1., 1., 0.;
   std::vector<Tensor2<2>> all = {mirror};
-  if (p.columns == p.rows) all.insert(all.end(), {swap, Tensor2<2>(swap * mirror)});
+  if (square && even) all.insert(all.end(), {swap, Tensor2<2>(swap * mirror)});
+  if (hexagon)
+    for (const double third : {std::numbers::pi / 3., 2. * std::numbers::pi / 3.}) {
+      const Tensor2<2> turn = Eigen::Rotation2Dd(third).toRotationMatrix();
+      all.insert(all.end(), {turn, Tensor2<2>(turn * mirror)});
+    }
   const Tensor2<2> R = Eigen::Rotation2Dd(p.structure.rotation * std::numbers::pi / 180.).toRotationMatrix();
   for (Tensor2<2> &Q : all) Q = (R * Q * R.transpose()).eval();
   return all;

@@ -3,6 +3,7 @@
 #include "micro/cells/tissue_structure.h"
 #include "rve/hydrostatic_rve.h"
 #include "rve/mixed_control.h"
+#include "rve/make_rve.h"
 #include "rve/plane_moduli.h"
 
 #include <boost/test/unit_test.hpp>
@@ -125,6 +126,36 @@ BOOST_AUTO_TEST_CASE(a_turned_tissue_turns_the_answer) {
                        turned = answer_at(rve_of(kind, 2, degrees), turn * F * turn.transpose());
     const Tensor2<2> expected = turn * as_is.sigma * turn.transpose();
     BOOST_TEST((turned.sigma - expected).cwiseAbs().maxCoeff() < 1e-9 * expected.cwiseAbs().maxCoeff());
+  }
+}
+
+// What is folded together answers alike: P(Q F Q^T) = Q P(F) Q^T for every symmetry that is named.
+BOOST_AUTO_TEST_CASE(symmetries_are_those_of_the_cells) {
+  Tensor2<2> F;
+  F << 1.03, 0.09, -0.02, 0.98;
+  struct Row {
+    StructureKind kind;
+    unsigned int columns, rows;
+    std::size_t images;
+  };
+  for (const Row &row : {Row{StructureKind::square, 1, 1, 3}, Row{StructureKind::square, 2, 1, 1},
+                         Row{StructureKind::brick, 1, 1, 1}, Row{StructureKind::brick, 1, 2, 1},
+                         Row{StructureKind::brick, 2, 1, 0}, Row{StructureKind::hexagon, 1, 1, 5},
+                         Row{StructureKind::hexagon, 2, 2, 5}, Row{StructureKind::hexagon, 2, 1, 0},
+                         Row{StructureKind::voronoi, 2, 2, 0}}) {
+    RveParameters p;
+    p.structure.kind = row.kind;
+    p.structure.rotation = 20.;
+    p.cell = cell();
+    p.columns = row.columns;
+    p.rows = row.rows;
+    const auto rve = make_rve(p);
+    BOOST_TEST(rve->symmetries().size() == row.images);
+    const auto &network = dynamic_cast<const HydrostaticRve &>(*rve);
+    const Tensor2<2> P = answer_at(network, F).P;
+    for (const Tensor2<2> &Q : rve->symmetries())
+      BOOST_TEST((answer_at(network, Q * F * Q.transpose()).P - Q * P * Q.transpose()).norm() <
+                 1e-7 * P.norm());
   }
 }
 
