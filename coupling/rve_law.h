@@ -71,6 +71,7 @@ class RveLaw : public MaterialLaw<dim> {
   double density() const override { return rve->density(); }
   double stiffness_bound() const override { return rve->stiffness_bound(); }
   double viscosity_bound() const override { return rve->viscosity_bound(); }
+  double wave_modulus() const override { return rve->wave_modulus(); }
 
   /// All points in order, whoever owns them: the bytes do not depend on the ranks.
   void archive(Archive &a) override;

@@ -33,7 +33,7 @@ Skipping<dim>::Skipping(const Rve<dim> &rve, const SkippingSettings &settings_)
       keeps_history(rve.has_history()),
       unknowns(double(rve.initial_state().unknowns.size())),
       folding(rve.symmetries()),
-      table(settings.tolerance, guess_over_stiffness * rve.stiffness_bound()) {}
+      table(settings.tolerance, guess_over_stiffness * rve.wave_modulus()) {}
 
 template <int dim>
 void Skipping<dim>::set_points(const std::size_t n) {

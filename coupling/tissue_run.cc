@@ -30,7 +30,7 @@ TissueCourse::TissueCourse(RunContext &context_, const TissueRunSettings &settin
       tissue(settings_.tissue, law),
       observer(observer_),
       end(settled(settings_.tissue.end_time, settings_.tissue.output_interval)) {
-  memory.energy = EnergyCheck(1e-12 * rve.stiffness_bound() * tissue.size()[0] * tissue.size()[1]);
+  memory.energy = EnergyCheck(1e-12 * rve.wave_modulus() * tissue.size()[0] * tissue.size()[1]);
   if (law.shares().ranks() == 1)  // several are asked together, batch by batch
     tissue.forces().ask = [] { stop_here("inside a step of the tissue"); };
 }

@@ -71,6 +71,10 @@ class MaterialLaw {
   virtual double stiffness_bound() const = 0;
   virtual double viscosity_bound() const = 0;
 
+  /// Pa, how stiff it is to plane waves at most: what a side is like that is pressed, the scale of tools'
+  /// penalty and of round-off. No bound of the step.
+  virtual double wave_modulus() const { return stiffness_bound(); }
+
   /// Committed states to and from a checkpoint (binary). A law without history writes nothing.
   virtual void archive(Archive &a) = 0;
 };

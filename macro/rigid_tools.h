@@ -5,7 +5,7 @@
 //                                      R, middle of the side)
 //   f = -kappa A g n  for g > 0, 0 otherwise;   n: outward normal of the tissue at the contact, A: the node's
 //                     share of the side
-//   kappa = factor * stiffness bound of the law / distance of nodes,   energy kappa A g^2/2
+//   kappa = factor * wave modulus of the law / distance of nodes,   energy kappa A g^2/2
 //   x_tool(t) = Width - s(t):  s = v t up to the depth d, then at rest    ("steady")
 //                              s = d sin(v t/d) until it is back, then away ("rebound": what a mass does on a
 //                                spring)

@@ -120,7 +120,7 @@ class Newton {
   /// several such terms (an RVE of 25 nodes a side: 4 to 8 units).
   double round_off() const {
     constexpr double units = 32.;
-    const double stress = units * std::numeric_limits<double>::epsilon() * op.law().stiffness_bound();
+    const double stress = units * std::numeric_limits<double>::epsilon() * op.law().wave_modulus();
     const TissueMesh<dim> &mesh = op.mesh();
     std::vector<double> force(op.size(), 0.);
     for (unsigned int cell = 0; cell < mesh.cells; ++cell)

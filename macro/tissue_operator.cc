@@ -30,7 +30,7 @@ TissueOperator<dim>::TissueOperator(const TissueMesh<dim> &mesh, const TissuePar
   law.set_points(mesh.gauss_position);
   if (parameters.tool.active() || parameters.left == LeftSide::plate) {
     const double distance = parameters.size[0] / (parameters.elements[0] * parameters.degree);
-    rigid.emplace(mesh, parameters, parameters.tool.stiffness * law.stiffness_bound() / distance);
+    rigid.emplace(mesh, parameters, parameters.tool.stiffness * law.wave_modulus() / distance);
   }
 }
 

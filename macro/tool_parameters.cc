@@ -36,11 +36,12 @@ void ToolParameters::declare(InputEntries &prm) {
                     Patterns::Double(1e-9, 1e3));
   prm.add_parameter("Depth", depth, "How far the tool goes in from the first contact. Units: m.",
                     Patterns::Double(1e-12, 1e3));
-  prm.add_parameter("Contact stiffness", stiffness,
-                    "Penalty of the contact, over the stiffness bound of the tissue per distance of nodes. A "
-                    "node sinks in by "
-                    "pressure over that; the stable step shrinks as it grows. Units: 1.",
-                    Patterns::Double(1e-3, 1e3));
+  prm.add_parameter(
+      "Contact stiffness", stiffness,
+      "Penalty of the contact, over the tissue's stiffness to plane waves per distance of nodes. A "
+      "node sinks in by "
+      "pressure over that; the stable step shrinks as it grows. Units: 1.",
+      Patterns::Double(1e-3, 1e3));
 }
 
 void ToolParameters::check(const double width) const {

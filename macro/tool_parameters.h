@@ -17,7 +17,7 @@ struct ToolParameters {
   ToolMotion motion = ToolMotion::rebound;
   double speed = 5.;      ///< m/s, at first contact
   double depth = 0.2e-3;  ///< m, largest travel
-  double stiffness = 1.;  ///< kappa * distance of nodes / stiffness bound of the law
+  double stiffness = 1.;  ///< kappa * distance of nodes / wave modulus of the law
 
   bool active() const { return shape != ToolShape::none; }
   double travel(double time) const;

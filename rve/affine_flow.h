@@ -20,6 +20,12 @@ class AffineFlow {
   Tensor2<dim> sigma() const { return of(L); }
   Tensor2<dim> P() const { return J * sigma() * F_inverse.transpose(); }
 
+  /// Pa s, largest G : dP/dF_dot : G over |G|^2 at F = I. With D = sym G it is mu (2 D : D + tr(D)^2), and
+  /// tr(D)^2 <= dim D : D <= dim |G|^2: (2 + dim) mu, reached by G = I alone. Plane waves reach 3 mu.
+  /// Elsewhere at most J/lambda^2 times that, lambda the smallest stretch: P : G = J sigma : L, |L| <=
+  /// |G|/lambda.
+  static double largest_viscosity(const double mu) { return (2. + dim) * mu; }
+
   /// dP/dF at fixed F_dot: dJ = J tr(dL), dF^-T = -dL^T F^-T, dL_flow = -L dL for dF = dL F.
   Tensor4<dim> tangent() const {
     const Tensor2<dim> stress = sigma();

@@ -5,6 +5,7 @@
 #include "run/cpu_clock.h"
 #include "rve/acoustic_bound.h"
 #include "rve/affine_flow.h"
+#include "rve/quadratic_bound.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -49,7 +50,8 @@ HydrostaticRve::HydrostaticRve(CellLayout turgid, const HydrostaticRveSettings &
   bool regular = false;
   const Tensor2<2> I = Tensor2<2>::Identity();
   const Tensor4<2> affine = tangent(reference, I, Tensor2<2>::Zero(), false, scratch, regular);
-  bound = 1.2 * acoustic_bound(affine);
+  bound = 1.2 * quadratic_bound<2>(affine);
+  waves = 1.2 * acoustic_bound(affine);
 }
 
 std::unique_ptr<Rve<2>::Workspace> HydrostaticRve::make_workspace() const {
@@ -68,8 +70,7 @@ double HydrostaticRve::density() const {
 }
 
 double HydrostaticRve::viscosity_bound() const {
-  // mu (L + L^T + tr(L) I): 3 mu in uniaxial flow
-  return 3. * network.layout().parameters.fluid_viscosity;
+  return AffineFlow<2>::largest_viscosity(network.layout().parameters.fluid_viscosity);
 }
 
 std::vector<std::vector<Vector<2>>> HydrostaticRve::outlines(const RveState<2> &state) const {

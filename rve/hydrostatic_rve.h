@@ -57,10 +57,12 @@ class HydrostaticRve : public Rve<2> {
   bool has_history() const override { return settings.walls.history(); }
   bool knows_heating() const override { return true; }
 
-  /// Largest eigenvalue of the acoustic tensor of Cauchy-Born at F = I (an upper bound of the relaxed one),
-  /// with a fifth more for the stiffening of walls and fluid under strain.
+  /// Of Cauchy-Born at F = I, whose cells are stiffer than relaxed ones to every dF, with a fifth more for
+  /// the stiffening of walls and fluid under strain (quadratic_bound.h); so is wave_modulus()
+  /// (acoustic_bound.h).
   double stiffness_bound() const override { return bound; }
   double viscosity_bound() const override;
+  double wave_modulus() const override { return waves; }
   Tensor2<2> lattice() const override { return network.layout().lattice; }
   std::vector<std::vector<Vector<2>>> outlines(const RveState<2> &state) const override;
 
@@ -95,6 +97,6 @@ class HydrostaticRve : public Rve<2> {
   HydrostaticNetwork network;
   std::vector<double> reference;
   WallHistory virgin;  ///< at the reference: empty without plastic flow and failure
-  double reference_volume, reference_energy, bound;
+  double reference_volume, reference_energy, bound, waves;
 };
 }  // namespace turgor

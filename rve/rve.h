@@ -143,9 +143,12 @@ class Rve {
   }  ///< s, that the cells live through in a call; 0 where they relax or follow F
 
   virtual double density() const = 0;          ///< kg/m^3 of reference volume, fluid + walls
-  virtual double stiffness_bound() const = 0;  ///< Pa, upper bound of the tangent dP/dF
-  virtual double viscosity_bound() const = 0;  ///< Pa s
-  virtual Tensor2<dim> lattice() const = 0;    ///< m, columns = periods of the reference (H0)
+  virtual double stiffness_bound() const = 0;  ///< Pa, dF : dP/dF : dF <= stiffness |dF|^2 for every dF
+  virtual double viscosity_bound() const = 0;  ///< Pa s, the same of dP/dF_dot
+  /// Pa, how stiff it is to plane waves: the modulus of a side that is pressed. A scale, no bound of the
+  /// step.
+  virtual double wave_modulus() const { return stiffness_bound(); }
+  virtual Tensor2<dim> lattice() const = 0;  ///< m, columns = periods of the reference (H0)
 
   /// Outlines of the cells in a state, for pictures: per cell a closed ring of points (m).
   virtual std::vector<std::vector<Vector<dim>>> outlines(const RveState<dim> &state) const = 0;

@@ -6,6 +6,8 @@
 #include "run/number_text.h"
 #include "run/stop_flag.h"
 #include "rve/acoustic_bound.h"
+#include "rve/affine_flow.h"
+#include "rve/quadratic_bound.h"
 #include "rve/sph_motion.h"
 
 #include <algorithm>
@@ -51,10 +53,12 @@ SphRve::SphRve(CellLayout layout_, std::vector<CellContents> contents_, const Sp
   Scratch scratch;
   scratch.cells = make_sph_patch(layout, settings.sph, contents);
   const Tensor2<2> I = Tensor2<2>::Identity(), rest = Tensor2<2>::Zero();
-  stiffness = 1.2 * acoustic_bound(affine_tangent(scratch, start, I, rest, Varied::F));
-  // 3 mu is Newton's own; the thesis's fluid answers a rate more stiffly near walls.
-  viscosity = std::max(3. * layout.parameters.fluid_viscosity,
-                       acoustic_bound(affine_tangent(scratch, start, I, rest, Varied::F_dot)));
+  const Tensor4<2> affine = affine_tangent(scratch, start, I, rest, Varied::F);
+  stiffness = 1.2 * quadratic_bound<2>(affine);
+  waves = 1.2 * acoustic_bound(affine);
+  // the thesis's fluid answers a rate more stiffly near walls than Newton's own
+  viscosity = std::max(AffineFlow<2>::largest_viscosity(layout.parameters.fluid_viscosity),
+                       quadratic_bound<2>(affine_tangent(scratch, start, I, rest, Varied::F_dot)));
 }
 
 std::unique_ptr<Rve<2>::Workspace> SphRve::make_workspace() const {

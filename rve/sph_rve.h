@@ -44,6 +44,7 @@ class SphRve final : public Rve<2> {
   double density() const override { return reference_density; }
   double stiffness_bound() const override { return stiffness; }
   double viscosity_bound() const override { return viscosity; }
+  double wave_modulus() const override { return waves; }
   Tensor2<2> lattice() const override { return layout.lattice; }
   std::vector<std::vector<Vector<2>>> outlines(const RveState<2> &state) const override;
 
@@ -79,5 +80,6 @@ class SphRve final : public Rve<2> {
   double reference_energy = 0.;
   double stiffness = 0.;  ///< Pa, see stiffness_bound()
   double viscosity = 0.;  ///< Pa s
+  double waves = 0.;      ///< Pa, see wave_modulus()
 };
 }  // namespace turgor

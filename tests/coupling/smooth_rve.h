@@ -95,7 +95,7 @@ class SmoothRve : public Rve<2> {
 
   double density() const override { return 1000.; }
   double stiffness_bound() const override { return 2. * (k + l); }
-  double viscosity_bound() const override { return 3. * mu; }
+  double viscosity_bound() const override { return AffineFlow<2>::largest_viscosity(mu); }
   Tensor2<2> lattice() const override { return 1e-4 * Tensor2<2>::Identity(); }
   std::vector<std::vector<Vector<2>>> outlines(const RveState<2> &) const override { return {}; }
 };

@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(elastic_block_between_plates) {
   tissue.start();
   tissue.advance_to(2. * p.tool.depth / p.tool.speed);
   const double modulus = 4. * mu * (soft + mu) / (soft + 2. * mu);
-  const double kappa = p.tool.stiffness * law.stiffness_bound() / (width / 6.);
+  const double kappa = p.tool.stiffness * law.wave_modulus() / (width / 6.);
   // strain e and pressure q: e width + 2 q/kappa = depth, q = modulus e
   const double expected = width * p.tool.depth / (width / modulus + 2. / kappa);
   const ToolReading reading = tissue.state().tool;

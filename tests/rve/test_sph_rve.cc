@@ -1,9 +1,9 @@
 // The RVE of SPH cells on a small cell: const, objective, its viscous stress by hand, constrained runs
 // against elastic equilibrium, failures.
 #include "micro/cells/tissue_structure.h"
-#include "rve/acoustic_bound.h"
 #include "rve/hydrostatic_rve.h"
 #include "rve/make_rve.h"
+#include "rve/quadratic_bound.h"
 #include "rve/sph_rve.h"
 #include "tests/rve/matrix.h"
 
@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(rate_tangent_is_the_slope_in_the_rate) {
     BOOST_TEST(C.norm() > 1.);
     BOOST_TEST((C * Eigen::Vector4d(spin(0, 0), spin(0, 1), spin(1, 0), spin(1, 1))).norm() <
                1e-6 * C.norm());
-    BOOST_TEST(acoustic_bound(C) < 1.2 * rve.viscosity_bound());
+    BOOST_TEST(quadratic_bound<2>(C) < 1.2 * rve.viscosity_bound());
     if (rule == SphRule::constrained_runs) continue;
     for (int k = 0; k < 4; ++k) {
       const double h = 1e4;
