@@ -1,6 +1,5 @@
 #include "micro/engine/pair_list.h"
 
-#include "micro/geometry/bins.h"
 #include "micro/geometry/near_points.h"
 #include "run/parallel.h"
 
@@ -56,16 +55,42 @@ void PairList<dim>::build(const Particles<dim> &particles, const std::vector<dou
       touching.empty() ? std::vector<std::uint32_t>(1, 0) : first_pair;
   const std::vector<unsigned char> touched = std::move(touching);
 
-  const Chunks chunks(n, 256);
-  find(x, radius, chunks, threads);
-  for (std::uint32_t i = 0; i < n; ++i) first_pair[i + 1] += first_pair[i];
+  search.find(x, radius, skin, threads);
+  // Each sphere's own: first the pairs in which it is the second one, then those in which it is the first.
+  // How many it has of either comes first, then the second ones j at the places of their first ones.
+  std::vector<std::uint32_t> next(n, 0);
+  first_pair.assign(n + 1, 0);
+  search.for_each([&](const std::uint32_t i, const std::uint32_t j) {
+    ++first_pair[std::min(i, j) + 1];
+    ++next[std::max(i, j)];
+  });
+  first_of.resize(n + 1);
+  first_of[0] = 0;
+  std::vector<std::uint32_t> place(n);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    place[i] = first_of[i] + next[i];
+    first_of[i + 1] = place[i] + first_pair[i + 1];
+    first_pair[i + 1] += first_pair[i];
+    next[i] = first_of[i];
+  }
+  pair_of.resize(first_of[n]);
+  other_of.resize(first_of[n]);
+  search.for_each([&](const std::uint32_t i, const std::uint32_t j) {
+    other_of[place[std::min(i, j)]++] = std::max(i, j);
+  });
+
+  // The order of pairs is that of i, then j, whatever the order in which they were found.
   list.resize(first_pair[n]);
   touching.assign(first_pair[n], 0);
-  for_chunks(threads, chunks, [&](std::size_t begin, std::size_t end) {
-    const std::uint32_t *j = found[begin / chunks.size].data();
-    for (std::uint32_t i = std::uint32_t(begin); i < end; ++i)
-      for (std::uint32_t p = first_pair[i]; p < first_pair[i + 1]; ++p, ++j) {
+  for_chunks(threads, Chunks(n, 256), [&](std::size_t begin, std::size_t end) {
+    for (std::uint32_t i = std::uint32_t(begin); i < end; ++i) {
+      std::uint32_t p = first_pair[i];
+      const std::uint32_t last = first_pair[i + 1], own = first_of[i + 1] - (last - p);
+      std::uint32_t *j = other_of.data() + own, *number = pair_of.data() + own;
+      sort_few(j, last - p);
+      for (; p < last; ++p, ++j) {
         list[p] = {i, *j};
+        *number++ = p;
         if (i + 1 < first_before.size()) {
           const auto from = list_before.begin() + first_before[i],
                      to = list_before.begin() + first_before[i + 1];
@@ -74,91 +99,15 @@ void PairList<dim>::build(const Particles<dim> &particles, const std::vector<dou
           touching[p] = was != to && was->j == *j && touched[std::size_t(was - list_before.begin())];
         }
       }
+    }
   });
 
-  // Each sphere's own: first the pairs in which it is the second one, then those in which it is the first.
-  std::vector<std::uint32_t> next(n, 0);
-  for (const Pair &pair : list) ++next[pair.j];
-  first_of.resize(n + 1);
-  first_of[0] = 0;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    first_of[i + 1] = first_of[i] + next[i] + (first_pair[i + 1] - first_pair[i]);
-    next[i] = first_of[i];
-  }
-  pair_of.resize(2 * list.size());
-  other_of.resize(2 * list.size());
-  for (std::uint32_t i = 0; i < n; ++i) {
-    std::uint32_t own = first_of[i + 1] - (first_pair[i + 1] - first_pair[i]);
-    for (std::uint32_t p = first_pair[i]; p < first_pair[i + 1]; ++p, ++own) {
-      const std::uint32_t j = list[p].j, others = next[j]++;
-      pair_of[own] = pair_of[others] = p;
-      other_of[own] = j;
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t p = first_pair[i]; p < first_pair[i + 1]; ++p) {
+      const std::uint32_t others = next[list[p].j]++;
+      pair_of[others] = p;
       other_of[others] = i;
     }
-  }
-}
-
-/// For each chunk of spheres i the second ones j > i of their pairs, and how many pairs each has.
-template <int dim>
-void PairList<dim>::find(const std::array<const double *, dim> &x, const std::vector<double> &radius,
-                         const Chunks &chunks, const unsigned int threads) {
-  const std::uint32_t n = std::uint32_t(radius.size());
-  const double widest = n > 0 ? *std::max_element(radius.begin(), radius.end()) : 0.;
-  double low[dim], high[dim];
-  for (int d = 0; d < dim; ++d) {
-    low[d] = high[d] = n > 0 ? x[d][0] : 0.;
-    for (std::uint32_t i = 0; i < n; ++i) {
-      low[d] = std::min(low[d], x[d][i]);
-      high[d] = std::max(high[d], x[d][i]);
-    }
-  }
-  const Bins<dim> bins(x.data(), n, 2. * widest + skin, low, high, 256.);
-  std::vector<std::uint32_t> order = bins.sorted();
-  order.resize(n + near_block, 0);
-  std::vector<double> sorted[dim], sorted_radius(n + near_block);
-  std::array<const double *, dim> sorted_x;
-  for (int d = 0; d < dim; ++d) {
-    sorted[d].resize(n + near_block);
-    sorted_x[d] = sorted[d].data();
-  }
-  for_chunks(threads, Chunks(n, 4096), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      for (int d = 0; d < dim; ++d) sorted[d][k] = x[d][order[k]];
-      sorted_radius[k] = radius[order[k]];
-    }
-  });
-  if (found.size() < chunks.count()) found.resize(chunks.count());
-  first_pair.resize(n + 1);
-  first_pair[0] = 0;
-  for_chunks(threads, chunks, [&](std::size_t begin, std::size_t end) {
-    std::vector<std::uint32_t> &all = found[begin / chunks.size];
-    const std::uint32_t *const number = order.data();
-    const double *const radius_of = sorted_radius.data();
-    typename Bins<dim>::Runs near_by;
-    std::size_t size = 0;
-    for (std::uint32_t i = std::uint32_t(begin); i < end; ++i) {
-      std::array<double, dim> at;
-      for (int d = 0; d < dim; ++d) at[d] = x[d][i];
-      const std::size_t before_i = size;
-      const double reach_i = radius[i] + skin;
-      const auto limit = [=](const std::uint32_t k) {
-        const FourNumbers reach = reach_i + four_numbers(radius_of + k);
-        return reach * reach;
-      };
-      const std::uint32_t runs = bins.near_runs(at.data(), reach_i + widest, near_by);
-      const std::size_t room = size + near_by.numbers + near_block;
-      if (all.size() < room) all.resize(room + room / 2);
-      std::uint32_t *to = all.data() + size;
-      for (std::uint32_t r = 0; r < runs; ++r)
-        for (std::uint32_t k = near_by.run[r].first; k < near_by.run[r].last; k += near_block) {
-          const unsigned int later = greater_bits(number + k, i) & first_bits(near_by.run[r].last - k);
-          to += keep_numbers(number + k, near_bits<dim>(sorted_x, k, at.data(), limit) & later, to);
-        }
-      size = std::size_t(to - all.data());
-      sort_few(all.data() + before_i, size - before_i);
-      first_pair[i + 1] = std::uint32_t(size - before_i);
-    }
-  });
 }
 
 template <int dim>

@@ -6,8 +6,8 @@
 // grown by half a skin together (moved + grown <= skin/2).
 #pragma once
 
+#include "micro/engine/pair_search.h"
 #include "micro/engine/particles.h"
-#include "run/parallel.h"
 
 #include <cstdint>
 #include <vector>
@@ -49,14 +49,11 @@ class PairList {
   std::size_t memory_bytes() const;
 
  private:
-  void find(const std::array<const double *, dim> &x, const std::vector<double> &radius, const Chunks &chunks,
-            unsigned int threads);
-
   double skin;
   std::vector<Pair> list;
   std::vector<std::uint32_t> first_of, pair_of, other_of, first_pair;
   std::vector<double> built_at[dim], built_radius;
-  std::vector<std::vector<std::uint32_t>> found;  ///< by chunks of spheres: the other ones of their pairs
+  PairSearch<dim> search;
   std::size_t build_count = 0;
 };
 

@@ -98,6 +98,44 @@ class Bins {
   }
   const std::vector<std::uint32_t> &sorted() const { return order; }
 
+  /// Rows of bins along the first direction.
+  std::size_t rows() const {
+    std::size_t number = 1;
+    for (int d = 1; d < dim; ++d) number *= std::size_t(count[d]);
+    return number;
+  }
+
+  /// For pairs, each once. visit(own, ahead, runs) for every bin of a row that has points: own are the points
+  /// in it; they and the points of the runs ahead[0 .. runs) are all pairs with a point in this bin and the
+  /// other one in it or in a bin next to it, of those that no other bin has. ahead[0] begins with own, of
+  /// which a point takes those behind itself.
+  template <typename Visit>
+  void pairs_of_row(const std::size_t row, const Visit &visit) const {
+    constexpr int beside = dim == 3 ? 4 : dim - 1, dy[] = {1, -1, 0, 1}, dz[] = {0, 1, 1, 1};
+    const int y = dim > 1 ? int(row % std::size_t(count[1])) : 0,
+              z = dim > 2 ? int(row / std::size_t(count[1])) : 0;
+    std::array<const std::uint32_t *, beside + 1> rows_ahead{start.data() + row * std::size_t(count[0])};
+    int number = 1;
+    for (int s = 0; s < beside; ++s) {
+      const int to_y = y + dy[s], to_z = z + dz[s];
+      if (to_y < 0 || to_y >= count[1] || (dim > 2 && to_z >= count[dim - 1])) continue;
+      rows_ahead[number++] = start.data() + (std::size_t(to_z) * count[1] + to_y) * count[0];
+    }
+    for (int x = 0; x < count[0]; ++x) {
+      const Run own{rows_ahead[0][x], rows_ahead[0][x + 1]};
+      if (own.first == own.last) continue;
+      const int from = std::max(x - 1, 0), to = std::min(x + 2, count[0]);
+      std::array<Run, beside + 1> ahead;
+      ahead[0] = {own.first, rows_ahead[0][to]};
+      int runs = 1;
+      for (int s = 1; s < number; ++s) {
+        ahead[runs] = {rows_ahead[s][from], rows_ahead[s][to]};
+        runs += ahead[runs].first < ahead[runs].last;
+      }
+      visit(own, ahead, runs);
+    }
+  }
+
  private:
   /// How far p is from the bin along d; the bins at the rim have no outer side.
   double away(const double p, const int bin, const int d) const {
