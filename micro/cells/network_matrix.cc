@@ -53,19 +53,27 @@ void NetworkEquilibrium::build_pattern() {
   }
   for (std::size_t c = 0; c < layout.rings.size(); ++c)
     constant_part[place(cell_block(c), cell_block(c)).index] = {-1., 0., 0., 1.};
+  solver.values() = constant_part;
+  std::vector<std::uint32_t> changing;
+  for (const auto *places : {&own, &next, &second, &border})
+    for (const BlockLdlt::Place &at : *places)
+      if (at.index != fixed) changing.push_back(at.index);
+  std::sort(changing.begin(), changing.end());
+  apart = std::adjacent_find(changing.begin(), changing.end()) == changing.end();
 }
 
 void NetworkEquilibrium::assemble(const double shift) {
   std::vector<Block2> &value = solver.values();
-  std::copy(constant_part.begin(), constant_part.end(), value.begin());
-  const auto add = [&value](const BlockLdlt::Place &at, const double xx, const double yx, const double xy,
-                            const double yy) {
+  // What does not change is there already, and what changes in one place is written there at once.
+  if (!apart) std::copy(constant_part.begin(), constant_part.end(), value.begin());
+  const Block2 *const from = apart ? constant_part.data() : value.data();
+  Block2 *const into = value.data();
+  const auto add = [from, into](const BlockLdlt::Place &at, const double xx, const double yx, const double xy,
+                                const double yy) {
     if (at.index == fixed) return;
-    Block2 &to = value[at.index];
-    to[0] += xx;
-    to[1] += at.transposed ? xy : yx;
-    to[2] += at.transposed ? yx : xy;
-    to[3] += yy;
+    const Block2 &was = from[at.index];
+    into[at.index] = {was[0] + xx, was[1] + (at.transposed ? xy : yx), was[2] + (at.transposed ? yx : xy),
+                      was[3] + yy};
   };
   const double z0 = network.depth();
   const std::vector<double> &hinge = network.hinges(now);

@@ -9,6 +9,7 @@
 namespace turgor {
 namespace {
 using Four = double __attribute__((vector_size(32)));
+using Two = double __attribute__((vector_size(16)));
 
 Four load(const Block2 &b) {
   Four v;
@@ -16,6 +17,24 @@ Four load(const Block2 &b) {
   return v;
 }
 void store(Block2 &b, const Four v) { std::memcpy(b.data(), &v, sizeof v); }
+
+Two load2(const double *from) {
+  Two v;
+  std::memcpy(&v, from, sizeof v);
+  return v;
+}
+void store2(double *to, const Two v) { std::memcpy(to, &v, sizeof v); }
+
+/// Left factor of products of blocks, its columns side by side twice.
+struct Left {
+  Four first, second;
+  explicit Left(const Four l)
+      : first(__builtin_shufflevector(l, l, 0, 1, 0, 1)), second(__builtin_shufflevector(l, l, 2, 3, 2, 3)) {}
+  Four times(const Four right) const {
+    return first * __builtin_shufflevector(right, right, 0, 0, 2, 2) +
+           second * __builtin_shufflevector(right, right, 1, 1, 3, 3);
+  }
+};
 }  // namespace
 
 // Approximate minimum degree of the graph of blocks.
@@ -38,18 +57,22 @@ void BlockLdlt::analyse(const std::uint32_t n_blocks,
                         const std::vector<std::pair<std::uint32_t, std::uint32_t>> &pairs) {
   n = n_blocks;
   order(pairs);
-  std::vector<std::vector<std::uint32_t>> upper(n);  // rows i < k of column k
+  std::vector<std::vector<std::uint32_t>> upper(n), lower(n);  // rows i < k of column k, k > i of column i
   for (const auto &[i, j] : pairs) {
     const std::uint32_t a = position[i], b = position[j];
-    if (a != b) upper[std::max(a, b)].push_back(std::min(a, b));
+    if (a == b) continue;
+    upper[std::max(a, b)].push_back(std::min(a, b));
+    lower[std::min(a, b)].push_back(std::max(a, b));
   }
   start_of_A.assign(1, 0);
   rows_of_A.clear();
   for (std::uint32_t k = 0; k < n; ++k) {
-    std::sort(upper[k].begin(), upper[k].end());
-    upper[k].erase(std::unique(upper[k].begin(), upper[k].end()), upper[k].end());
+    for (std::vector<std::uint32_t> *of : {&upper[k], &lower[k]}) {
+      std::sort(of->begin(), of->end());
+      of->erase(std::unique(of->begin(), of->end()), of->end());
+    }
     rows_of_A.push_back(k);
-    rows_of_A.insert(rows_of_A.end(), upper[k].begin(), upper[k].end());
+    rows_of_A.insert(rows_of_A.end(), lower[k].begin(), lower[k].end());
     start_of_A.push_back(static_cast<std::uint32_t>(rows_of_A.size()));
   }
   input.assign(rows_of_A.size(), Block2{});
@@ -85,16 +108,17 @@ void BlockLdlt::analyse(const std::uint32_t n_blocks,
     start_of_row.push_back(static_cast<std::uint32_t>(row_pattern.size()));
   }
   L.assign(rows_of_L.size(), Block2{});
+  DL.assign(rows_of_L.size(), Block2{});
   D_inverse.assign(n, Block2{});
   work.assign(n, Block2{});
   right.assign(2 * n, 0.);
 }
 
 BlockLdlt::Place BlockLdlt::place(const std::uint32_t i, const std::uint32_t j) const {
-  const std::uint32_t a = position[i], b = position[j], column = std::max(a, b), row = std::min(a, b);
+  const std::uint32_t a = position[i], b = position[j], column = std::min(a, b), row = std::max(a, b);
   const auto begin = rows_of_A.begin() + start_of_A[column] + 1,
              end = rows_of_A.begin() + start_of_A[column + 1];
-  const bool transposed = a > b;  // kept as (row < column)
+  const bool transposed = a > b;  // kept as (column, row)
   if (a == b) return {start_of_A[column], false};
   return {static_cast<std::uint32_t>(std::lower_bound(begin, end, row) - rows_of_A.begin()), transposed};
 }
@@ -107,8 +131,8 @@ Eigen::SparseMatrix<double> BlockLdlt::matrix() const {
     for (std::uint32_t p = start_of_A[k]; p < start_of_A[k + 1]; ++p)
       for (int a = 0; a < 2; ++a)
         for (int b = 0; b < 2; ++b) {
-          const int row = static_cast<int>(2 * block[rows_of_A[p]]) + a,
-                    column = static_cast<int>(2 * block[k]) + b;
+          const int row = static_cast<int>(2 * block[k]) + a,
+                    column = static_cast<int>(2 * block[rows_of_A[p]]) + b;
           entries.emplace_back(row, column, input[p][a + 2 * b]);
           if (rows_of_A[p] != k) entries.emplace_back(column, row, input[p][a + 2 * b]);
         }
@@ -117,72 +141,76 @@ Eigen::SparseMatrix<double> BlockLdlt::matrix() const {
   return result;
 }
 
+// Column by column, all that the columns before take off it at once: no product then waits for the one
+// before, as it does along a row of L, where each block needs the last. Every block still sees the columns
+// rising.
 bool BlockLdlt::factorise() {
+  // of its own, or the compiler reads them again after every block that is stored
+  const std::uint32_t *const rows = rows_of_L.data(), *const start = start_of_L.data();
+  Block2 *const l_of = L.data(), *const y_of = DL.data(), *const column = work.data();
   negative = 0;
-  for (std::uint32_t k = 0; k < n; ++k) {
-    Four d = load(input[start_of_A[k]]);
-    for (std::uint32_t p = start_of_A[k] + 1; p < start_of_A[k + 1]; ++p) work[rows_of_A[p]] = input[p];
-    // Column k of D L^T by forward substitution: Y_j final once all columns before j are taken off.
-    for (std::uint32_t r = start_of_row[k]; r < start_of_row[k + 1]; ++r) {
-      const std::uint32_t j = row_pattern[r].column, at = row_pattern[r].index;
-      const Four Y = load(work[j]);
-      work[j] = Block2{};
-      const Four first = __builtin_shufflevector(Y, Y, 0, 0, 2, 2),
-                 second = __builtin_shufflevector(Y, Y, 1, 1, 3, 3);
-      for (std::uint32_t p = start_of_L[j]; p < at; ++p) {
-        const Four l = load(L[p]);
-        Block2 &target = work[rows_of_L[p]];
-        store(target, load(target) - (__builtin_shufflevector(l, l, 0, 1, 0, 1) * first +
-                                      __builtin_shufflevector(l, l, 2, 3, 2, 3) * second));
+  for (std::uint32_t i = 0; i < n; ++i) {
+    Four d = load(input[start_of_A[i]]);
+    for (std::uint32_t p = start_of_A[i] + 1; p < start_of_A[i + 1]; ++p)
+      store(column[rows_of_A[p]], load(input[p]));
+    const InRow *const last = row_pattern.data() + start_of_row[i + 1];
+    for (const InRow *of = row_pattern.data() + start_of_row[i]; of < last; ++of) {
+      const std::uint32_t at = of->index, end = start[of->column + 1];
+      const Left l(load(l_of[at]));
+      d -= l.times(load(y_of[at]));
+      for (std::uint32_t p = at + 1; p < end; ++p) {
+        Block2 &target = column[rows[p]];
+        store(target, load(target) - l.times(load(y_of[p])));
       }
-      // L_kj = (D_j^-1 Y)^T, D_k -= L_kj Y
-      const Four inverse = load(D_inverse[j]);
-      const Four l_transposed = __builtin_shufflevector(inverse, inverse, 0, 1, 0, 1) * first +
-                                __builtin_shufflevector(inverse, inverse, 2, 3, 2, 3) * second;
-      const Four l = __builtin_shufflevector(l_transposed, l_transposed, 0, 2, 1, 3);
-      store(L[at], l);
-      d -= __builtin_shufflevector(l, l, 0, 1, 0, 1) * first +
-           __builtin_shufflevector(l, l, 2, 3, 2, 3) * second;
     }
+    const std::uint32_t begin = start[i], end = start[i + 1];
     const double off = 0.5 * (d[1] + d[2]), determinant = d[0] * d[3] - off * off;
-    if (!std::isfinite(determinant) || determinant == 0.) return false;
+    if (!std::isfinite(determinant) || determinant == 0.) {
+      for (std::uint32_t p = begin; p < end; ++p) column[rows[p]] = Block2{};
+      return false;
+    }
     negative += determinant < 0. ? 1 : (d[0] + d[3] < 0. ? 2 : 0);
     const double s = 1. / determinant;
-    D_inverse[k] = {s * d[3], -s * off, -s * off, s * d[0]};
+    const Four D = {s * d[3], -s * off, -s * off, s * d[0]};
+    store(D_inverse[i], D);
+    // what is left of a block (i, k) is D_i L_ki^T
+    const Left inverse(D);
+    for (std::uint32_t p = begin; p < end; ++p) {
+      Block2 &left = column[rows[p]];
+      const Four Y = load(left), l_transposed = inverse.times(Y);
+      store(left, Four{});
+      store(y_of[p], Y);
+      store(l_of[p], __builtin_shufflevector(l_transposed, l_transposed, 0, 2, 1, 3));
+    }
   }
   return true;
 }
 
 void BlockLdlt::solve(double *b) {
-  double *y = right.data();
-  for (std::uint32_t i = 0; i < n; ++i) {
-    y[2 * position[i]] = b[2 * i];
-    y[2 * position[i] + 1] = b[2 * i + 1];
-  }
+  const std::uint32_t *const rows = rows_of_L.data(), *const start = start_of_L.data();
+  const Block2 *const l_of = L.data();
+  double *const y = right.data();
+  for (std::uint32_t i = 0; i < n; ++i) store2(y + 2 * position[i], load2(b + 2 * i));
   for (std::uint32_t j = 0; j < n; ++j) {
-    const double u = y[2 * j], v = y[2 * j + 1];
-    for (std::uint32_t p = start_of_L[j]; p < start_of_L[j + 1]; ++p) {
-      const Block2 &l = L[p];
-      double *t = y + 2 * rows_of_L[p];
-      t[0] -= l[0] * u + l[2] * v;
-      t[1] -= l[1] * u + l[3] * v;
+    const Two u = {y[2 * j], y[2 * j]}, v = {y[2 * j + 1], y[2 * j + 1]};
+    const std::uint32_t end = start[j + 1];
+    for (std::uint32_t p = start[j]; p < end; ++p) {
+      const double *l = l_of[p].data();
+      double *t = y + 2 * rows[p];
+      store2(t, load2(t) - (load2(l) * u + load2(l + 2) * v));
     }
   }
   for (std::uint32_t j = n; j-- > 0;) {
     const Block2 &q = D_inverse[j];
-    double u = q[0] * y[2 * j] + q[2] * y[2 * j + 1], v = q[1] * y[2 * j] + q[3] * y[2 * j + 1];
-    for (std::uint32_t p = start_of_L[j]; p < start_of_L[j + 1]; ++p) {
-      const Block2 &l = L[p];
-      const double *t = y + 2 * rows_of_L[p];
-      u -= l[0] * t[0] + l[1] * t[1];
-      v -= l[2] * t[0] + l[3] * t[1];
+    Two x = {q[0] * y[2 * j] + q[2] * y[2 * j + 1], q[1] * y[2 * j] + q[3] * y[2 * j + 1]};
+    const std::uint32_t end = start[j + 1];
+    for (std::uint32_t p = start[j]; p < end; ++p) {
+      const Two t = load2(y + 2 * rows[p]), one = load2(l_of[p].data()) * t,
+                other = load2(l_of[p].data() + 2) * t;
+      x -= __builtin_shufflevector(one, other, 0, 2) + __builtin_shufflevector(one, other, 1, 3);
     }
-    y[2 * j] = u;
-    y[2 * j + 1] = v;
+    store2(y + 2 * j, x);
   }
-  for (std::uint32_t i = 0; i < n; ++i) {
-    b[2 * i] = y[2 * position[i]];
-    b[2 * i + 1] = y[2 * position[i] + 1];
-  }
+  for (std::uint32_t i = 0; i < n; ++i) store2(b + 2 * i, load2(y + 2 * position[i]));
 }
 }  // namespace turgor

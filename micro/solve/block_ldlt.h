@@ -6,7 +6,8 @@
 // made of 2 x 2 blocks; by Sylvester's law its negative eigenvalues are as many as the matrix's.
 // The sums are done in one fixed order: same matrix, same bits.
 //
-// In: the pattern, then values of the lower triangle through block(i, j). Out: x of A x = b.
+// In: the pattern, then values of the blocks (i, j), one of each pair, where place(i, j) says. Out: x of A x
+// = b.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -50,7 +51,7 @@ class BlockLdlt {
 
   std::uint32_t n = 0;
   std::vector<std::uint32_t> position;  ///< block -> place in the elimination order
-  // A, by columns k of the permuted upper triangle: diagonal first
+  // A, by columns i of the permuted lower triangle: diagonal first, then the blocks (i, k), k > i
   std::vector<std::uint32_t> start_of_A, rows_of_A;
   std::vector<Block2> input;
   // L by columns; the pattern of row k of L as (column, index of the block in L), columns rising
@@ -59,7 +60,7 @@ class BlockLdlt {
     std::uint32_t column, index;
   };
   std::vector<InRow> row_pattern;
-  std::vector<Block2> L, D_inverse, work;
+  std::vector<Block2> L, DL, D_inverse, work;  // DL: D_i L_ki^T where L has L_ki; work: a column under way
   std::vector<double> right;
   unsigned int negative = 0;
 };
