@@ -10,6 +10,7 @@
 #pragma once
 
 #include "run/parallel.h"
+#include "run/written_anew.h"
 #include "micro/geometry/tensor.h"
 #include "micro/terms/sphere_contacts.h"
 
@@ -20,7 +21,7 @@ inline void cell_virials(const Particles<3> &particles, const SphereContacts &co
                          const unsigned int threads, std::vector<Tensor2<3>> &virial) {
   const std::vector<double> &radius = particles.field("radius");
   const PairList<3> &list = contacts.list();
-  virial.resize(particles.size());
+  resize_anew(virial, particles.size());
   for_chunks(threads, Chunks(particles.size()), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       Tensor2<3> sum = Tensor2<3>::Zero();

@@ -2,6 +2,7 @@
 
 #include "micro/geometry/near_points.h"
 #include "run/parallel.h"
+#include "run/written_anew.h"
 
 #include <algorithm>
 #include <atomic>
@@ -73,14 +74,14 @@ void PairList<dim>::build(const Particles<dim> &particles, const std::vector<dou
     first_pair[i + 1] += first_pair[i];
     next[i] = first_of[i];
   }
-  pair_of.resize(first_of[n]);
-  other_of.resize(first_of[n]);
+  resize_anew(pair_of, first_of[n]);
+  resize_anew(other_of, first_of[n]);
   search.for_each([&](const std::uint32_t i, const std::uint32_t j) {
     other_of[place[std::min(i, j)]++] = std::max(i, j);
   });
 
   // The order of pairs is that of i, then j, whatever the order in which they were found.
-  list.resize(first_pair[n]);
+  resize_anew(list, first_pair[n]);
   touching.assign(first_pair[n], 0);
   for_chunks(threads, Chunks(n, 256), [&](std::size_t begin, std::size_t end) {
     for (std::uint32_t i = std::uint32_t(begin); i < end; ++i) {

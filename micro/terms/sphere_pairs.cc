@@ -4,6 +4,7 @@
 #include "micro/solve/step_too_long.h"
 #include "run/number_text.h"
 #include "run/parallel.h"
+#include "run/written_anew.h"
 
 #include <algorithm>
 #include <atomic>
@@ -13,7 +14,7 @@ void SphereContacts::pack(const Particles<3> &particles, const unsigned int thre
   const std::vector<double> &radius = particles.field("radius"), &modulus = particles.field("modulus");
   const std::size_t n = radius.size();
   const Chunks chunks(n, 2048);
-  cells.resize(n);
+  resize_anew(cells, n);
   for_chunks(threads, chunks, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       cells[i] = {{particles.x[0][i], particles.x[1][i], particles.x[2][i]}, radius[i], modulus[i]};
@@ -143,8 +144,8 @@ void SphereContacts::prepare(const Particles<3> &particles, const Box<3> &, cons
   links.clear();
   all->bring_up_to_date(particles, threads);
   pack(particles, threads);
-  contact.resize(
-      pairs.pairs().size());  // what a pair of the list before has left is written over below, or is nought
+  // What a pair of the list before has left is written over below, or is nought.
+  resize_anew(contact, pairs.pairs().size());
   std::visit([&](const auto &one) { compute_pairs(one, threads, trial); }, law);
 }
 }  // namespace turgor
