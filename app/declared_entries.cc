@@ -1,8 +1,11 @@
 #include "app/declared_entries.h"
 
+#include "app/nearest_name.h"
 #include "run/input_entries.h"
 #include "run/prm_text.h"
+#include "run/run_context.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace turgor {
@@ -45,5 +48,27 @@ std::string prm_of(const std::vector<InputEntry> &entries, const bool with_defau
     out << indent() << "end\n";
   }
   return out.str();
+}
+
+std::vector<InputEntry> part_of(const std::vector<InputEntry> &entries, const std::string &part) {
+  std::vector<InputEntry> found;
+  std::vector<std::string> known;
+  for (const InputEntry &entry : entries) {
+    const std::string path = entry.path();
+    if (path == part || path.starts_with(part + "/")) found.push_back(entry);
+    for (std::size_t end = path.find('/'); end != std::string::npos; end = path.find('/', end + 1))
+      if (std::find(known.begin(), known.end(), path.substr(0, end)) == known.end())
+        known.push_back(path.substr(0, end));
+  }
+  if (!found.empty()) return found;
+  std::vector<std::string> names;
+  for (const InputEntry &entry : entries) {
+    if (entry.name == part)
+      throw InputError("There is no entry '" + part + "' at the top level. Did you mean '" + entry.path() +
+                       "'?");
+    names.push_back(entry.path());
+  }
+  names.insert(names.begin(), known.begin(), known.end());
+  throw InputError("There is no subsection or entry '" + part + "'." + suggestion(part, names));
 }
 }  // namespace turgor

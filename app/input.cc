@@ -151,31 +151,6 @@ Input load_input(const std::filesystem::path &file, const std::vector<std::strin
   return input;
 }
 
-namespace {
-/// The entries of a subsection, or one entry. Throws InputError where there is neither.
-std::vector<InputEntry> part_of(const std::vector<InputEntry> &entries, const std::string &part) {
-  std::vector<InputEntry> found;
-  std::vector<std::string> known;
-  for (const InputEntry &entry : entries) {
-    const std::string path = entry.path();
-    if (path == part || path.starts_with(part + "/")) found.push_back(entry);
-    for (std::size_t end = path.find('/'); end != std::string::npos; end = path.find('/', end + 1))
-      if (std::find(known.begin(), known.end(), path.substr(0, end)) == known.end())
-        known.push_back(path.substr(0, end));
-  }
-  if (!found.empty()) return found;
-  std::vector<std::string> names;
-  for (const InputEntry &entry : entries) {
-    if (entry.name == part)
-      throw InputError("There is no entry '" + part + "' at the top level. Did you mean '" + entry.path() +
-                       "'?");
-    names.push_back(entry.path());
-  }
-  names.insert(names.begin(), known.begin(), known.end());
-  throw InputError("There is no subsection or entry '" + part + "'." + suggestion(part, names));
-}
-}  // namespace
-
 std::string parameters_text(const std::string &scenario_name, const ScenarioRegistry &registry,
                             const std::string &part) {
   const std::unique_ptr<Scenario> scenario = registry.make(scenario_name);

@@ -233,7 +233,7 @@ int print_parameters(const CommandLine &line, const ScenarioRegistry &registry) 
         "Which scene? `turgor parameters SCENARIO` with one of `turgor list`, or `turgor parameters "
         "--outputs`.");
   else
-    std::cout << (line.scenario == "study" ? study_parameters_text()
+    std::cout << (line.scenario == "study" ? study_parameters_text(line.part)
                                            : parameters_text(line.scenario, registry, line.part));
   return 0;
 }

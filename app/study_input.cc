@@ -262,7 +262,7 @@ StudyInput load_study(const std::filesystem::path &file) {
   return study;
 }
 
-std::string study_parameters_text() {
+std::string study_parameters_text(const std::string &part) {
   InputEntries prm;
   TopEntries top;
   RunEntries run;
@@ -272,6 +272,7 @@ std::string study_parameters_text() {
   top.declare(prm);
   run.declare(prm);
   measure.declare(prm);
+  if (!part.empty()) return prm_of(part_of(prm.entries(), part), true, true);
   return "# A study: many runs, what is measured in them and against what. Any number of subsections Run and "
          "Measure.\n"
          "# ; | & inside a value are written \\; \\| \\&.\n" +

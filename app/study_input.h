@@ -79,5 +79,5 @@ struct StudyInput {
 StudyInput load_study(const std::filesystem::path &file);
 
 /// A commented study file of all entries with their defaults.
-std::string study_parameters_text();
+std::string study_parameters_text(const std::string &part = "");
 }  // namespace turgor

@@ -66,10 +66,15 @@ void TissueCourse::steps(const bool resumed) {
   loop.sample_due = [] { return true; };
   loop.frame = [this] { frame(); };
   loop.frame_due = [this] { return tissue.time() >= std::min(next_frame(), end); };
-  loop.tell = [this] {
+  loop.share = [this] { return tissue.time() / end; };
+  loop.advice =
+      "A smaller Time/End time makes them fewer; with Time/Integrator = central_differences softer or "
+      "heavier "
+      "cells (Cell/Wall stiffness, Cell/Fluid modulus) make them longer.";
+  loop.tell = [&] {
     char what[96];
     std::snprintf(what, sizeof(what), "t = %.4f ms, step %.2e s", tissue.time() * 1e3, tissue.last_step());
-    context.progress(tissue.time() / end, what);
+    context.progress(loop.share(), what);
   };
   loop.tell_every = 1;
   loop.reached = [this] { return "at t = " + number_text(tissue.time() * 1e3) + " ms"; };

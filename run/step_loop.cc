@@ -1,6 +1,6 @@
 #include "run/step_loop.h"
 
-#include "run/run_context.h"
+#include "run/judged.h"
 
 #include <algorithm>
 
@@ -35,6 +35,7 @@ void StepLoop::run() {
   while (more()) {
     advance();
     ++step;
+    look();
     if (sample && sample_due()) sample();
     if (frame && frame_due()) frame();
     if (tell && step % tell_every == 0) tell();
@@ -42,6 +43,12 @@ void StepLoop::run() {
     if (context.stop_requested()) stop();
     if (checkpoint_due && checkpoint_due()) save();
   }
+}
+
+void StepLoop::look() {
+  if (!share) return;
+  if (const std::string far = sight.after_step(share()); !far.empty())
+    remarked(context, "no_end_in_sight", reached() + " " + far + ". " + advice);
 }
 
 void StepLoop::stop() const {

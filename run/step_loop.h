@@ -7,6 +7,8 @@
 //   loop.sample = [&] { require_sound(...); table->add_row(...); };
 //   loop.lasting = [&](Archive &a) { a(at, system, integrator); };
 //   loop.reached = [&] { return "at t = " + number_text(at.time()) + " s"; };
+//   loop.share = [&] { return at.time() / end; };
+//   loop.advice = "A smaller Cell/Wall stiffness lengthens them.";
 //   const bool resumed = context.load_checkpoint(loop.lasting);
 //   if (!resumed)
 //     loop.begin();
@@ -14,6 +16,8 @@
 //
 // What is due goes by the number of steps taken, which is in the checkpoint, or by what a scene says instead.
 #pragma once
+
+#include "run/end_in_sight.h"
 
 #include <cstdint>
 #include <functional>
@@ -43,6 +47,11 @@ class StepLoop {
       frame;                   ///< a row of the tables, which checks the state; a frame of the fields
   std::function<void()> tell;  ///< progress
 
+  /// Of the run that lies behind, in [0, 1]: where no end is in sight (end_in_sight.h) the run says so, with
+  /// `advice`, a sentence of what makes its steps longer or fewer.
+  std::function<double()> share;
+  std::string advice;
+
   std::function<bool()> more;                                   ///< whether the run goes on
   std::function<bool()> sample_due, frame_due, checkpoint_due;  ///< after a step
   std::uint64_t tell_every = 16;                                ///< steps
@@ -57,11 +66,16 @@ class StepLoop {
   /// Until there is no more. Throws RunStopped, once all is saved.
   void run();
 
+  /// After each step: whether an end is in sight. Called by run(); a scene whose one step lasts long calls it
+  /// inside.
+  void look();
+
   /// Saves and throws RunStopped.
   [[noreturn]] void stop() const;
 
  private:
   RunContext &context;
   std::uint64_t &step;
+  EndInSight sight;
 };
 }  // namespace turgor

@@ -189,9 +189,12 @@ CellLayout turgid_with_lattice(CellLayout layout, TurgidSearch *how) {
         "A turgid reference with its lattice needs a layout that is periodic both ways.");
   if (!(turgor > 0.)) return layout;  // walls without stress, cells without pressure
   FreeTissue tissue(layout);
+  // Strains of the walls are known to some 1e-12, and stiff walls make a stress of that.
+  const ParenchymaParameters &p = layout.parameters;
+  const double good_enough = std::max(1e-9 * turgor, 1e-11 * p.wall_stiffness / p.period);
   constexpr int steps = 5;  // at once, sparse tissue may end in another state
   for (int s = 1; s < steps; ++s) tissue.relax(turgor * s / steps, 1e-3 * turgor, 1e-3 * turgor);
-  tissue.relax(turgor, 1e-12 * turgor, 1e-9 * turgor);
+  tissue.relax(turgor, 1e-12 * turgor, good_enough);
   if (how != nullptr) *how = tissue.how;
   return tissue.sealed(std::move(layout));
 }

@@ -34,7 +34,7 @@ struct TurgidSearch {
 };
 
 /// In: walls without stress. Out: nodes, lattice and fluid masses at turgor; mean stress below 1e-9 of
-/// turgor.
+/// turgor, or below what 1e-11 of strain makes of the walls (walls much stiffer than turgor).
 CellLayout turgid_with_lattice(CellLayout layout, TurgidSearch *how = nullptr);
 
 /// A grid of square cells, every one the same cell of the periodic grid, brought to turgor.

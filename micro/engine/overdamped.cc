@@ -2,12 +2,12 @@
 
 #include "run/archive.h"
 #include "micro/solve/step_too_long.h"
+#include "run/number_text.h"
 #include "run/parallel.h"
 #include "run/start_disturbance.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 namespace turgor {
@@ -127,17 +127,38 @@ double Overdamped<dim>::checked_step(Particles<dim> &particles, const double h) 
 }
 
 template <int dim>
-void Overdamped<dim>::fail(const bool rose) const {
-  std::ostringstream text;
-  text << "the step fell below " << parameters.least_step << " s: ";
+double Overdamped<dim>::short_enough(const Particles<dim> &particles, const double h) {
+  const bool heun = parameters.method == OverdampedMethod::heun;
+  double fastest = fastest_of(particles.v);
+  if (heun) fastest = 0.5 * (fastest + fastest_of(v_before));
+  moved = h * fastest;
+  const double longest = parameters.longest_move * motion.length(particles);
+  if (moved <= longest) return h;
+  const double s = longest / fastest;
+  if (s < parameters.least_step)
+    fail("the forces drive a cell by more than " + number_text(parameters.longest_move) +
+         " radii in it. Use less that drives the cells, or more friction.");
+  if (heun) {
+    dt = 0.9 * s;
+    return 0.;
+  }
+  moved = longest;
+  return s;
+}
+
+template <int dim>
+void Overdamped<dim>::fail(const std::string &reason) const {
+  throw std::runtime_error("the step fell below " + number_text(parameters.least_step) + " s: " + reason);
+}
+
+template <int dim>
+void Overdamped<dim>::fail_of(const bool rose) const {
   if (rose)
-    text << "every step makes energy, more than " << parameters.energy.tolerance
-         << " of the energies at play. Use softer contacts, a finer mesh of cells, or a larger tolerance of "
-            "the energy.";
-  else
-    text << "the cells' forces change too fast for the tolerance of " << parameters.tolerance
-         << " radii. Use Method = implicit, a larger tolerance, or softer contacts.";
-  throw std::runtime_error(text.str());
+    fail("every step makes energy, more than " + number_text(parameters.energy.tolerance) +
+         " of the energies at play. Use softer contacts, a finer mesh of cells, or a larger tolerance of the "
+         "energy.");
+  fail("the cells' forces change too fast for the tolerance of " + number_text(parameters.tolerance) +
+       " radii. Use Method = implicit, a larger tolerance, or softer contacts.");
 }
 
 template <int dim>
@@ -156,15 +177,19 @@ double Overdamped<dim>::step(Particles<dim> &particles, const double limit) {
     const auto [worst, total] = change_of(particles.v);
     const bool finite = std::isfinite(total);
     // What has changed since the step before, over a step of this length; a change over this very step where
-    // that is known.
-    const double over_step = heun || implicit || !(last_step > 0.) ? 1. : h / last_step;
+    // that is known. A jump of the forces has happened at once: it may be gone as soon, however long the step
+    // before was.
+    double over_step = heun || implicit || !(last_step > 0.) ? 1. : h / last_step;
+    if (jumped) over_step = std::max(1., over_step);
     const double largest = 0.5 * h * over_step * std::sqrt(worst);
     const double error = !parameters.mean_error ? largest
                                                 : std::max(0.5 * h * over_step * std::sqrt(total / double(n)),
                                                            parameters.tolerance * 4. * largest);
     double factor = error > 0. ? std::clamp(0.9 * std::sqrt(allowed / error), 0.2, 2.) : 2.;
     const bool accurate = finite && error <= allowed;
-    const double passed = !accurate ? 0. : parameters.energy.on ? checked_step(particles, h) : h;
+    const double passed = !accurate              ? 0.
+                          : parameters.energy.on ? checked_step(particles, h)
+                                                 : short_enough(particles, h);
     if (passed > 0.) {
       for_chunks(threads, bodies_of(n), [&](std::size_t begin, std::size_t end) {
         for (int d = 0; d < dim; ++d)
@@ -177,6 +202,7 @@ double Overdamped<dim>::step(Particles<dim> &particles, const double limit) {
       if (parameters.energy.on) factor = std::min(factor, parameters.energy.growth) * passed / h;
       if (h >= dt || factor < 1.)  // a step cut short by the limit says nothing against the long one
         dt = h * factor;
+      if (passed < h && !parameters.energy.on) dt = std::min(dt, 2. * passed);
       move_at_random(particles, passed);
       ++accepted;
       last_step = passed;
@@ -185,10 +211,11 @@ double Overdamped<dim>::step(Particles<dim> &particles, const double limit) {
       return passed;
     }
     ++rejections;
-    rises += accurate;
-    dt = h * (accurate ? 0.5 : finite ? std::min(factor, 0.9) : 0.2);
+    const bool rose = accurate && parameters.energy.on;
+    rises += rose;
+    if (!accurate || rose) dt = h * (accurate ? 0.5 : finite ? std::min(factor, 0.9) : 0.2);
     copy(x_before, particles.x);
-    if (dt < parameters.least_step) fail(accurate);
+    if (dt < parameters.least_step) fail_of(rose);
   }
 }
 
@@ -205,6 +232,7 @@ void Overdamped<dim>::move_at_random(Particles<dim> &particles, const double h) 
   else
     motion.again(particles);
   move(particles.x, particles.x, h, particles.v);
+  moved += h * fastest_of(particles.v);
   copy(v_before, particles.v);
 }
 

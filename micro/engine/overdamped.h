@@ -18,6 +18,10 @@
 // D and more. A step of no more than 1e-12 lengths is round-off, and accepted.) What has a history follows
 // the positions once they are accepted.
 //
+// No body moves by more than longest_move lengths in a step: one that did would have passed others, and
+// walls, without meeting them, and where velocities change little no error would tell. Such a step of euler
+// or implicit ends where that is reached (x += s v, as above), one of heun is repeated with a shorter one.
+//
 // Random forces (motility) move the bodies after the step by themselves, x += h Gamma^-1 F_random(h), with
 // the matrix of its last solution: weakly of first order, and no business of the error below.
 //
@@ -26,6 +30,8 @@
 // largest at most a quarter of that length: in a large population some cells always divide or touch for the
 // first time, and the largest error would keep all steps as short as theirs. dv is
 //   euler      (v - v_before) dt/dt_before    v_before: velocity of the last step, one dt_before earlier
+//                                             (after a jump of the forces, see below, no less than v -
+//                                             v_before)
 //   heun       v(x + dt v) - v(x)             of Euler's step, its own first stage; its own error is of third
 //              order
 //   implicit   w - w_before                   w is the velocity at the end of its step, to the first order
@@ -38,6 +44,7 @@
 #include "micro/engine/motion.h"
 
 #include <cmath>
+#include <string>
 
 namespace turgor {
 class Archive;
@@ -59,6 +66,7 @@ struct OverdampedParameters {
   double first_step = 1.;     ///< s
   double least_step = 1e-9;   ///< s; shorter: the step fails with a sentence
   double longest_step = 1e9;  ///< s
+  double longest_move = 1.;   ///< of a body in a step, over the motion's length; not by random forces
   bool mean_error = false;    ///< root mean square of all bodies, not the largest
   EnergyCheck energy{};
 };
@@ -79,6 +87,7 @@ class Overdamped {
   std::uint64_t rejected() const { return rejections; }
   std::uint64_t rejected_by_energy() const { return rises; }  ///< among them
   double next_step() const { return dt; }
+  double last_move() const { return moved; }  ///< m, by no more than which any body moved in the last step
 
   void archive(Archive &a);
 
@@ -100,7 +109,10 @@ class Overdamped {
   /// s, of a step of h that moves and makes no energy; 0: there is none.
   double checked_step(Particles<dim> &particles, double h);
   double fastest_of(const Components &v);  ///< m/s
-  [[noreturn]] void fail(bool rose) const;
+  /// s, of h, in which no body moves too far; heun: 0 where one would.
+  double short_enough(const Particles<dim> &particles, double h);
+  [[noreturn]] void fail(const std::string &reason) const;
+  [[noreturn]] void fail_of(bool rose) const;
   void move_at_random(Particles<dim> &particles, double h);
 
   OverdampedParameters parameters;
@@ -110,6 +122,7 @@ class Overdamped {
   double last_step = 0.;         ///< s, between v_before and now; 0 before the first step
   double after_jump = HUGE_VAL;  ///< s, the first step accepted after cells have divided or gone
   bool jumped = false;
+  double moved = 0.;  ///< m
   std::uint64_t rejections = 0, accepted = 0, rises = 0;
   std::vector<double> parts, worst_of;  ///< of chunks of bodies
   Components x_before, v_before;        ///< v_before: empty before the first step

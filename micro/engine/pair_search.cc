@@ -8,6 +8,18 @@
 
 namespace turgor {
 namespace {
+/// m, at least `least`: so that few spheres that lie far apart are not sorted into millions of empty bins.
+template <int dim>
+double bin_width(const std::size_t n, const double least, const double *low, const double *high) {
+  for (double width = least;; width *= 1.25) {
+    double bins = 1.;
+    for (int d = 0; d < dim; ++d) bins *= std::min(256., 1. + (high[d] - low[d]) / width);
+    if (!(bins > 64. * double(n) + 4096.)) return width;
+  }
+}
+}  // namespace
+
+namespace {
 /// Least and greatest of a direction; four at a time, for a comparison waits for the one before.
 std::array<double, 2> range(const double *const x, const std::uint32_t n) {
   std::array<double, 4> low, high;
@@ -32,7 +44,8 @@ void PairSearch<dim>::find(const std::array<const double *, dim> &x, const std::
     high[d] = all[1];
   }
   const double widest = range(radius.data(), n)[1];
-  const Bins<dim> bins(x.data(), n, (2. * widest + skin) * (1. + 1e-9), low, high, 256.);
+  const double width = bin_width<dim>(n, (2. * widest + skin) * (1. + 1e-9), low, high);
+  const Bins<dim> bins(x.data(), n, width, low, high, 256.);
 
   // What the search reads, in the order of bins; a block of eight may read behind the last sphere.
   std::vector<std::uint32_t> number = bins.sorted();

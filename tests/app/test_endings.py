@@ -240,6 +240,31 @@ class Endings(unittest.TestCase):
             self.assertIn("topped", said)
             shutil.rmtree(self.out, ignore_errors=True)
 
+    def test_cells_that_crawl_too_fast_end_the_run(self):
+        for force in ("1e-5", "1"):
+            for name in ("spheroid_free", "monolayer"):
+                done = self.run_program(*scene(name, f"Motion/Migration force={force}", "First cells=4", "Frames=0"))
+                self.assert_refused(done, "radii since pressures and growth of the cells were last looked at", "Motion/Migration force",
+                                    "Motion/Growth tolerance")
+                self.assertEqual(self.status(), "failed")
+                shutil.rmtree(self.out)
+        # the advice
+        for advice in ("Motion/Migration force=1e-7", "Contact/Medium friction=5e12"):
+            done = self.run_program(*scene("spheroid_free", "Motion/Migration force=1e-5", "First cells=4", "Frames=0", "End time=5000", advice))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            shutil.rmtree(self.out)
+
+    def test_a_run_with_no_end_in_sight_says_so(self):
+        child = self.start(*scene("cell_endurance", "Steps=1e12", "Samples=100", "F_dot=0, 0; 0, 0", "Cell/Nodes per side=8",
+                                  "SPH/Particles per side=8", "Checkpoints=0"))
+        self.wait_for(child, "endurance.csv")
+        time.sleep(25)
+        child.send_signal(signal.SIGTERM)
+        said = child.communicate(timeout=60)[1]
+        self.assertEqual(child.returncode, 130, said)
+        with open(os.path.join(self.out, "summary.json"), encoding="utf-8") as file:
+            self.assertIn("no end is in sight", json.load(file)["notes"]["no_end_in_sight"])
+
     def test_nohup_goes_on_without_its_terminal(self):
         child = self.start(*LONG_CELL, preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
         self.wait_for(child, "endurance.csv")

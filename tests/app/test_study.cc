@@ -152,6 +152,20 @@ BOOST_AUTO_TEST_CASE(the_printed_study_can_be_read) {
              std::string::npos);  // nothing else is wrong with it
 }
 
+BOOST_AUTO_TEST_CASE(a_part_of_the_entries_of_a_study) {
+  const std::string measure = study_parameters_text("Measure NAME"),
+                    column = study_parameters_text("Measure NAME/Columns"),
+                    top = study_parameters_text("Overrides");
+  BOOST_TEST(measure.find("subsection Measure NAME") != std::string::npos);
+  BOOST_TEST(measure.find("subsection Run LABEL") == std::string::npos);
+  BOOST_TEST(column.find("set Columns") != std::string::npos);
+  BOOST_TEST(column.find("set Match") == std::string::npos);
+  BOOST_TEST(top.find("subsection") == std::string::npos);
+  BOOST_CHECK_EXCEPTION(study_parameters_text("Measur NAME"), InputError, [](const InputError &e) {
+    return std::string(e.what()).find("Did you mean 'Measure NAME'?") != std::string::npos;
+  });
+}
+
 BOOST_AUTO_TEST_CASE(csv_mistakes) {
   const TemporaryDirectory directory;
   const std::string header = "time [s],displacement_x [m],displacement_y [m]\n";

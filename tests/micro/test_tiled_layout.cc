@@ -172,6 +172,19 @@ BOOST_AUTO_TEST_CASE(periods_at_turgor_are_those_of_inextensible_walls_stretched
     BOOST_TEST(H(0, 1) == 0.5 * H(0, 0), boost::test_tools::tolerance(1e-9));
 }
 
+// Walls up to the stiffest that are allowed do not stretch: the periods are those of the stress-free walls.
+BOOST_AUTO_TEST_CASE(walls_much_stiffer_than_turgor_have_a_reference) {
+  for (const Tiling &one : {brick_tiling(L), hexagon_tiling(L)})
+    for (const double stiffness : {1e5, 1e7, 1e8, 1e9}) {
+      ParenchymaParameters p = cell_of(25);
+      p.wall_stiffness = stiffness;
+      TurgidSearch how;
+      const CellLayout layout = turgid_with_lattice(lay_cells(one, p), &how);
+      BOOST_TEST(how.stress <= 1e-11 * stiffness / p.period);
+      BOOST_TEST(layout.lattice.determinant() > 0.9 * L * L);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(more_cells_and_turned_cells_have_the_same_periods) {
   const ParenchymaParameters p = cell_of(8);
   for (const Tiling &one : {brick_tiling(L), hexagon_tiling(L)}) {

@@ -208,9 +208,12 @@ void OpticalStretcher::Run::go() {
     return "in run " + number_text(at.number + 1) + " of " + number_text(cases.size()) +
            " at t = " + number_text(cell->time()) + " s";
   };
-  loop.tell = [this] {
-    context.progress((double(at.number) + cell->time() / period()) / double(cases.size()), "stretching");
+  loop.share = [this] {
+    return at.number < cases.size() ? (double(at.number) + cell->time() / period()) / double(cases.size())
+                                    : 1.;
   };
+  loop.advice = "Less light (Powers), a coarser net (Cell/Frequency) or a larger Tolerance lengthens them.";
+  loop.tell = [&] { context.progress(loop.share(), "stretching"); };
   if (!resumed) loop.begin();
   loop.run();
   report();

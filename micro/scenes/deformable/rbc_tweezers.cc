@@ -154,7 +154,9 @@ void RbcTweezers::Run::go() {
   };
   loop.frame_due = loop.checkpoint_due = [] { return false; };
   loop.reached = [this] { return "at a force of " + number_text(1e12 * force_at(cell.time())) + " pN"; };
-  loop.tell = [this] { context.progress(cell.time() / last(), "pulling"); };
+  loop.share = [this] { return cell.time() / last(); };
+  loop.advice = "Less force (Forces), a coarser net (Cell/Frequency) or a larger Tolerance lengthens them.";
+  loop.tell = [&] { context.progress(loop.share(), "pulling"); };
   if (!resumed) {
     loop.begin();
     const double axial = cell.extent(Vector<3>::UnitX()), transverse = cell.extent(Vector<3>::UnitY());

@@ -4,6 +4,8 @@
 #include "run/cpu_clock.h"
 #include "run/input_entries.h"
 #include "run/number_text.h"
+#include "run/end_in_sight.h"
+#include "run/judged.h"
 #include "run/stop_flag.h"
 
 #include <algorithm>
@@ -103,11 +105,11 @@ Particles<3> CellSteps::start() const {
 }
 
 CellSteps::Outcome CellSteps::relax(const OverdampedMethod method, const double tolerance, const double step,
-                                    const unsigned int threads) const {
+                                    RunContext &context) const {
   Outcome result;
   ParticleSystem<3> system;
   system.particles = start();
-  system.threads = threads;
+  system.threads = context.threads();
   const double between = pair_friction / less_friction;  // N s/m^3
   system.add(std::make_unique<SphereContacts>(HertzContact(), 0.2 * radius)).friction = {
       .normal = between, .tangential = between};
@@ -116,15 +118,21 @@ CellSteps::Outcome CellSteps::relax(const OverdampedMethod method, const double 
                          .tolerance = step > 0. ? 1e12 : tolerance,
                          .first_step = step > 0. ? step : 1e-6,
                          .least_step = 1e-12,
-                         .longest_step = step > 0. ? step : 1e9},
-                        motion, threads);
+                         .longest_step = step > 0. ? step : 1e9,
+                         .longest_move = step > 0. ? HUGE_VAL : 1.},
+                        motion, context.threads());
   for (const double R : system.particles.field("radius"))
     motion.medium.push_back(4. * std::numbers::pi * R * R * medium_friction / less_friction);
   const double begin = process_cpu_seconds();
+  EndInSight sight;
   try {
     for (double t = 0.; t < duration * (1. - 1e-12); ++result.steps) {
       t += stepper.step(system.particles, duration - t);
       stop_here("during one of the runs");
+      if (const std::string far = sight.after_step(t / duration); !far.empty())
+        remarked(context, "no_end_in_sight",
+                 "in one of the runs, at t = " + number_text(t) + " s, " + far +
+                     ". A smaller End time, a smaller Stiffer or a larger Reference tolerance helps.");
     }
     result.ended = true;
   } catch (const RunStopped &) {
@@ -156,7 +164,7 @@ void CellSteps::run(RunContext &context) {
                                               {"stable", ""}});
   context.active({"hertz_contact", pair_friction > 0. ? "cell_friction" : "medium_friction"},
                  start().field_names());
-  const Outcome reference = relax(OverdampedMethod::heun, tightest, 0., context.threads());
+  const Outcome reference = relax(OverdampedMethod::heun, tightest, 0., context);
   if (!reference.ended) throw RunFailed("the reference did not reach the end: " + reference.sentence);
   const Particles<3> first = start();
   double largest_move = 0.;
@@ -171,7 +179,7 @@ void CellSteps::run(RunContext &context) {
       if (context.stop_requested()) throw RunStopped("stopped between two runs");
       context.progress((double(m) + double(k) / (halvings + 1.)) / 3., method_names[m]);
       const double step = duration / std::exp2(k);
-      const Outcome run = relax(methods[m], 0., step, context.threads());
+      const Outcome run = relax(methods[m], 0., step, context);
       const double e = run.ended ? error(run, reference) : 0.;
       const bool stable = run.ended && e < 0.1;
       table->add_row({double(m), 0., step, 0., e, run.cpu, double(run.steps), double(stable)});
@@ -189,7 +197,7 @@ void CellSteps::run(RunContext &context) {
       context.result("cpu_time_at_it_" + name, fewest, "s");
     }
     for (const double tolerance : {3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4}) {
-      const Outcome run = relax(methods[m], tolerance, 0., context.threads());
+      const Outcome run = relax(methods[m], tolerance, 0., context);
       table->add_row({double(m), 1., run.steps > 0 ? duration / double(run.steps) : 0., tolerance,
                       run.ended ? error(run, reference) : 0., run.cpu, double(run.steps), double(run.ended)});
       if (tolerance == 1e-3 && run.ended) {

@@ -33,7 +33,7 @@ class CellSteps : public Scenario {
     std::string sentence;  ///< where it did not
   };
   Particles<3> start() const;
-  Outcome relax(OverdampedMethod method, double tolerance, double step, unsigned int threads) const;
+  Outcome relax(OverdampedMethod method, double tolerance, double step, RunContext &context) const;
   double error(const Outcome &outcome, const Outcome &reference) const;
 
   unsigned int count = 150, halvings = 12;

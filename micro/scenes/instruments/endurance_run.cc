@@ -70,11 +70,13 @@ void CellEndurance::Run::go() {
   loop.sample = [this] { record(); };
   loop.check = [this] { require_sound(measure()); };
   loop.reached = [this] { return "after " + number_text(at.step) + " steps"; };
-  loop.tell = [this] {  // what is lost takes ever more parts of a step
+  loop.share = [this] { return double(at.step) / double(last); };
+  loop.advice = "A smaller Steps makes them fewer.";
+  loop.tell = [&] {  // what is lost takes ever more parts of a step
     require_sound();
     at.most_crossed = std::max(at.most_crossed, double(wet->fluid->crossed()));
     if (at.most_crossed > shares_outside.allowed * double(system.particles.fluid_count())) judge();
-    context.progress(double(at.step) / double(last), "micro steps");
+    context.progress(loop.share(), "micro steps");
   };
   loop.tell_every = 8;
   if (!resumed) loop.begin();

@@ -2,6 +2,7 @@
 
 #include "micro/processes/bring_to_turgor.h"
 #include "micro/engine/kick_drift_kick.h"
+#include "run/end_in_sight.h"
 #include "run/input_entries.h"
 #include "run/number_text.h"
 #include "run/run_failed_by.h"
@@ -159,6 +160,7 @@ ShellOscillation::Motion ShellOscillation::oscillate(RunContext &context, RoundC
   std::vector<double> &time = motion.time, radius;
   const double energy_start = system.potential_energy() + system.kinetic_energy();
   double energy = energy_start;
+  EndInSight sight;
   for (std::size_t k = 0; k <= count; ++k) {
     if (k > 0)
       for (unsigned int s = 0; s < per_sample; ++s) integrator.step(dt);
@@ -172,6 +174,10 @@ ShellOscillation::Motion ShellOscillation::oscillate(RunContext &context, RoundC
     table->add_row({time.back(), radius.back(), motion.speed.back(), round.pressure(), energy});
     if (round.fluid) motion.crossed = std::max(motion.crossed, double(round.fluid->crossed()));
     context.progress(0.3 + 0.7 * double(k) / double(count), "oscillations");
+    if (const std::string far = sight.after_step(double(k) / double(count)); !far.empty())
+      remarked(context, "no_end_in_sight",
+               "at t = " + number_text(1e6 * time.back()) + " us " + far +
+                   ". Fewer Periods, a coarser shell (Cell/Frequency) or fewer Cell/Fluid particles help.");
     if (context.stop_requested()) throw RunStopped("stopped in the middle of the oscillation");
   }
   motion.energy_drift = energy / energy_start - 1.;

@@ -72,7 +72,12 @@ void SqueezedCell::Run<dim>::go() {
   loop.reached = [this] {
     return "at a deformation of " + number_text(rows.empty() ? 0. : rows.back().deformation);
   };
-  loop.tell = [this, last] { context.progress(0.2 + 0.8 * double(at.step) / double(last), "squeezing"); };
+  loop.share = [this, last] { return double(at.step) / double(last); };
+  loop.advice =
+      "A larger Speed or a smaller Deformation makes them fewer; softer or heavier walls (Cell/Wall "
+      "stiffness, "
+      "Cell/Wall thickness) and a softer fluid (Cell/Fluid modulus) make them longer.";
+  loop.tell = [&] { context.progress(0.2 + 0.8 * loop.share(), "squeezing"); };
   loop.tell_every = 64;
   if (!resumed) loop.begin();
   loop.run();

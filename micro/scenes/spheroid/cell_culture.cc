@@ -1,6 +1,7 @@
 #include "micro/scenes/spheroid/cell_culture.h"
 
 #include "run/archive.h"
+#include "run/number_text.h"
 #include "micro/engine/space_order.h"
 #include "micro/processes/polarity.h"
 #include "micro/terms/cell_motility.h"
@@ -92,6 +93,40 @@ void CellCulture::begin_interval() {
         "(Death/Remove lysed = false).");
   surroundings.update(cells.particles, t);
   set_friction();
+  from = cells.particles.x;
+  way = 0.;
+}
+
+double CellCulture::longest_step() const {
+  double longest = life.longest_step();
+  if (parameters.motility > 0.) {  // half a radius in the mean: 6 D h = (R/2)^2
+    const double R = parameters.life.birth_radius;
+    longest = std::min(longest, R * R / (24. * parameters.motility));
+  }
+  return longest;
+}
+
+void CellCulture::follow_ways() {
+  way += stepper.last_move();
+  constexpr double far = 10., too_far = 100.;  // radii
+  const double R = motion.length(cells.particles);
+  if (way <= far * R || (t < until && way <= too_far * R)) return;
+  double square = 0.;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    double one = 0.;
+    for (int d = 0; d < 3; ++d) one += std::pow(cells.particles.x[d][i] - from[d][i], 2);
+    square = std::max(square, one);
+  }
+  const double gone = std::sqrt(square) / R;
+  most = std::max(most, gone);
+  if (gone > too_far)
+    throw std::runtime_error(
+        "a cell has moved by " + number_text(gone, 3) +
+        " radii since pressures and growth of the cells were last looked at: they "
+        "belong to another place, and so do its neighbours. Use less that drives the "
+        "cells (Motion/Migration force, Motion/Motility), more friction, or look more often (a smaller "
+        "Motion/Growth tolerance).");
+  if (t < until) way = gone * R;
 }
 
 bool CellCulture::advance(const double end, const std::function<bool()> &stop) {
@@ -99,13 +134,14 @@ bool CellCulture::advance(const double end, const std::function<bool()> &stop) {
     until = std::min(end, t + h);
     begin_interval();
   }
-  const double longest = life.longest_step();
+  const double longest = longest_step();
   while (t < until) {
     const double dt = stepper.step(cells.particles, std::min(until - t, longest));
     life.after_step(cells, dt, steps);
     cells.advance(dt);
     t = until - t > dt ? t + dt : until;
     ++steps;
+    follow_ways();
     if (stop && t < until && stop()) return false;
   }
   return true;
@@ -113,7 +149,7 @@ bool CellCulture::advance(const double end, const std::function<bool()> &stop) {
 
 void CellCulture::archive(Archive &a) {
   a.section("culture");
-  a(t, until, motion.medium, steps, sorted_size, life.count, cells);
+  a(t, until, motion.medium, steps, sorted_size, life.count, cells, from, way, most);
   a(stepper);
 }
 }  // namespace turgor

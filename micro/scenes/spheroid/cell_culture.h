@@ -67,12 +67,18 @@ class CellCulture {
   const SphereContacts &contact() const { return contacts; }
   std::uint64_t rejected() const { return stepper.rejected(); }
   double next_step() const { return stepper.next_step(); }
+  /// Mean radii; by no more than which any cell moved between two looks at its life, so far. Beyond 100 the
+  /// interval fails: pressures, neighbours and rims of cells would belong to another place.
+  double farthest() const { return most; }
 
   void archive(Archive &a);
 
  private:
   void begin_interval();
   void set_friction();
+  /// After a step; throws std::runtime_error where a cell has gone too far.
+  void follow_ways();
+  double longest_step() const;  ///< s, in which neither polarity nor random forces carry a cell too far
   /// Cells near in space near in memory; now and then, as the population grows.
   void sort();
   bool migrates() const { return parameters.migration.force > 0.; }
@@ -85,5 +91,8 @@ class CellCulture {
   double t = 0., h;
   double until = 0.;              ///< s, end of the interval that was begun
   std::uint64_t sorted_size = 0;  ///< cells when they were last sorted
+  Particles<3>::Components from;  ///< m, where the cells were when the interval began
+  double way = 0.;                ///< m, by no more than which any has moved since
+  double most = 0.;               ///< mean radii, of the intervals so far
 };
 }  // namespace turgor

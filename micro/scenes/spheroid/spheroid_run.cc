@@ -2,6 +2,7 @@
 
 #include "micro/terms/outer_cells.h"
 #include "run/archive.h"
+#include "run/judged.h"
 #include "run/number_text.h"
 #include "run/step_loop.h"
 
@@ -54,6 +55,10 @@ void SpheroidScene::Run::go() {
   loop.sample_due = [this] { return ends() || on_schedule(); };
   if (fields) loop.frame = [this] { fields->write(); };
   loop.frame_due = [this] { return ends() || (frame_every > 0 && done % frame_every == 0); };
+  loop.share = [this] { return share_behind(); };
+  loop.advice =
+      "Less that drives the cells (Dextran/Pressure, Motion/Migration force, Motion/Motility), softer cells "
+      "or more friction lengthen them.";
   loop.tell = [this] { context.progress(share_behind(), number_text(culture.cells.size()) + " cells"); };
   loop.tell_every = 1;
   loop.reached = [this] { return "at t = " + number_text(culture.time() / 3600.) + " h"; };
@@ -71,6 +76,7 @@ void SpheroidScene::Run::go() {
   loop.run();
   if (scene.checkpoints > 0 && full && on_schedule()) loop.save();
   report_growth();
+  judge_ways();
   scene.report(context, table, culture);
 }
 
@@ -96,16 +102,13 @@ void SpheroidScene::Run::open_series() {
   file = context.series("growth", columns);
 }
 
-void SpheroidScene::Run::interval(const StepLoop &loop) {
+void SpheroidScene::Run::interval(StepLoop &loop) {
   bool is_whole = false;
   try {
     scene.before_interval(culture);
     is_whole = culture.advance(scene.duration, [this, &loop] {
       loop.tell();
-      if (const std::string far = sight.after_step(share_behind()); !far.empty())
-        context.say(
-            "at t = " + number_text(culture.time()) + " s " + far +
-            ". Less that drives the cells (Dextran/Pressure, Motion/Migration force) lengthens them.");
+      loop.look();
       return context.stop_requested();
     });
   } catch (const std::runtime_error &error) {
@@ -203,6 +206,14 @@ double SpheroidScene::Run::share_of_the_run() const {
                               ? std::log(now / first) / std::log(scene.most_cells / first)
                               : 0.;
   return std::min(1., std::max(of_cells, scene.share_until_finished(table)));
+}
+
+void SpheroidScene::Run::judge_ways() {
+  if (const double far = culture.farthest(); far > 10.)
+    remarked(context, "farthest_move",
+             "cells moved by up to " + number_text(far, 3) +
+                 " radii between two looks at their pressure and growth, more than the 10 beyond which a run "
+                 "says so: a smaller Motion/Growth tolerance looks more often");
 }
 
 void SpheroidScene::Run::report_growth() {

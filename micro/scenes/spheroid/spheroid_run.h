@@ -4,7 +4,6 @@
 
 #include "micro/scenes/spheroid/cell_culture.h"
 #include "micro/scenes/spheroid/spheroid_scene.h"
-#include "run/end_in_sight.h"
 #include "run/field_output.h"
 #include "run/run_context.h"
 
@@ -22,13 +21,14 @@ class SpheroidScene::Run {
   /// taken, go on as they began.
   void require_same_rows(double interval_before, std::uint64_t rows_before) const;
   void open_series();
-  void interval(const class StepLoop &loop);
+  void interval(class StepLoop &loop);
   void record();
   std::vector<double> row();
   FieldFrame frame();
   double share_of_the_run() const;
   double share_behind() const;  ///< of time, or of what ends the run before
   void report_growth();
+  void judge_ways();
   bool on_schedule() const { return done % sample_every == 0; }
   bool ends() const { return full || !(culture.time() < scene.duration); }
 
@@ -39,7 +39,6 @@ class SpheroidScene::Run {
   bool full = false;                                    ///< it may end before its End time
   GrowthTable table;
   std::uint64_t done = 0;  ///< intervals
-  EndInSight sight;        ///< of steps, many in an interval
   std::string good;  ///< the state at the last row, or where it was resumed: what a run that fails leaves
   std::unique_ptr<Series> file;
   std::optional<FieldOutput> fields;

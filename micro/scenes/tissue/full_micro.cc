@@ -135,7 +135,11 @@ void FullMicro::Run::go() {
   if (fields) loop.frame = [this] { fields->write(); };
   loop.check = [this] { require_sound(); };
   loop.reached = [this] { return "at t = " + number_text(time() * 1e3) + " ms"; };
-  loop.tell = [this, last] { context.progress(double(step) / double(last), "full run"); };
+  loop.share = [this, last] { return double(step) / double(last); };
+  loop.advice =
+      "A smaller End time makes them fewer, softer walls and fluid (Cell/Wall stiffness, Cell/Fluid modulus) "
+      "make them longer.";
+  loop.tell = [&] { context.progress(loop.share(), "full run"); };
   if (!resumed) loop.begin();
   const auto wall_start = std::chrono::steady_clock::now();
   const double cpu_start = process_cpu_seconds();

@@ -207,7 +207,12 @@ void TissueLoading::Run::squeeze(const bool resumed) {
     if (fields) fields->accept();
   };
   if (fields) loop.frame = [&] { fields->write(); };
-  loop.tell = [this] { context.progress(double(step) / double(load_steps), "squeezing the tissue"); };
+  loop.share = [this] { return double(step) / double(load_steps); };
+  loop.advice =
+      "A larger Speed or a smaller End strain makes them fewer; softer or heavier walls (Cell/Wall "
+      "stiffness, "
+      "Cell/Wall thickness) and a softer fluid (Cell/Fluid modulus) make them longer.";
+  loop.tell = [&] { context.progress(loop.share(), "squeezing the tissue"); };
   if (step == 0) {
     loop.begin();
     if (split) split->compute_forces();
