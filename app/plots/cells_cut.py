@@ -5,7 +5,7 @@ import os
 import sys
 
 import numpy as np
-from matplotlib.collections import PatchCollection
+from matplotlib.collections import LineCollection, PatchCollection
 from matplotlib.colors import ListedColormap, Normalize
 from matplotlib.patches import Circle
 
@@ -29,7 +29,28 @@ def cut_of(frame, flat=False, wall=None):
     return x[index, 0], x[index, 1], section[index], index
 
 
-def draw_cells(axis, place, values, colours, norm, wall=None):
+def body_of(directory, frame, flat=False):
+    """Lines (um) in which the plane of cut_of cuts the rigid body of the run at the same time; none without one."""
+    if not os.path.exists(os.path.join(directory, "body.xdmf")):
+        return []
+    body = min(frames(directory, "body"), key=lambda one: abs(one.time - frame.time))
+    centre = frame.points.mean(axis=0)
+    if flat:
+        centre[2] = 0.0
+    corners = (body.points - centre)[body.cells] * 1e6
+    lines = []
+    for triangle in corners:
+        cut = []
+        for a, b in ((0, 1), (1, 2), (2, 0)):
+            high, low = triangle[a, 2], triangle[b, 2]
+            if (high > 0) != (low > 0):
+                cut.append((triangle[a] + (triangle[b] - triangle[a]) * high / (high - low))[:2])
+        if len(cut) == 2:
+            lines.append(cut)
+    return lines
+
+
+def draw_cells(axis, place, values, colours, norm, wall=None, body=()):
     x, y, section, index = place
     order = np.argsort(-section)
     patches = PatchCollection([Circle((x[k], y[k]), section[k]) for k in order], cmap=colours, norm=norm, edgecolor=INK, linewidth=0.25)
@@ -39,6 +60,9 @@ def draw_cells(axis, place, values, colours, norm, wall=None):
     if wall is not None:  # um
         axis.add_patch(Circle((0, 0), wall, facecolor="none", edgecolor=ACCENT, linewidth=1.6))
         reach = max(reach, 1.03 * wall)
+    if len(body):
+        axis.add_collection(LineCollection(body, colors=ACCENT, linewidths=1.8))
+        reach = max(reach, 1.03 * min(np.abs(np.array(body)).max(), 1.5 * reach))
     axis.set_xlim(-reach, reach)
     axis.set_ylim(-reach, reach)
     axis.set_aspect("equal")
@@ -52,7 +76,7 @@ def draw_cut(directory, flat=False, time=None, wall=None):
         return None
     frame = frames(directory, "cells")[-1] if time is None else min(frames(directory, "cells"), key=lambda one: abs(one.time - time))
     wall = None if wall is None else wall(frame.time)
-    place = cut_of(frame, flat, wall)
+    place, body = cut_of(frame, flat, wall), body_of(directory, frame, flat)
     figure, panels = plt.subplots(1, 3, figsize=(14, 4.9), layout="constrained")
     pressure, volume, state = frame.field("pressure"), frame.field("volume") * 1e18, frame.field("state")
     low, high = np.percentile(pressure[place[3]], [2, 98])
@@ -61,16 +85,16 @@ def draw_cut(directory, flat=False, time=None, wall=None):
             (panels[0], pressure, "pressure [Pa]", "RdBu_r" if low < -0.2 * high else "viridis",
              Normalize(-most, most) if low < -0.2 * high else Normalize(low, high)),
             (panels[1], volume, "volume [µm³]", "cividis", Normalize(*np.percentile(volume[place[3]], [2, 98])))):
-        bar = figure.colorbar(draw_cells(axis, place, values, colours, norm, wall), ax=axis, shrink=0.85, extend=beyond(norm, values[place[3]]))
+        bar = figure.colorbar(draw_cells(axis, place, values, colours, norm, wall, body), ax=axis, shrink=0.85, extend=beyond(norm, values[place[3]]))
         bar.ax.set_title(label, fontsize=9, color=INK)  # beside the bar it would stand at the next panel
-    bar = figure.colorbar(draw_cells(panels[2], place, state, ListedColormap(STATE_COLOURS), Normalize(-0.5, 3.5), wall), ax=panels[2],
+    bar = figure.colorbar(draw_cells(panels[2], place, state, ListedColormap(STATE_COLOURS), Normalize(-0.5, 3.5), wall, body), ax=panels[2],
                           ticks=range(4), shrink=0.85)
     bar.ax.set_yticklabels(STATES, fontsize=8)
     bar.ax.set_title("state", fontsize=9, color=INK)
     for axis in panels:
         axis.set_xlabel("x [µm]", color=INK)
         axis.set_ylabel("y [µm]", color=INK)
-    figure.suptitle(f"{'From above' if flat else 'Cut through the middle'} at {frame.time / 3600:.0f} h, {len(volume)} cells" + (f"; ring: the capsule's inner wall, radius {wall:.1f} µm" if wall is not None else ""),
+    figure.suptitle(f"{'From above' if flat else 'Cut through the middle'} at {frame.time / 3600:.0f} h, {len(volume)} cells" + (f"; ring: the capsule's inner wall, radius {wall:.1f} µm" if wall is not None else "; line: the rigid body's surface" if len(body) else ""),
                     color=INK, fontsize=11)
     path = os.path.join(directory, "cells_cut.png")
     figure.savefig(path, dpi=110)

@@ -34,6 +34,10 @@ struct Surroundings {
     return std::vector<Value>();
   };
 
+  /// s, that a step may be long at most for what moves beside the cells; after the forces. None where nothing
+  /// does.
+  std::function<double(const Particles<3> &)> longest_step;
+
   template <class T>
   T &add(std::unique_ptr<T> term) {
     T &reference = *term;

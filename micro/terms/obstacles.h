@@ -74,6 +74,7 @@ class Obstacles final : public Term<dim> {
     const Contact &contact;  ///< with the body
     SphereContact does;      ///< what the law makes of it
     const Obstacle<dim> &body;
+    Vector<dim> force;  ///< N, on the particle
   };
   /// visit(touch), body by body, particles in their order.
   template <class Visit>
@@ -85,7 +86,11 @@ class Obstacles final : public Term<dim> {
           for (std::size_t k = 0; k < bodies.size(); ++k)
             for_groups(view, particles, k, 0, particles.groups.size(), listed,
                        [&](std::size_t, const std::size_t i, const Vector<dim> &x, const Contact &c) {
-                         visit(Touch{i, x, c, view(i, c.distance, c.curvature), *bodies[k]});
+                         const SphereContact does = view(i, c.distance, c.curvature);
+                         Vector<dim> force = does.force * c.normal;
+                         if (c.bend.squaredNorm() > 0.)
+                           force -= view.by_curvature(i, c.distance, c.curvature) * c.bend;
+                         visit(Touch{i, x, c, does, *bodies[k], force});
                        });
         },
         law);

@@ -98,6 +98,10 @@ class Product(unittest.TestCase):
     def test_killed_full_run_resumes_to_the_same_bits(self):
         self.kill_and_resume(FULL[:-1] + ["End time=3e-6"])
 
+    def test_killed_spheroid_beside_a_body_resumes_to_the_same_bits(self):
+        self.kill_and_resume([os.path.join(SOURCE, "tests", "golden", "spheroid_body.prm"), "--set", "Frames=0", "--set", "Checkpoints=500",
+                              "--set", "Samples=500"], ("growth.csv",))
+
     def test_killed_endurance_run_resumes_to_the_same_bits(self):
         self.kill_and_resume(ENDURANCE, ("endurance.csv",))
         # The sums over the whole run too: they are what only the checkpoint carries.

@@ -136,7 +136,9 @@ bool CellCulture::advance(const double end, const std::function<bool()> &stop) {
   }
   const double longest = longest_step();
   while (t < until) {
-    const double dt = stepper.step(cells.particles, std::min(until - t, longest));
+    const double of_bodies =
+        surroundings.longest_step ? surroundings.longest_step(cells.particles) : HUGE_VAL;
+    const double dt = stepper.step(cells.particles, std::min({until - t, longest, of_bodies}));
     life.after_step(cells, dt, steps);
     cells.advance(dt);
     t = until - t > dt ? t + dt : until;

@@ -1,5 +1,6 @@
 #include "micro/scenes/spheroid/spheroid_free.h"
 
+#include "micro/geometry/compact_cluster.h"
 #include "run/run_context.h"
 
 #include <algorithm>
@@ -32,7 +33,27 @@ SpheroidFree::SpheroidFree() {
   entries.numbers.motility = 1e-16;
 }
 
+void SpheroidFree::check_more() const {
+  body.check(compact_cluster(first_cells, first_spacing(), flat), largest_first_radius());
+}
+
+Surroundings SpheroidFree::make_surroundings() const {
+  if (!body.is_there()) return {};
+  return body.surroundings(entries.parameters().stiffness, entries.numbers.life.birth_radius);
+}
+
+void SpheroidFree::report_body(RunContext &context, const GrowthTable &table) const {
+  double square = 0.;
+  for (const char *name : {"body_x", "body_y", "body_z"})
+    square += std::pow(table.column(name).back() - table.column(name).front(), 2);
+  const std::vector<double> imbalance = table.column("body_imbalance");
+  context.result("body_travel", std::sqrt(square), "m");
+  context.result("body_pressing", table.column("body_pressing").back(), "N");
+  context.result("largest_body_imbalance", *std::max_element(imbalance.begin(), imbalance.end()), "1");
+}
+
 void SpheroidFree::report(RunContext &context, const GrowthTable &table, CellCulture &culture) const {
+  if (has_body()) report_body(context, table);
   const double T = entries.numbers.life.cycle_time, end = culture.time();
   const std::vector<double> time = table.column("time"), cells = table.column("cells"),
                             radius = table.column("radius");

@@ -12,6 +12,7 @@
 //                    the volume of the proliferating cells, which shape and fill do not touch
 #pragma once
 
+#include "micro/scenes/spheroid/body_entries.h"
 #include "micro/scenes/spheroid/spheroid_scene.h"
 
 namespace turgor {
@@ -20,8 +21,17 @@ class SpheroidFree : public SpheroidScene {
   SpheroidFree();
 
  protected:
+  void declare_more(InputEntries &prm) override { body.declare(prm); }
+  void check_more() const override;
+  Surroundings make_surroundings() const override;
+  bool has_body() const override { return body.is_there(); }
   Outputs more_outputs() const override;
   void report(RunContext &context, const GrowthTable &table, CellCulture &culture) const override;
+
+ private:
+  void report_body(RunContext &context, const GrowthTable &table) const;
+
+  BodyEntries body;
 };
 
 /// s; of a population of mean cycle time T (s) and relative spread s.

@@ -103,7 +103,7 @@ Outputs SpheroidScene::outputs() const {
   return all.join(more_outputs());
 }
 
-Outputs SpheroidFree::more_outputs() const { return of_free_growth(); }
+Outputs SpheroidFree::more_outputs() const { return of_free_growth().join(BodyEntries::outputs()); }
 
 Outputs SpheroidRelaxation::more_outputs() const {
   Outputs all;

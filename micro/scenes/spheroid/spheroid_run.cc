@@ -1,5 +1,6 @@
 #include "micro/scenes/spheroid/spheroid_run.h"
 
+#include "micro/scenes/spheroid/body_entries.h"
 #include "micro/terms/outer_cells.h"
 #include "run/archive.h"
 #include "run/judged.h"
@@ -48,12 +49,19 @@ void SpheroidScene::Run::go() {
   context.active(culture.term_names(), culture.cells.field_names());
   open_series();
   if (scene.frames > 0) fields.emplace(context, "cells", resumed, [this] { return frame(); });
+  if (scene.frames > 0 && scene.has_body())
+    body_fields.emplace(context, "body", resumed,
+                        [this] { return BodyEntries::frame(*culture.surroundings.walls, culture.time()); });
 
   loop.more = [this] { return !ends(); };
   loop.advance = [this, &loop] { interval(loop); };
   loop.sample = [this] { record(); };
   loop.sample_due = [this] { return ends() || on_schedule(); };
-  if (fields) loop.frame = [this] { fields->write(); };
+  if (fields)
+    loop.frame = [this] {
+      fields->write();
+      if (body_fields) body_fields->write();
+    };
   loop.frame_due = [this] { return ends() || (frame_every > 0 && done % frame_every == 0); };
   loop.share = [this] { return share_behind(); };
   loop.advice =
@@ -127,6 +135,7 @@ void SpheroidScene::Run::record() {
   std::string().swap(good);  // two states at once would be a seventh of the run's memory
   good = archived(*this);
   if (fields) fields->accept();
+  if (body_fields) body_fields->accept();
   full = full || scene.finished(table);
 }
 

@@ -41,6 +41,6 @@ class SpheroidScene::Run {
   std::uint64_t done = 0;  ///< intervals
   std::string good;  ///< the state at the last row, or where it was resumed: what a run that fails leaves
   std::unique_ptr<Series> file;
-  std::optional<FieldOutput> fields;
+  std::optional<FieldOutput> fields, body_fields;
 };
 }  // namespace turgor

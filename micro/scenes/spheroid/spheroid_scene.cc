@@ -54,6 +54,10 @@ double SpheroidScene::first_phase(const std::size_t i) const {
   return -std::log2(1. - 0.5 * random_uniform(mix_bits(std::uint64_t(entries.seed) ^ 0x7068617365ull), i));
 }
 
+double SpheroidScene::largest_first_radius() const {
+  return entries.numbers.life.birth_radius * (phases == FirstPhases::spread ? std::cbrt(2.) : 1.);
+}
+
 double SpheroidScene::first_spacing() const {
   return 1.8 * entries.numbers.life.birth_radius * (phases == FirstPhases::spread ? std::cbrt(2.) : 1.);
 }

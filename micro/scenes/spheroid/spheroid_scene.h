@@ -39,6 +39,7 @@ class SpheroidScene : public Scenario {
   virtual Outputs more_outputs() const { return {}; }  ///< beside what all write of their population
   virtual void check_more() const {}
   virtual Surroundings make_surroundings() const { return {}; }
+  virtual bool has_body() const { return false; }  ///< among them as the only wall (body_entries.h)
   virtual CultureParameters culture_parameters() const { return entries.parameters(); }
   /// The first cells; a compact cluster about the origin.
   virtual void seed(CellCulture &culture) const;
@@ -62,6 +63,7 @@ class SpheroidScene : public Scenario {
   double first_phase(std::size_t i) const;
   /// m, between neighbours of the first cluster: the largest of its cells overlap by a tenth of their size.
   double first_spacing() const;
+  double largest_first_radius() const;  ///< m
 
  private:
   class Run;  ///< spheroid_run.h
