@@ -5,6 +5,8 @@ hang, no NaN in any file, no wrong input without a sentence, no energy from noth
     /usr/bin/python3 inputs/studies/fuzz.py -n 1000 -o doc/results/fuzz          all scenes of `turgor list`, in turn
     /usr/bin/python3 inputs/studies/fuzz.py --repeat 417                         one again, with what it was given and said
     /usr/bin/python3 inputs/studies/fuzz.py --edges --time 0.3                   every entry of every scene at its limits, one at a time
+    /usr/bin/python3 inputs/studies/fuzz.py --decades -n 200 --time 30           entries at 1e-6, 1e-3, 1e3, 1e6 times their default, one at a time,
+                                                                                 also of the other structures, strips and bodies (BASES)
 
 Drawn: one to four entries over their whole range (logarithmically where it spans decades), a third of the others
 within a factor of three of their default. The tables SMALL and DRAWN size the scenes down and know entries that are texts.
@@ -71,6 +73,15 @@ SCENES = {
 
 def matrix(rng, centre, size):
     return "%.6g, %.6g; %.6g, %.6g" % tuple((centre if k in (0, 3) else 0) + rng.uniform(-size, size) for k in range(4))
+
+
+PILLAR = {"Body/File": os.path.join(ROOT, "inputs", "reference", "pillar.off"), "Body/Position": "45e-6, 0, 0", "Body/Load": "-1e-9, 0, 0"}
+STRUCTURES = [{"Structure/Structure": kind} for kind in ("brick", "hexagon", "voronoi")]
+STRIPS = [{"Sides": sides, "Structure/Structure": kind} for sides, kind in (("periodic", "brick"), ("widening", "hexagon"))]
+# What else of a scene is driven to extremes: settings beside its defaults.
+BASES = {"rve_response": STRUCTURES, "tissue_gravity": STRUCTURES, "tissue_statics": STRUCTURES, "tissue_bruise": STRUCTURES[:1],
+         "tissue_compression": STRIPS, "tissue_impact": STRIPS, "tissue_failure": STRIPS,
+         "spheroid_free": [PILLAR, {**PILLAR, "Body/Motion": "drag", "Body/Turning drag": 1e-8}]}
 
 
 # Entries that are texts.
@@ -146,6 +157,19 @@ def edges(scene, entries):
         for value in values:
             if value != default:
                 yield {**small, name: value}
+
+
+def decades(scene, entries):
+    """Settings: every number a thousand and a million times smaller and larger than it is, the scene small otherwise and as in BASES."""
+    small = draw(random.Random(1), scene, entries, sizes_only=True)
+    for base in [{}] + BASES.get(scene, []):
+        for name, default, allowed in entries:
+            numbers = re.match(r"a (finite|whole) number from (\S+) to (\S+)", allowed)
+            value = float(base.get(name, default)) if numbers else 0.0
+            for factor in (1e-6, 1e-3, 1e3, 1e6) if value != 0 else ():
+                number = round(value * factor) if numbers[1] == "whole" else float("%.6g" % (value * factor))
+                if float(numbers[2]) <= number <= float(numbers[3]) and number != value:
+                    yield {**small, **base, name: number}
 
 
 def energy_gain(directory, least_rows):
@@ -243,7 +267,7 @@ def run_scene(program, scene, settings, seconds):
             # energy too much after one step, and nothing else is there yet.
             gain = energy_gain(out, 20 if code == 0 else 100)
             verdict = "energy" if gain is not None and gain > 1e-2 else "long" if code == 130 else "ok"
-            sentence = f"gained {gain:.2g} of the largest energy" if verdict == "energy" else ""
+            sentence = f"gained {gain:.2g} of the largest energy" if verdict == "energy" else remark_of(out) if verdict == "long" else ""
             if code == 0 and not os.path.exists(os.path.join(out, "summary.json")):
                 verdict, sentence = "silent", "exit code 0 without a summary"
         elif not sentence.startswith("turgor: ") or len(sentence) < 30:
@@ -256,6 +280,15 @@ def run_scene(program, scene, settings, seconds):
         else:
             verdict = "failed"
         return verdict, sentence
+
+
+def remark_of(directory):
+    """That no end is in sight, where the run has said so."""
+    try:
+        with open(os.path.join(directory, "summary.json"), encoding="utf-8") as file:
+            return "no end is in sight" if "no_end_in_sight" in json.load(file).get("notes", {}) else ""
+    except OSError:
+        return ""
 
 
 def kind_of(sentence):
@@ -302,6 +335,7 @@ def main():
     parser.add_argument("-o", "--output", help="directory for verdicts.csv and bad.csv")
     parser.add_argument("--add", action="store_true", help="to what is in that directory: the seeds from --seed on, in pieces")
     parser.add_argument("--edges", action="store_true", help="every entry at its limits instead")
+    parser.add_argument("--decades", action="store_true", help="numbers at 1e-6 ... 1e6 times their default instead: -n of these cases, drawn by --seed")
     parser.add_argument("--repeat", type=int, help="one seed, in full")
     parser.add_argument("--program", default=os.path.join(ROOT, "build", "app", "turgor"))
     options = parser.parse_args()
@@ -309,10 +343,14 @@ def main():
     entries = {name: entries_of(options.program, name) for name in names}
 
     cases = [(name, settings) for name in names for settings in edges(name, entries[name])] if options.edges else []
-    first, count = (0, len(cases)) if options.edges else (options.seed, options.n)
+    if options.decades:
+        cases = [(name, settings) for name in names for settings in decades(name, entries[name])]
+        cases = random.Random(options.seed).sample(cases, min(options.n, len(cases)))
+    listed_cases = options.edges or options.decades
+    first, count = (0, len(cases)) if listed_cases else (options.seed, options.n)
 
     def one(seed):
-        if options.edges:
+        if listed_cases:
             scene, settings = cases[seed]
             return (seed, scene) + run_scene(options.program, scene, settings, options.time) + (settings,)
         scene = names[seed % len(names)]
