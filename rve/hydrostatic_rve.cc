@@ -29,13 +29,20 @@ HydrostaticRve::HydrostaticRve(const ParenchymaParameters &cell, const Hydrostat
 
 HydrostaticRve::HydrostaticRve(CellLayout turgid, const HydrostaticRveSettings &settings_)
     : settings(settings_),
-      network(std::move(turgid)),
+      clamped(settings.boundary == RveBoundary::linear_displacement ? boundary_nodes(turgid)
+                                                                    : std::vector<std::uint32_t>()),
+      traction(settings.boundary == RveBoundary::uniform_traction ? std::optional<MeanTraction>(turgid)
+                                                                  : std::nullopt),
+      network(traction ? without_cut_ties(turgid) : std::move(turgid)),
       reference(network.layout().positions()),
       reference_volume(network.layout().lattice.determinant() * network.depth()) {
   if (!(settings.equilibrium.tolerance > 0.))
     throw std::invalid_argument("RVE/Tolerance has to be positive.");
   if (!network.layout().periodic[0] || !network.layout().periodic[1])
     throw std::invalid_argument("The cells of an RVE have to be periodic both ways.");
+  if (settings.boundary != RveBoundary::periodic && settings.rule != HydrostaticRule::elastic_equilibrium)
+    throw std::invalid_argument("RVE/Boundary is " + word_of(settings.boundary) +
+                                ", which needs 'RVE/Rule = elastic_equilibrium'.");
   settings.walls.check(network.layout().parameters.wall_yield);
   if (settings.walls.history() && settings.rule != HydrostaticRule::elastic_equilibrium)
     throw std::invalid_argument("Walls that flow or break need 'RVE/Rule = elastic_equilibrium'.");
@@ -43,9 +50,9 @@ HydrostaticRve::HydrostaticRve(CellLayout turgid, const HydrostaticRveSettings &
   virgin = network.new_history(reference);
   NetworkEvaluation e;
   network.evaluate(reference, network.layout().lattice, NetworkOrder::energy, e, &virgin);
-  reference_energy = e.energy;
+  reference_energy = e.energy + boundary_energy(reference, Tensor2<2>::Identity());
 
-  Scratch scratch(network);
+  Scratch scratch(*this);
   scratch.history = virgin;  // walls that have flowed are stiff against both ways: the bound has to know
   bool regular = false;
   const Tensor2<2> I = Tensor2<2>::Identity();
@@ -55,7 +62,7 @@ HydrostaticRve::HydrostaticRve(CellLayout turgid, const HydrostaticRveSettings &
 }
 
 std::unique_ptr<Rve<2>::Workspace> HydrostaticRve::make_workspace() const {
-  return std::make_unique<Scratch>(network);
+  return std::make_unique<Scratch>(*this);
 }
 
 RveState<2> HydrostaticRve::initial_state() const {
@@ -126,12 +133,13 @@ void HydrostaticRve::take_energy(const Tensor2<2> &F, const NetworkEvaluation &e
   const std::vector<double> &x = answer.trial.unknowns;
   const Tensor2<2> H = F * network.layout().lattice;
   if (!settings.walls.history()) {
-    answer.energy = (network.energy(x, H, e) - reference_energy) / reference_volume;
+    answer.energy = (network.energy(x, H, e) + boundary_energy(x, F) - reference_energy) / reference_volume;
     return;
   }
   network.flow(x, scratch.history);
   network.leak(x, scratch.history);
-  answer.energy = (network.stored_energy(x, H, scratch.history) - reference_energy) / reference_volume;
+  answer.energy = (network.stored_energy(x, H, scratch.history) + boundary_energy(x, F) - reference_energy) /
+                  reference_volume;
   answer.condition = condition(scratch.history);
   answer.trial.history = scratch.history.pack();
   answer.safe_strain = answer.trial.history == virgin.pack() ? safe_strain(x, F) : -1.;

@@ -21,19 +21,26 @@
 // to where the affine motion puts them, one damped step on the way to equilibrium; the next call goes on from
 // there. The force left over is told as the residual; what drag takes counts as dissipated.
 //
+// With another boundary than the periodic one (RveBoundary) the energy is that of mean_traction.h; the rest
+// is the same.
+//
 // In: F (no unit), F_dot (1/s). Out: see rve.h. State: node positions (m), x and y interleaved; history:
 // WallHistory::pack().
 #pragma once
 
 #include "micro/cells/network_equilibrium.h"
 #include "rve/rve.h"
+#include "rve/rve_boundary.h"
+
+#include <optional>
 
 namespace turgor {
 enum class HydrostaticRule { cauchy_born, elastic_equilibrium };
 
 struct HydrostaticRveSettings {
   HydrostaticRule rule = HydrostaticRule::elastic_equilibrium;
-  unsigned int columns = 1, rows = 1;  ///< of square cells
+  unsigned int columns = 1, rows = 1;            ///< of square cells
+  RveBoundary boundary = RveBoundary::periodic;  ///< others need elastic_equilibrium
   EquilibriumSettings equilibrium;
   WallLimits walls;                    ///< needs elastic_equilibrium
   std::vector<Tensor2<2>> symmetries;  ///< of the layout, see rve.h
@@ -70,6 +77,10 @@ class HydrostaticRve : public Rve<2> {
 
  private:
   struct Scratch;
+  /// J, what the energy of a uniform traction is beside that of the network.
+  double boundary_energy(const std::vector<double> &x, const Tensor2<2> &F) const {
+    return traction ? traction->energy(x, F * network.layout().lattice) : 0.;
+  }
   /// The history of the call, as of the committed state. Throws std::invalid_argument for a state of another
   /// RVE.
   void begin(const RveState<2> &committed, const RveRequest &request, Scratch &scratch) const;
@@ -94,6 +105,8 @@ class HydrostaticRve : public Rve<2> {
   Tensor4<2> rate_tangent(const Tensor2<2> &F) const;
 
   HydrostaticRveSettings settings;
+  std::vector<std::uint32_t> clamped;    ///< at a boundary that follows F
+  std::optional<MeanTraction> traction;  ///< at one that is pulled
   HydrostaticNetwork network;
   std::vector<double> reference;
   WallHistory virgin;  ///< at the reference: empty without plastic flow and failure

@@ -9,7 +9,8 @@
 
 namespace turgor {
 struct HydrostaticRve::Scratch : Rve<2>::Workspace {
-  explicit Scratch(const HydrostaticNetwork &network) : equilibrium(network) {}
+  explicit Scratch(const HydrostaticRve &rve)
+      : equilibrium(rve.network, rve.clamped, rve.traction ? &*rve.traction : nullptr) {}
   NetworkEquilibrium equilibrium;
   NetworkEvaluation evaluation;
   WallHistory history;  // of the call under way

@@ -15,13 +15,15 @@ namespace {
 /// Mirrors and turns that leave cells and periods as they are, but for the identity and its negative. Squares
 /// and bricks: both axes; squares and hexagons, where there are as many columns as rows: quarter or sixth
 /// turns and the mirrors between. The periods of bricks lean: their mirror images are periods too only where
-/// the rows are a multiple of the columns. None is claimed of cells with jitter or of Laguerre cells.
+/// the rows are a multiple of the columns. None is claimed of cells with jitter, of Laguerre
+/// cells or of windows.
 std::vector<Tensor2<2>> symmetries(const RveParameters &p) {
   const StructureKind kind = p.structure.kind;
   const bool even = p.columns == p.rows, square = kind == StructureKind::square,
              hexagon = kind == StructureKind::hexagon && even,
              brick = kind == StructureKind::brick && p.rows % p.columns == 0;
-  if (p.structure.jitter > 0. || !(square || hexagon || brick)) return {};
+  if (p.structure.jitter > 0. || !(square || hexagon || brick) || p.boundary != RveBoundary::periodic)
+    return {};
   Tensor2<2> mirror, swap;
   mirror << 1., 0., 0., -1.;
   swap << 0., 1., 1., 0.;
@@ -41,6 +43,7 @@ HydrostaticRveSettings hydrostatic_settings(const RveParameters &p) {
   HydrostaticRveSettings settings;
   settings.rule =
       p.rule == RveRule::cauchy_born ? HydrostaticRule::cauchy_born : HydrostaticRule::elastic_equilibrium;
+  settings.boundary = p.boundary;
   settings.columns = p.columns;
   settings.rows = p.rows;
   settings.equilibrium = {p.equilibrium_tolerance(), p.max_iterations};

@@ -81,6 +81,12 @@ void RveParameters::add_parameters(InputEntries &prm) {
   prm.add_parameter("Columns", columns,
                     "Number of cells of the RVE along x (before Structure/Rotation). Units: 1.",
                     Integer(1, 100));
+  prm.add_parameter(
+      "Boundary", boundary,
+      "What holds the boundary of the RVE: periodic, its images; linear_displacement, walls at "
+      "the boundary follow F (stiffest); uniform_traction, they are pulled by one stress "
+      "(softest). The last two are windows cut along walls, for studies of size; they need Fluid "
+      "= hydrostatic and Rule = elastic_equilibrium. Units: none.");
   prm.add_parameter("Rows", rows, "Number of cells of the RVE along y (before Structure/Rotation). Units: 1.",
                     Integer(1, 100));
   prm.add_parameter(
@@ -162,6 +168,11 @@ void RveParameters::check() const {
         "RVE/Rule is " + word_of(rule) +
         ", which needs a fluid that flows. With RVE/Fluid = hydrostatic use cauchy_born or "
         "elastic_equilibrium.");
+  if (boundary != RveBoundary::periodic &&
+      (fluid != RveFluid::hydrostatic || rule != RveRule::elastic_equilibrium))
+    throw std::invalid_argument("RVE/Boundary is " + word_of(boundary) +
+                                ", which needs 'RVE/Fluid = hydrostatic' and 'RVE/Rule = "
+                                "elastic_equilibrium'.");
   const WallLimits limits = wall_limits();
   limits.check(yield);
   if (limits.failure() || yielding != Yielding::none) {

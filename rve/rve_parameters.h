@@ -8,6 +8,7 @@
 #include "micro/cells/wall_history.h"
 #include "micro/laws/yielding.h"
 #include "run/choice.h"
+#include "rve/rve_boundary.h"
 
 #include <string>
 
@@ -30,6 +31,7 @@ constexpr const char *words_of(RveFluid) { return "hydrostatic|sph"; }
 struct RveParameters {
   RveRule rule = RveRule::elastic_equilibrium;
   RveFluid fluid = RveFluid::hydrostatic;
+  RveBoundary boundary = RveBoundary::periodic;
   unsigned int columns = 1, rows = 1;  ///< cells in the RVE
   TissueStructure structure;           ///< how they lie
   double tolerance = 0.;               ///< as entered, 0: what suits the fluid; see equilibrium_tolerance()

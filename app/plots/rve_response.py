@@ -12,7 +12,7 @@ import numpy as np
 from matplotlib.collections import PolyCollection
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from drawing import ACCENT, ALONG, INK, plt, read_table, style  # noqa: E402
+from drawing import ACCENT, ALONG, INK, input_entries, plt, read_table, style  # noqa: E402
 from own_data import draw_data  # noqa: E402
 from rve_tangents import draw  # noqa: E402
 
@@ -21,9 +21,11 @@ COLOURS = {"xx": ACCENT, "yy": ALONG, "xy": "#6b8e4e", "yx": "#8a6fb0"}
 NAMES = {"xx": "stretch along x", "yy": "stretch along y", "xy": "shear, x over y", "yx": "shear, y over x"}
 
 
-def parts_of_path(strain):
-    """[(component, rows)]: for the one or two components that lead most of the path, the rows where they change most, contiguous pieces joined."""
-    steps = {c: np.abs(np.diff(strain[c])) for c in COMPONENTS}
+def parts_of_path(strain, found):
+    """[(component, rows)]: for the one or two components that lead most of the path, the rows where they change most, contiguous pieces joined.
+    Components that are found, not given, lead only where nothing else changes."""
+    given = [c for c in COMPONENTS if c not in found and np.ptp(strain[c]) > 1e-9]
+    steps = {c: np.abs(np.diff(strain[c])) * (c in given or not given) for c in COMPONENTS}
     leading = np.array(COMPONENTS)[np.argmax([steps[c] for c in COMPONENTS], axis=0)]
     length = {c: steps[c][leading == c].sum() for c in COMPONENTS}
     chosen = [c for c in sorted(COMPONENTS, key=lambda one: -length[one])[:2] if length[c] > 0.02 * max(length.values())]
@@ -66,7 +68,8 @@ def main(directory):
     if len(table.get("time [s]", [])) < 2:
         return []
     strain = {c: 100 * (table[f"F_{c} [1]"] - (c in ("xx", "yy"))) for c in COMPONENTS}
-    parts = parts_of_path(strain)
+    found = input_entries(directory).get(("Path", "Stress components"), "none").replace(" ", "").split(",")
+    parts = parts_of_path(strain, found)
     figure, axes = plt.subplots(1, 2 + len(parts), figsize=(4.3 * (2 + len(parts)), 4.2), layout="constrained")
     time = table["time [s]"]
     scale, unit = (1e6, "µs") if time[-1] < 1e-3 else (1e3, "ms") if time[-1] < 1 else (1, "s")

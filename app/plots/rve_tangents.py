@@ -27,7 +27,7 @@ def draw_polar(directory):
               ("Viscosity: along (sides free) and in shear", "extensional_viscosity [Pa s]", "Pa s", ACCENT)]
     if not np.any(table["extensional_viscosity [Pa s]"] > 0):
         panels.pop()
-    figure, axes = plt.subplots(1, len(panels), figsize=(4.6 * len(panels), 4.9), subplot_kw={"projection": "polar"}, layout="constrained")
+    figure, axes = plt.subplots(1, len(panels), figsize=(4.8 * len(panels), 5.3), subplot_kw={"projection": "polar"}, layout="constrained")
     for axis, (title, name, unit, colour) in zip(axes, panels):
         shear = name.startswith("ext") and "shear_viscosity [Pa s]"
         factor, prefixed = in_prefix(unit, [table[name]])
@@ -36,13 +36,13 @@ def draw_polar(directory):
         axis.plot(angle, factor * around(name), color=colour, linewidth=2, label="along the direction" if shear else None)
         if shear:
             axis.plot(angle, factor * around(shear), color=ALONG, linewidth=2, label="in shear along it")
-            axis.legend(frameon=False, fontsize=8, loc="lower right", bbox_to_anchor=(1.1, -0.12))
+            axis.legend(frameon=False, fontsize=8, loc="center", bbox_to_anchor=(0.5, 0.2))
         axis.set_ylim(0, 1.12 * factor * table[name].max())
-        axis.set_title(f"{title} [{prefixed}]\n", fontsize=10, color=INK)
+        axis.set_title(f"{title} [{prefixed}]", fontsize=10, color=INK, pad=14)
         axis.tick_params(colors=INK, labelsize=8)
         axis.set_rlabel_position(67.5)
         axis.grid(alpha=0.4)
-    figure.suptitle("The tissue at rest against direction (0° is x, 90° is y)", color=INK, fontsize=12)
+    figure.supxlabel("the tissue at rest, against direction: 0° is x, 90° is y", color=INK, fontsize=10)
     made = os.path.join(directory, "rve_polar.png")
     figure.savefig(made, dpi=130)
     plt.close(figure)
@@ -55,8 +55,8 @@ def draw_path(directory):
         return []
     time = table["time [s]"]
     unit_of_time, unit = in_prefix("s", [time])
-    panels = [("Stiffness left, sides free", {"along x": "path_modulus_x [Pa]", "along y": "path_modulus_y [Pa]", "shear, x over y": "path_shear_modulus [Pa]"}),
-              ("Stiffness left, sides held", {"along x": "path_held_modulus_x [Pa]", "along y": "path_held_modulus_y [Pa]"}),
+    panels = [("Tangent modulus, sides free", {"along x": "path_modulus_x [Pa]", "along y": "path_modulus_y [Pa]", "shear, x over y": "path_shear_modulus [Pa]"}),
+              ("Tangent modulus, sides held", {"along x": "path_held_modulus_x [Pa]", "along y": "path_held_modulus_y [Pa]"}),
               ("Smallest eigenvalue of the\nacoustic tensor", {"": "acoustic [Pa]"})]
     figure, axes = plt.subplots(1, 4, figsize=(17, 4.2), layout="constrained")
     for axis, (title, lines) in zip(axes, panels):
@@ -85,7 +85,7 @@ def draw_path(directory):
         style(axis)
     if len(stress.get("time [s]", [])) > len(time):
         figure.text(0.01, 0.005, f"{len(stress['time [s]']) - len(time)} points without a tangent are left out", fontsize=8, color=INK)
-    figure.suptitle("What is left of the tissue's stiffness along the path, and how far it is from sliding by itself", color=INK, fontsize=12)
+    figure.suptitle("Tangents along the path, and how far the tissue is from sliding by itself in a band (zero: ellipticity is lost)", color=INK, fontsize=12)
     made = os.path.join(directory, "rve_tangents.png")
     figure.savefig(made, dpi=130)
     plt.close(figure)

@@ -9,8 +9,9 @@
 #include <utility>
 
 namespace turgor {
-NetworkEquilibrium::NetworkEquilibrium(const HydrostaticNetwork &network_, std::vector<std::uint32_t> clamped)
-    : network(network_) {
+NetworkEquilibrium::NetworkEquilibrium(const HydrostaticNetwork &network_, std::vector<std::uint32_t> clamped,
+                                       const MeanTraction *traction_)
+    : network(network_), traction(traction_) {
   const CellLayout &layout = network.layout();
   if (clamped.empty()) clamped = {0};
   unknown.assign(network.unknowns(), 0);
@@ -32,6 +33,10 @@ NetworkEquilibrium::NetworkEquilibrium(const HydrostaticNetwork &network_, std::
 void NetworkEquilibrium::evaluate(const std::vector<double> &x, const Tensor2<2> &H, const NetworkOrder order,
                                   NetworkEvaluation &out) const {
   network.evaluate(x, H, order, out, history);
+  if (traction && order == NetworkOrder::energy)
+    out.energy += traction->energy(x, H);
+  else if (traction)
+    out.virial.tie += traction->add_gradient(x, H, out.gradient);
   if (!(drag > 0.)) return;
   for (std::size_t d = 0; d < x.size(); ++d) {
     const double away = x[d] - anchor[d];

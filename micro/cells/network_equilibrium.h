@@ -14,12 +14,19 @@
 // With drag every node is tied to where it starts by a weak spring: one damped (proximal) step towards the
 // minimum, for networks with loose ends, whose minimum is far, flat or not there at all.
 //
+// With a uniform traction (mean_traction.h) instead of the ties across a period there are two more unknown
+// blocks, the columns b of the stress P, and four more negative eigenvalues:
+//
+//   [ K   A_b  ]      A_b: area of each end, on the diagonal of its node's block
+//   [ .  -M_bd ]      K + sum A M^-1 A^T = d2E/dx2
+//
 // Rigid translation is pinned at node 0 unless nodes are clamped. In: x (m, warm start) and H (m).
 // Out: x and how it was reached. Never NaN: a failed search returns the best x and a sentence.
 #pragma once
 
 #include "micro/solve/block_ldlt.h"
 #include "micro/cells/hydrostatic_network.h"
+#include "micro/cells/mean_traction.h"
 
 #include <functional>
 #include <string>
@@ -46,7 +53,9 @@ struct EquilibriumReport {
 class NetworkEquilibrium {
  public:
   /// clamped: nodes that keep their position (empty: node 0, against translation).
-  explicit NetworkEquilibrium(const HydrostaticNetwork &network, std::vector<std::uint32_t> clamped = {});
+  /// traction: has to live on; the network is then without the ties that it cuts.
+  explicit NetworkEquilibrium(const HydrostaticNetwork &network, std::vector<std::uint32_t> clamped = {},
+                              const MeanTraction *traction = nullptr);
 
   /// The history with which every later evaluation is made; has to live on. None: nullptr.
   void set_history(const WallHistory *history_) { history = history_; }
@@ -84,16 +93,18 @@ class NetworkEquilibrium {
   double largest_change() const;  ///< of an edge in the step, over its length, squared
   double moved(const std::size_t d) const { return unknown[d] >= 0 ? step[unknown[d]] : 0.; }
 
-  /// With the springs of drag in energy and gradient.
+  /// With the springs of drag and a uniform traction in energy, gradient and virial.
   void evaluate(const std::vector<double> &x, const Tensor2<2> &H, NetworkOrder order,
                 NetworkEvaluation &out) const;
 
   const HydrostaticNetwork &network;
+  const MeanTraction *traction;
   const WallHistory *history = nullptr;
   double drag = 0.;            ///< N/m, of the last solve()
   std::vector<double> anchor;  ///< m, where it started
   std::vector<int> unknown;    ///< per degree of freedom: index in the system, -1 where fixed
   int n_free = 0, n_cells = 0, size = 0;
+  int negative() const { return n_cells + (traction ? 4 : 0); }  ///< eigenvalues, at a minimum
   BlockLdlt solver;
   static constexpr std::uint32_t fixed = 0xffffffffu;
   std::vector<BlockLdlt::Place> own, next, second, border;  ///< per node: with itself, the next two, its cell

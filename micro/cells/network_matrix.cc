@@ -24,7 +24,13 @@ void NetworkEquilibrium::build_pattern() {
       pair(block(ring.first + k), cell_block(c));
     }
   for (const LamellaTie &tie : layout.ties) pair(block(tie.a), block(tie.b));
-  size = n_free + 2 * n_cells;
+  const auto stress_block = [&](const int b) { return static_cast<std::uint32_t>(n_free / 2 + n_cells + b); };
+  if (traction) {
+    pair(stress_block(0), stress_block(1));
+    for (const MeanTraction::End &end : traction->ends())
+      for (int b = 0; b < 2; ++b) pair(block(end.node), stress_block(b));
+  }
+  size = n_free + 2 * n_cells + (traction ? 4 : 0);
   solver.analyse(static_cast<std::uint32_t>(size / 2), pairs);
 
   const auto place = [&](const std::uint32_t i, const std::uint32_t j) {
@@ -53,6 +59,16 @@ void NetworkEquilibrium::build_pattern() {
   }
   for (std::size_t c = 0; c < layout.rings.size(); ++c)
     constant_part[place(cell_block(c), cell_block(c)).index] = {-1., 0., 0., 1.};
+  if (traction) {
+    const double scale =
+        1. / std::sqrt(0.5 * traction->softness().trace());  // of the unknown stress: pivots near 1
+    for (int b = 0; b < 2; ++b) {
+      for (int d = b; d < 2; ++d)
+        add_isotropic(place(stress_block(b), stress_block(d)), -scale * scale * traction->softness()(b, d));
+      for (const MeanTraction::End &end : traction->ends())
+        add_isotropic(place(block(end.node), stress_block(b)), scale * end.area[b]);
+    }
+  }
   solver.values() = constant_part;
   std::vector<std::uint32_t> changing;
   for (const auto *places : {&own, &next, &second, &border})
@@ -112,7 +128,7 @@ Eigen::SparseMatrix<double> NetworkEquilibrium::system(const std::vector<double>
 
 bool NetworkEquilibrium::factorise(const double shift) {
   assemble(shift + drag);
-  return solver.factorise() && solver.negative_pivots() == static_cast<unsigned int>(n_cells);
+  return solver.factorise() && solver.negative_pivots() == static_cast<unsigned int>(negative());
 }
 
 bool NetworkEquilibrium::relaxed_curvature(const std::vector<double> &x, const Tensor2<2> &H,
@@ -121,6 +137,7 @@ bool NetworkEquilibrium::relaxed_curvature(const std::vector<double> &x, const T
   if (!factorise(0.)) return false;
   std::array<std::vector<double>, 4> forces;
   network.affine_response(x, H, now, L, forces, curvature);
+  if (traction) traction->add_affine_response(x, H, L, forces, curvature);
   std::array<std::vector<double>, 4> follow;
   for (int k = 0; k < 4; ++k) {
     follow[k].assign(size, 0.);
