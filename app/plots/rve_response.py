@@ -23,9 +23,11 @@ NAMES = {"xx": "stretch along x", "yy": "stretch along y", "xy": "shear, x over 
 
 def parts_of_path(strain, found):
     """[(component, rows)]: for the one or two components that lead most of the path, the rows where they change most, contiguous pieces joined.
-    Components that are found, not given, lead only where nothing else changes."""
+    Components that are found, not given, lead only where nothing else changes: then the one that moves most does, all the way."""
     given = [c for c in COMPONENTS if c not in found and np.ptp(strain[c]) > 1e-9]
-    steps = {c: np.abs(np.diff(strain[c])) * (c in given or not given) for c in COMPONENTS}
+    if not given:
+        return [(max(COMPONENTS, key=lambda c: np.ptp(strain[c])), [(k, k + 1) for k in range(len(strain["xx"]) - 1)])]
+    steps = {c: np.abs(np.diff(strain[c])) * (c in given) for c in COMPONENTS}
     leading = np.array(COMPONENTS)[np.argmax([steps[c] for c in COMPONENTS], axis=0)]
     length = {c: steps[c][leading == c].sum() for c in COMPONENTS}
     chosen = [c for c in sorted(COMPONENTS, key=lambda one: -length[one])[:2] if length[c] > 0.02 * max(length.values())]
@@ -41,11 +43,13 @@ def draw_cells(directory, F):
     with open(summary, encoding="utf-8") as file:
         found = json.load(file)["results"]
     H = 1e6 * np.array([found[f"period_{c}"]["value"] for c in COMPONENTS]).reshape(2, 2)
+    window = input_entries(directory).get(("RVE", "Boundary"), "periodic") != "periodic"
+    near = (0,) if window else (-1, 0, 1)
     figure, axes = plt.subplots(1, 2, figsize=(11, 5.4), layout="constrained")
     for axis, (x, y), lattice, title in zip(axes, (("x", "y"), ("end_x", "end_y")), (H, F @ H), ("at turgor", "at the end of the path")):
         nodes = 1e6 * np.column_stack([table[f"{x} [m]"], table[f"{y} [m]"]])
         cells = [nodes[table["cell"] == c] for c in np.unique(table["cell"])]
-        for shift in sorted(((i, j) for i in (-1, 0, 1) for j in (-1, 0, 1)), key=lambda one: one == (0, 0)):  # itself last
+        for shift in sorted(((i, j) for i in near for j in near), key=lambda one: one == (0, 0)):  # itself last
             axis.add_collection(PolyCollection([cell + lattice @ shift for cell in cells], facecolors="#dbe7c9" if shift == (0, 0) else "#f1f3ee",
                                                edgecolors=INK if shift == (0, 0) else "#aab2b8", linewidths=1.1))
         low, high = nodes.min(axis=0), nodes.max(axis=0)
@@ -54,7 +58,7 @@ def draw_cells(directory, F):
         axis.set_xlabel(f"{title}: x [µm]", color=INK)
         axis.set_ylabel("y [µm]", color=INK)
         style(axis)
-    figure.suptitle("The piece of tissue (green) among its periodic images", color=INK, fontsize=12)
+    figure.suptitle("The piece of tissue, cut along its walls" if window else "The piece of tissue (green) among its periodic images", color=INK, fontsize=12)
     made = os.path.join(directory, "rve_cells.png")
     figure.savefig(made, dpi=130)
     plt.close(figure)
