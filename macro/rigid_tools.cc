@@ -71,15 +71,16 @@ typename RigidTools<dim>::Touch RigidTools<dim>::touch(const double face, const 
 // each(node, upper side or not, penetration, normal of the tissue); nodes in order
 template <int dim>
 template <class Each>
-void RigidTools<dim>::for_contacts(const double time, const std::vector<double> &u, const Each &each) const {
+void RigidTools<dim>::for_contacts(const double time, const std::vector<double> &u, const Each &each,
+                                   const double beyond) const {
   const double face = width - travel(time);
   for (unsigned int node = 0; node < mesh.nodes; ++node) {
     dealii::Point<dim> x = mesh.node_position[node];
     for (unsigned int d = 0; d < dim; ++d) x[d] += u[std::size_t(node) * dim + d];
     if (tool.active() && mesh.nodal_area[node] > 0.)
-      if (const Touch contact = touch(face, x); contact.penetration > 0.)
+      if (const Touch contact = touch(face, x); contact.penetration > beyond)
         each(node, true, contact.penetration, contact.normal);
-    if (plate_below && mesh.nodal_area_below[node] > 0. && x[0] < 0.) {
+    if (plate_below && mesh.nodal_area_below[node] > 0. && x[0] < -beyond) {
       Tensor<1, dim> normal;
       normal[0] = -1.;
       each(node, false, -x[0], normal);
@@ -147,6 +148,32 @@ ToolForces RigidTools<dim>::add_forces(const double time, const std::vector<doub
     for (unsigned int c = 0; c < dim; ++c) force[std::size_t(node) * dim + c] -= push * normal[c];
   });
   return sum;
+}
+
+// f = -kappa A g n with dg/dx = n; of a cylinder n turns: dn/dx = -(I - n n)/distance
+template <int dim>
+ToolTangent<dim> RigidTools<dim>::tangent(const double time, const std::vector<double> &u) const {
+  constexpr double touching = 1e-9;  // of an element
+  ToolTangent<dim> result;
+  result.by_travel.assign(u.size(), 0.);
+  for_contacts(
+      time, u,
+      [&](unsigned int node, bool upper, double penetration, const Tensor<1, dim> &normal) {
+        const double stiffness = kappa * (upper ? mesh.nodal_area : mesh.nodal_area_below)[node];
+        const Tensor<2, dim> along = dealii::outer_product(normal, normal);
+        Tensor<2, dim> block = stiffness * along;
+        if (upper && tool.shape == ToolShape::cylinder && penetration > 0. && penetration < tool.radius) {
+          // in the plane of its section only: it is straight along z
+          Tensor<2, dim> across = -1. * along;
+          for (unsigned int c = 0; c < 2; ++c) across[c][c] += 1.;
+          block -= stiffness * penetration / (tool.radius - penetration) * across;
+        }
+        result.blocks.push_back({node, block});
+        if (upper)
+          for (unsigned int c = 0; c < dim; ++c) result.by_travel[std::size_t(node) * dim + c] -= block[c][0];
+      },
+      -touching * size);
+  return result;
 }
 
 template <int dim>

@@ -17,6 +17,7 @@
 // which the stable step adds to the tissue's own.
 #pragma once
 
+#include "macro/node_block.h"
 #include "macro/tissue_mesh.h"
 #include "macro/tool_parameters.h"
 
@@ -42,6 +43,13 @@ struct ToolStep {
   ToolForces mean;   ///< over the step
 };
 
+/// How the forces on the nodes change, for Newton's method.
+template <int dim>
+struct ToolTangent {
+  std::vector<NodeBlock<dim>> blocks;  ///< -df/du of the nodes in contact
+  std::vector<double> by_travel;       ///< N/m, df/ds at fixed u, [node][dim]
+};
+
 template <int dim>
 class RigidTools {
  public:
@@ -51,6 +59,10 @@ class RigidTools {
   /// Adds the forces on the nodes.
   ToolForces add_forces(double time, const std::vector<double> &u, std::vector<double> &force) const;
   ToolReading read(double time, const std::vector<double> &u) const;
+
+  /// Of add_forces at (time, u). A node that just touches counts as in contact: a block that lies on a plate
+  /// without load does not float.
+  ToolTangent<dim> tangent(double time, const std::vector<double> &u) const;
 
   /// m: how deep the tool may be without being lost, the least of an element's thickness and the tool's
   /// radius.
@@ -74,8 +86,9 @@ class RigidTools {
   /// m, of the cylinder's axis behind the moved side; -infinity: it is in front of it
   double axis_behind(double face, const std::vector<dealii::Point<dim>> &side) const;
 
+  /// beyond: m, penetrations above it are contacts.
   template <class Each>
-  void for_contacts(double time, const std::vector<double> &u, const Each &each) const;
+  void for_contacts(double time, const std::vector<double> &u, const Each &each, double beyond = 0.) const;
 
   const TissueMesh<dim> &mesh;
   const ToolParameters tool;

@@ -3,9 +3,10 @@
 //
 // Needs a law with tangents; F_bar's linearisation is consistent, so convergence is quadratic. The load is
 // applied in one go and, if Newton does not converge, in smaller and smaller increments. Each converged
-// increment is committed. Sparse direct solver (UMFPACK).
+// increment is committed. Linear systems: linear_solver.h.
 #pragma once
 
+#include "macro/linear_solver.h"
 #include "macro/tissue_operator.h"
 
 #include <functional>
@@ -16,6 +17,7 @@ struct StaticSettings {
   double tolerance = 1e-9;  ///< residual / largest external force norm
   unsigned int most_iterations = 25;
   unsigned int most_halvings = 8;  ///< of the load increment
+  LinearSettings linear;
   std::function<void()>
       each_evaluation;  ///< called before each of all points; what it throws ends the search
 };

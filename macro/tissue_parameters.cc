@@ -22,6 +22,12 @@ TissueParameters<dim>::TissueParameters() {
 
 template <int dim>
 void TissueParameters<dim>::declare(InputEntries &prm, bool with_size_and_body_force) {
+  declare_piece(prm, with_size_and_body_force);
+  declare_time(prm);
+}
+
+template <int dim>
+void TissueParameters<dim>::declare_piece(InputEntries &prm, bool with_size_and_body_force) {
   const EntryPattern vector = Patterns::List(Patterns::Double(), dim, dim);
 
   prm.enter_subsection("Tissue");
@@ -54,7 +60,10 @@ void TissueParameters<dim>::declare(InputEntries &prm, bool with_size_and_body_f
       "Units: Pa.",
       vector);
   prm.leave_subsection();
+}
 
+template <int dim>
+void TissueParameters<dim>::declare_time(InputEntries &prm) {
   prm.enter_subsection("Time");
   prm.add_parameter("Integrator", integrator,
                     "central_differences: second order, one stress evaluation a step; dormand_prince: the "
@@ -103,7 +112,8 @@ void TissueParameters<dim>::check_cylinder() const {
   if (tool.radius < spacing * rounding) {
     const double needed = std::ceil(size[1] / (tool.radius * degree) * rounding);
     throw std::invalid_argument(
-        "Impact/Radius is " + number_text(tool.radius) + " m, less than the " + number_text(spacing, 3) +
+        std::string(tool.section) + "/Radius is " + number_text(tool.radius) + " m, less than the " +
+        number_text(spacing, 3) +
         " m between two nodes of the surface: the cylinder would slip through between them. Take a larger "
         "one" +
         (needed <= most_elements ? " or 'Tissue/Elements y' of at least " + number_text(needed) : "") + ".");
@@ -111,10 +121,10 @@ void TissueParameters<dim>::check_cylinder() const {
   // With an even number of parts a node is below its lowest point.
   const double aside = parts % 2 == 0 ? 0. : 0.5 * spacing;
   if (!(tool.radius - std::sqrt(tool.radius * tool.radius - aside * aside) < tool.depth))
-    throw std::invalid_argument(
-        "With Tissue/Elements y = " + number_text(elements[1]) +
-        " the cylinder comes down between two nodes and, at Impact/Depth = " + number_text(tool.depth * 1e3) +
-        " mm, touches neither; take more elements, or an even number of them.");
+    throw std::invalid_argument("With Tissue/Elements y = " + number_text(elements[1]) +
+                                " the cylinder comes down between two nodes and, at " + tool.section +
+                                "/Depth = " + number_text(tool.depth * 1e3) +
+                                " mm, touches neither; take more elements, or an even number of them.");
 }
 
 template <int dim>

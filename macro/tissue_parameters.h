@@ -60,11 +60,14 @@ struct TissueParameters {
 
   /// Declares subsections "Tissue" and "Time"; without size and body force where the scene finds them itself.
   void declare(InputEntries &prm, bool with_size_and_body_force = true);
+  /// The first of them alone.
+  void declare_piece(InputEntries &prm, bool with_size_and_body_force = true);
 
   /// What the patterns cannot say; std::invalid_argument with the entry and what is allowed.
   void check() const;
 
  private:
+  void declare_time(InputEntries &prm);
   void check_cylinder() const;
 };
 }  // namespace turgor

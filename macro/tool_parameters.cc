@@ -45,9 +45,9 @@ void ToolParameters::declare(InputEntries &prm) {
 }
 
 void ToolParameters::check(const double width) const {
-  const auto wrong = [](const char *entry, const double value, const std::string &allowed) {
+  const auto wrong = [this](const char *entry, const double value, const std::string &allowed) {
     std::ostringstream text;
-    text << "Impact/" << entry << " is " << value << "; allowed is " << allowed << ".";
+    text << section << "/" << entry << " is " << value << "; allowed is " << allowed << ".";
     throw std::invalid_argument(text.str());
   };
   if (!active()) return;

@@ -19,6 +19,8 @@ struct ToolParameters {
   double depth = 0.2e-3;  ///< m, largest travel
   double stiffness = 1.;  ///< kappa * distance of nodes / wave modulus of the law
 
+  const char *section = "Impact";  ///< of the input, as messages name it
+
   bool active() const { return shape != ToolShape::none; }
   double travel(double time) const;
 

@@ -1,0 +1,142 @@
+#include "macro/load_path.h"
+
+#include "run/archive.h"
+#include "run/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace turgor {
+void LoadPathSettings::check() const {
+  if (!(smallest_step > 0. && smallest_step <= first_step && first_step <= largest_step &&
+        largest_step <= 1.))
+    throw std::invalid_argument("Load steps must have 0 < Smallest <= First <= Largest <= 1; they are " +
+                                number_text(smallest_step) + ", " + number_text(first_step) + " and " +
+                                number_text(largest_step) + ".");
+}
+
+template <int dim>
+LoadPath<dim>::LoadPath(Tissue<dim> &tissue_, const LoadPathSettings &settings_)
+    : tissue(tissue_),
+      settings(settings_),
+      balance(tissue_.forces(), settings_.linear),
+      newton(balance, settings_.newton),
+      next(settings_.first_step * settings_.end) {
+  settings.check();
+}
+
+template <int dim>
+LoadPlace LoadPath<dim>::place(const double step) const {
+  const double then = tissue.time() + step;
+  return {then, step, dead_share(then)};
+}
+
+template <int dim>
+void LoadPath<dim>::start() {
+  const LoadPlace here = place(0.);
+  if (!balance.evaluate(tissue.state().u, here))
+    throw TissueFailed(tissue.forces().failure(), here.time, 0., 0);
+  accept(tissue.state().u, here, false);
+  energy = PathEnergies{0., energy.stored, energy.contact, energy.spent, 0.};
+  count = PathCounters();
+}
+
+template <int dim>
+void LoadPath<dim>::step(const double limit) {
+  const double smallest = settings.smallest_step * settings.end, left = limit - tissue.time();
+  // what would leave less than half a step to the limit goes there
+  double h = next >= 0.7 * left && next < left ? 0.5 * left : std::min(next, left);
+  const bool cut = h < next;
+  for (;;) {
+    LoadPlace there = place(h);
+    if (h == left) there = {limit, h, dead_share(limit)};
+    std::vector<double> u = tissue.state().u;
+    bool found = newton.solve(u, there), jumped = false;
+    const std::size_t iterations = newton.residuals().size();
+    count.iterations += iterations > 0 ? iterations - 1 : 0;
+    point_failed = newton.residuals().empty();
+    if (!found && h <= smallest) {
+      u = tissue.state().u;
+      found = jumped = newton.dragged(u, there);
+      count.iterations += newton.residuals().empty() ? 0 : newton.residuals().size() - 1;
+    }
+    if (found && h > smallest && too_much && too_much()) {
+      ++count.refused;
+      found = false;
+    } else if (!found)
+      ++count.halved;
+    if (found) {
+      accept(u, there, jumped);
+      if (iterations > settings.hard + 1)
+        next = std::max(smallest, 0.5 * h);
+      else if (iterations <= settings.easy + 1)
+        next = std::min(std::max(1.5 * h, cut ? next : 0.), settings.largest_step * settings.end);
+      else
+        next = std::max(h, cut ? next : 0.);
+      return;
+    }
+    if (h <= smallest) throw PathEnds(why(), tissue.time());
+    h = std::max(smallest, 0.5 * h);
+  }
+}
+
+template <int dim>
+std::string LoadPath<dim>::why() const {
+  std::string text = "No equilibrium was found beyond t = " + number_text(tissue.time()) + " s (" +
+                     number_text(100. * share(), 4) + " % of the way), with steps down to " +
+                     number_text(settings.smallest_step) + " of it: ";
+  const std::vector<double> &norms = newton.residuals();
+  if (point_failed || norms.empty()) return text + tissue.forces().failure().describe() + ".";
+  return text + number_text(100. * norms.back(), 3) + " % of the forces stayed out of balance after " +
+         number_text(norms.size() - 1) + " iterations.";
+}
+
+template <int dim>
+void LoadPath<dim>::accept(const std::vector<double> &u, const LoadPlace &at, const bool jumped) {
+  TissueOperator<dim> &op = tissue.forces();
+  TissueState<dim> &state = tissue.state();
+  const TissueMesh<dim> &mesh = op.mesh();
+  const auto sum = [&](const std::vector<double> &of_point) {
+    double result = 0.;
+    for (std::size_t q = 0; q < of_point.size(); ++q) result += mesh.gauss_weight[q] * of_point[q];
+    return result;
+  };
+  const bool brittle = jumped || (broke && broke());
+  const double gap_before = energy.gap();
+  double work = 0.;
+  for (std::size_t i = 0; i < op.size(); ++i) work += balance.load()[i] * (u[i] - state.u[i]);
+  energy.work += 0.5 * (dead_share(state.time) + at.share) * work;
+  if (op.tools()) {
+    const double force = state.tool.force,
+                 travel = op.tools()->travel(at.time) - op.tools()->travel(state.time);
+    state.tool = op.tools()->read(at.time, u);
+    energy.work += 0.5 * (force + state.tool.force) * travel;
+    state.tool_work += 0.5 * (force + state.tool.force) * travel;
+    state.tool.support += balance.held()[0];
+    energy.contact = state.tool.energy;
+  }
+  energy.stored = sum(op.answer().energy);
+  energy.spent = state.spent = sum(op.answer().spent);
+  if (brittle) energy.released += energy.gap() - gap_before;
+  holding = balance.held();
+  taken = at.time - state.time;
+  state.time = at.time;
+  state.u = u;
+  state.F = op.F_bar();
+  state.P = op.answer().P;
+  state.energy = op.answer().energy;
+  op.law().commit();
+  ++count.steps;
+  count.jumps += jumped ? 1 : 0;
+}
+
+template <int dim>
+void LoadPath<dim>::archive(Archive &a) {
+  a.section("load path");
+  a(next, taken, energy, count, holding);
+  a(tissue);
+}
+
+template class LoadPath<2>;
+template class LoadPath<3>;
+}  // namespace turgor

@@ -1,0 +1,108 @@
+// A tissue at rest followed along its loading, by load steps of its own choice.
+//
+//   Tissue<2> tissue(parameters, law);
+//   LoadPath<2> path(tissue, settings);
+//   while (path.time() < settings.end) { path.step(settings.end); ... rows, frames, checkpoints ... }
+//
+// Time t from 0 to `end` moves the tool (tool_parameters.h) and puts the dead loads on evenly, share t/end. A
+// step is one Newton search (static_newton.h) from the last state; what is found is committed, so walls that
+// flow and break do so step by step. A step is halved where the search fails, where a point cannot answer,
+// and where whoever watches refuses it (too_much: more cells fail in it than wanted); it grows by half where
+// few iterations were enough. At the smallest step the tissue may jump: dragged to the nearest stable state.
+//
+// Energy: work = stored + contact + spent + released + gap. Work by the trapezoidal rule: its error is the
+// gap, which falls with the square of the step. A jump, and a step in which walls break (brittle), free
+// energy that a real tissue turns into motion and heat: counted as released instead.
+#pragma once
+
+#include "macro/static_newton.h"
+#include "macro/tissue.h"
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace turgor {
+class Archive;
+
+struct LoadPathSettings {
+  NewtonSettings newton;
+  LinearSettings linear;
+  double end = 1.;                                                      ///< s
+  double first_step = 0.02, largest_step = 0.02, smallest_step = 1e-5;  ///< of the end
+  unsigned int easy = 6,
+               hard = 12;  ///< Newton iterations: up to the first a step grows, beyond the second it shrinks
+
+  /// std::invalid_argument for steps that are not smallest <= first <= largest.
+  void check() const;
+};
+
+/// J (2D: per metre of depth), since rest.
+struct PathEnergies {
+  double work = 0., stored = 0., contact = 0., spent = 0.;
+  double released = 0.;  ///< in jumps and steps in which something broke
+  double gap() const { return work - stored - contact - spent - released; }
+};
+
+struct PathCounters {
+  unsigned long steps = 0;    ///< accepted
+  unsigned long halved = 0;   ///< searches that found nothing
+  unsigned long refused = 0;  ///< states that were found and not wanted
+  unsigned long jumps = 0;    ///< accepted by dragged()
+  unsigned long iterations = 0;
+};
+
+/// No state beyond the last one was found. The tissue is as it was there.
+class PathEnds : public std::runtime_error {
+ public:
+  PathEnds(const std::string &sentence, double time_) : std::runtime_error(sentence), time(time_) {}
+  const double time;  ///< s, of the last state
+};
+
+template <int dim>
+class LoadPath {
+ public:
+  /// The tissue must outlive the path; it is taken as it is, at rest.
+  LoadPath(Tissue<dim> &tissue, const LoadPathSettings &settings);
+
+  /// Forces and energies at t = 0; throws TissueFailed. Not after archive().
+  void start();
+
+  /// One accepted step, committed, to no later than limit (s). Throws PathEnds, and what
+  /// settings.newton.each_evaluation throws; the state is then as before.
+  void step(double limit);
+
+  /// Asked with the law's trial state of a step that was found; true: a shorter one is wanted.
+  std::function<bool()> too_much;
+  /// Asked before a step is committed: whether something has broken in it.
+  std::function<bool()> broke;
+
+  double time() const { return tissue.time(); }
+  double share() const { return tissue.time() / settings.end; }
+  double last_step() const { return taken; }  ///< s
+  const PathEnergies &energies() const { return energy; }
+  const PathCounters &counters() const { return count; }
+  const std::vector<double> &residuals() const { return newton.residuals(); }
+  const dealii::Tensor<1, dim> &held() const { return holding; }  ///< N, of the clamp on the tissue
+  double dead_share(double time) const { return time / settings.end; }
+  const LinearStatistics &linear_statistics() const { return balance.statistics(); }
+
+  /// Tissue, law and path.
+  void archive(Archive &a);
+
+ private:
+  LoadPlace place(double step) const;
+  void accept(const std::vector<double> &u, const LoadPlace &at, bool jumped);
+  std::string why() const;
+
+  Tissue<dim> &tissue;
+  const LoadPathSettings settings;
+  StaticBalance<dim> balance;
+  StaticNewton<dim> newton;
+  double next = 0., taken = 0.;  // s
+  PathEnergies energy;
+  PathCounters count;
+  dealii::Tensor<1, dim> holding;
+  bool point_failed = false;
+};
+}  // namespace turgor
