@@ -140,8 +140,9 @@ Outputs cost_outputs() {
                "Cost of the RVEs of the busiest rank over the mean of the ranks, smoothed; 1 on one rank."}});
   return all;
 }
+}  // namespace
 
-Outputs outline_table() {
+Outputs outlines_outputs() {
   Outputs all;
   all.table("rve_outlines", "The corners of the cells' walls in some RVEs, for pictures.",
             {{"time", "s", "Time since the start of the run."},
@@ -159,14 +160,13 @@ Outputs outline_table() {
              {"y", "m", "Place of the wall's corner inside the RVE along y."}});
   return all;
 }
-}  // namespace
 
 Outputs tissue_run_outputs() {
   Outputs all;
   all.results(energy_results());
   return all.join(energy_table())
       .join(cost_outputs())
-      .join(outline_table(), "with Outlined RVEs > 0")
+      .join(outlines_outputs(), "with Outlined RVEs > 0")
       .join(tissue_field_outputs());
 }
 
@@ -213,22 +213,24 @@ Outputs TissueBruise::outputs() const {
 }
 
 Outputs TissueStatics::outputs() const {
+  Outputs single;
+  single.results(
+      {{"tip_over_width", "1", "Deflection of the middle of the free side downwards, over the width."},
+       {"pressure_min", "Pa", "Lowest mean fluid pressure of an RVE under the load."},
+       {"pressure_max", "Pa", "Highest mean fluid pressure of an RVE under the load."},
+       {"newton_iterations", "", "Number of Newton iterations of the tissue, rejected increments included."},
+       {"load_increments", "", "Number of increments in which the load was put on."},
+       {"residual", "1", "Norm of the nodal forces left unbalanced at the end, over that of the load."},
+       {"residual_of_round_off", "1",
+        "Norm of the unbalanced nodal forces that rounding alone leaves, over that of the load."},
+       {"rve_points", "", "Number of quadrature points, each with an RVE of its own."},
+       {"rve_calls", "", "Number of evaluations of an RVE."},
+       {"rve_cpu_time", "s", "CPU time inside RVEs, all threads and ranks together."},
+       {"solve_time", "s", "Wall time of the whole run, setting up included."}});
   Outputs all = tip_outputs(false);
-  all.results(
-         {{"tip_over_width", "1", "Deflection of the middle of the free side downwards, over the width."},
-          {"pressure_min", "Pa", "Lowest mean fluid pressure of an RVE under the load."},
-          {"pressure_max", "Pa", "Highest mean fluid pressure of an RVE under the load."},
-          {"newton_iterations", "",
-           "Number of Newton iterations of the tissue, rejected increments included."},
-          {"load_increments", "", "Number of increments in which the load was put on."},
-          {"residual", "1", "Norm of the nodal forces left unbalanced at the end, over that of the load."},
-          {"residual_of_round_off", "1",
-           "Norm of the unbalanced nodal forces that rounding alone leaves, over that of the load."},
-          {"rve_points", "", "Number of quadrature points, each with an RVE of its own."},
-          {"rve_calls", "", "Number of evaluations of an RVE."},
-          {"rve_cpu_time", "s", "CPU time inside RVEs, all threads and ranks together."},
-          {"solve_time", "s", "Wall time of the whole run, setting up included."}})
-      .join(block_outputs());
-  return all.join(cell_displacement_outputs()).join(tissue_field_outputs());
+  return all.join(block_outputs())
+      .join(single.join(cell_displacement_outputs()), "with Loads/Way = at_once")
+      .join(static_run_outputs(), "with Loads/Way = steps")
+      .join(tissue_field_outputs());
 }
 }  // namespace turgor

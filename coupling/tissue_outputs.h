@@ -12,6 +12,9 @@ Outputs tissue_run_outputs();
 Outputs tip_swing_outputs();
 Outputs bruise_outputs();
 
+/// rve_outlines.csv of RveOutlines.
+Outputs outlines_outputs();
+
 /// tissue.xdmf of tissue_frame().
 Outputs tissue_field_outputs();
 }  // namespace turgor

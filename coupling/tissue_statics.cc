@@ -1,6 +1,7 @@
 #include "coupling/tissue_statics.h"
 
 #include "coupling/rve_law.h"
+#include "coupling/static_loads.h"
 #include "coupling/tissue_output.h"
 #include "coupling/tissue_size.h"
 #include "macro/tissue.h"
@@ -19,6 +20,12 @@ namespace {
 constexpr double most_share_of_load = 1e-6;  // of the load, that cells may be out of balance
 constexpr double means_nothing = 0.1;        // relative residual, where rounding is all that is left
 }  // namespace
+
+TissueStatics::TissueStatics() {
+  direction[1] = -1.;
+  tissue.tool.motion = ToolMotion::steady;
+  tissue.tool.speed = 1e-3;
+}
 
 void TissueStatics::declare_parameters(InputEntries &prm) {
   prm.enter_subsection("Tissue statics");
@@ -60,6 +67,24 @@ void TissueStatics::declare_parameters(InputEntries &prm) {
                     "Newton iterations before the load increment is halved. Units: 1.",
                     Patterns::Integer(1, 1000));
   prm.leave_subsection();
+  prm.enter_subsection("Loads");
+  prm.add_parameter(
+      "Way", way,
+      "at_once: all load at once, bit by bit only where Newton's method fails; steps: by load "
+      "steps of the run's own choice, as tools and walls that yield or break need. Units: none.");
+  prm.add_parameter("Time", load_time,
+                    "Time in which the loads come on evenly, where no tool moves; cells that fail leak over "
+                    "it. Units: s.",
+                    Patterns::Double(1e-9, 1e9));
+  prm.add_parameter("Direction", direction,
+                    "Direction in which the body force acts, of any length. Units: 1.",
+                    Patterns::List(Patterns::Double(), 2, 2));
+  prm.add_parameter("Traction", tissue.traction,
+                    "Force per reference area on the free side x = W: normal to it, and along it. Units: Pa.",
+                    Patterns::List(Patterns::Double(-1e9, 1e9), 2, 2));
+  declare_static_tool(prm, tissue, "Loads", true);
+  prm.leave_subsection();
+  stepped.declare(prm);
   rve_parameters.add_parameters(prm);
 }
 
@@ -80,8 +105,19 @@ void TissueStatics::check() const {
         "RVE/Fluid = " + word_of(rve_parameters.fluid) + " with RVE/Rule = " + word_of(rve_parameters.rule) +
         " gives no tangents; a static state needs 'Fluid = hydrostatic' with 'Rule = elastic_equilibrium' or "
         "'cauchy_born'.");
+  if (!(direction.norm() > 0.) || !std::isfinite(direction.norm()))
+    throw InputError("Loads/Direction must be two finite numbers that are not both 0, such as '0, -1'.");
   const double about = rve_parameters.cell.period;
   const TissueParameters<2> whole = piece({{about, about}});
+  if (way == Way::at_once) {
+    if (whole.tool.active() || whole.left == LeftSide::plate)
+      throw InputError("A tool or a plate below the tissue needs 'Loads/Way = steps' (it is 'at_once').");
+  } else {
+    StaticRunSettings all = stepped;
+    all.tissue = whole;
+    all.tissue.body_force = load * direction / direction.norm();  // what matters is where it acts
+    all.check(rve_parameters);
+  }
   try {
     whole.check();
   } catch (const std::invalid_argument &e) {
@@ -93,6 +129,26 @@ void TissueStatics::check() const {
 }
 
 void TissueStatics::run(RunContext &context) {
+  if (way == Way::steps)
+    by_steps(context);
+  else
+    at_once(context);
+}
+
+void TissueStatics::by_steps(RunContext &context) {
+  const std::shared_ptr<const Rve<2>> rve = make_rve(rve_parameters);
+  stepped.tissue = piece(cell_size(rve_parameters, *rve));
+  stepped.tissue.body_force = load / (rve->density() * stepped.tissue.size[0]) * direction / direction.norm();
+  stepped.path.end = stepped.end_time(load_time);
+  stepped.law.threads = context.threads();
+  stepped.tells_tip = true;
+  context.result("width", stepped.tissue.size[0], "m");
+  context.result("density", rve->density(), "kg/m^3");
+  context.result("body_force", stepped.tissue.body_force.norm(), "m/s^2");
+  run_static(context, stepped, rve);
+}
+
+void TissueStatics::at_once(RunContext &context) {
   const auto started = std::chrono::steady_clock::now();
   RveParameters cells_inside = rve_parameters;
   if (rve_parameters.rule == RveRule::elastic_equilibrium)
@@ -108,8 +164,7 @@ void TissueStatics::run(RunContext &context) {
   const std::array<double, 2> cell = cell_size(rve_parameters, *rve);
   const double width = cells * cell[0];
   TissueParameters<2> whole = piece(cell);
-  whole.body_force = dealii::Tensor<1, 2>();
-  whole.body_force[1] = -load / (rve->density() * width);
+  whole.body_force = load / (rve->density() * width) * direction / direction.norm();
   RveLawSettings shares;
   shares.threads = context.threads();
   RveLaw<2> law(rve, shares);

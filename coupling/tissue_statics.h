@@ -4,24 +4,43 @@
 //   Div P(F) + rho b = 0,  rho b W = load,   P of a hydrostatic RVE in elastic equilibrium (thesis Eq. 3.21)
 //
 // by Newton's method with the RVEs' analytic tangents (static_equilibrium.h). FE^2 knows no cell size: tip/W
-// depends on the mesh only. Against static_lattice it gives the error of homogenisation. Units SI.
+// depends on the mesh only. Against static_lattice it gives the error of homogenisation. The body force may
+// act in any direction, a traction (pull, push, shear) on the side x = W, and a plate or cylinder may press
+// there, against the clamp or a plate: then the way there is followed by load steps (static_run.h), with
+// cells that yield and fail on it. Units SI.
 #pragma once
 
+#include "coupling/static_run.h"
 #include "macro/static_equilibrium.h"
-#include "macro/tissue_parameters.h"
 #include "run/scenario.h"
 #include "rve/rve_parameters.h"
 
 namespace turgor {
 class TissueStatics : public Scenario {
  public:
+  TissueStatics();
   void declare_parameters(InputEntries &prm) override;
   Outputs outputs() const override;
   void check() const override;
   bool uses_ranks() const override { return true; }
   void run(RunContext &context) override;
 
+ public:
+  /// How the loads come on.
+  enum class Way {
+    at_once,  ///< all at once, and only where Newton's method fails bit by bit
+    steps     ///< by load steps that are chosen on the way
+  };
+  friend constexpr const char *words_of(Way) { return "at_once|steps"; }
+
  private:
+  void at_once(RunContext &context);
+  void by_steps(RunContext &context);
+
+  Way way = Way::at_once;
+  double load_time = 1.;  ///< s
+  dealii::Tensor<1, 2> direction;
+  StaticRunSettings stepped;
   TissueParameters<2> tissue;
   StaticSettings newton;
   RveParameters rve_parameters;

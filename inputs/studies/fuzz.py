@@ -67,6 +67,8 @@ SCENES = {
     "rbc_tweezers": {"Forces": "1e-11", "Cell/Frequency": (2, 4)},
     "optical_stretcher": {"Cell/Frequency": (2, 4), "Powers": [1.1, 0.3]},
     "tissue_bruise": {"Impact/Depth": 1e-5, "Tissue/Elements x": (1, 3), "Tissue/Elements y": (2, 3), "Tissue/Degree": 1},
+    "texture_test": {"Test/Depth": 1e-5, "Tissue/Elements x": (1, 3), "Tissue/Elements y": (2, 3), "Tissue/Degree": 1,
+                     "Load steps/Smallest": 1e-3, "Load steps/First": 0.05, "Load steps/Largest": 0.1},
     "tissue_statics": {"Tissue statics/Cells": (1, 4), "Tissue statics/Elements": (1, 2), "Tissue statics/Degree": 1},
 }
 
