@@ -41,6 +41,7 @@ class StaticCourse {
     Place begin;                          ///< the first with force, for the slope
     double slope = 0.;                    ///< N/m^2, largest of the loading so far
     double work_most = 0., fastest = 0.;  ///< J/m; 1/s, largest |F_dot| of any point
+    double largest_stress = 0.;           // Pa, norm of P
     double penetration = 0., worst_residual = 0.;
   };
 

@@ -27,11 +27,9 @@ std::vector<OutputDefinition> curve_results() {
       {"bio_yield_travel", "m", "Way of the tool at the bio-yield.", "where the force once does not rise"},
       {"bio_yield_strain", "1", "That way over the undeformed width of the block.",
        "where the force once does not rise"},
-      {"force_at_first_failure", "N/m",
-       "Force on the tool at the end of the step in which the first cell failed.",
+      {"force_at_first_failure", "N/m", "Force on the tool in the last step before the first cell failed.",
        "with a tool, where a cell failed"},
-      {"travel_at_first_failure", "m",
-       "Way of the tool at the end of the step in which the first cell failed.",
+      {"travel_at_first_failure", "m", "Way of the tool in the last step before the first cell failed.",
        "with a tool, where a cell failed"},
       {"penetration_share_max", "1",
        "Largest depth of a point of the surface inside the tool or the support's plate, over the smaller of "
@@ -40,20 +38,23 @@ std::vector<OutputDefinition> curve_results() {
 }
 
 std::vector<OutputDefinition> energy_results() {
-  return {{"work", "J/m", "Work of tool and loads from rest to the end, per metre of depth."},
-          {"stored", "J/m",
-           "Elastic energy of all RVEs at the end less that of the undeformed, turgid state, per metre of "
-           "depth."},
-          {"dissipated_by_flow", "J/m", "Energy that yielding walls have dissipated, per metre of depth."},
-          {"dissipated_by_failure", "J/m", "Energy that breaking walls have set free, per metre of depth."},
-          {"released", "J/m",
-           "Work less stored, contact and dissipated energy of the steps in which walls broke or the tissue "
-           "jumped: what would have become motion and heat, per metre of depth."},
-          {"energy_gap_share", "1",
-           "The same of all other steps, over the largest work so far: the error of the trapezoidal rule, "
-           "which falls with the square of the step."},
-          {"viscous_stress_bound", "Pa",
-           "Upper bound of the viscous stress at the fastest strain rate of the run, which is left out."}};
+  return {
+      {"work", "J/m", "Work of tool and loads from rest to the end, per metre of depth."},
+      {"stored", "J/m",
+       "Elastic energy of all RVEs at the end less that of the undeformed, turgid state, per metre of "
+       "depth."},
+      {"dissipated_by_flow", "J/m", "Energy that yielding walls have dissipated, per metre of depth."},
+      {"dissipated_by_failure", "J/m", "Energy that breaking walls have set free, per metre of depth."},
+      {"released", "J/m",
+       "Work less stored, contact and dissipated energy of the steps in which walls broke or the tissue "
+       "jumped: what would have become motion and heat, per metre of depth. Negative where RVEs tell the "
+       "flow of so large a step too high."},
+      {"energy_gap_share", "1",
+       "The same of all other steps, over the largest work so far: the error of the trapezoidal rule, "
+       "which falls with the square of the step."},
+      {"viscous_stress_bound", "Pa",
+       "Upper bound of the viscous stress, which is left out, at the fastest strain rate of a step in which "
+       "nothing broke."}};
 }
 
 std::vector<OutputDefinition> cost_results() {

@@ -17,7 +17,7 @@
 namespace turgor {
 StaticRunSettings::StaticRunSettings() {
   path.newton.tolerance = 1e-6;
-  path.newton.most_iterations = 30;
+  path.newton.most_iterations = 15;
 }
 
 void StaticRunSettings::declare(InputEntries &prm) {
@@ -95,7 +95,7 @@ StaticCourse::StaticCourse(RunContext &context_, const StaticRunSettings &settin
         return all;
       }()) {
   path.too_much = [this] { return sum().failed > memory.now.failed + settings.most_failing; };
-  path.broke = [this] { return sum().by_failure != memory.now.by_failure; };
+  path.broken = [this] { return sum().by_failure; };
 }
 
 void StaticCourse::go() {

@@ -43,7 +43,9 @@ void LoadPath<dim>::start() {
 
 template <int dim>
 void LoadPath<dim>::step(const double limit) {
-  const double smallest = settings.smallest_step * settings.end, left = limit - tissue.time();
+  const double smallest = settings.smallest_step * settings.end,
+               jump = std::max(smallest, settings.jump * settings.end);
+  const double left = limit - tissue.time();
   // what would leave less than half a step to the limit goes there
   double h = next >= 0.7 * left && next < left ? 0.5 * left : std::min(next, left);
   const bool cut = h < next;
@@ -54,21 +56,21 @@ void LoadPath<dim>::step(const double limit) {
     bool found = newton.solve(u, there), jumped = false;
     const std::size_t iterations = newton.residuals().size();
     count.iterations += iterations > 0 ? iterations - 1 : 0;
-    point_failed = newton.residuals().empty();
-    if (!found && h <= smallest) {
+    point_failed = iterations == 0;
+    const bool short_enough = h <= smallest || (h <= jump && !point_failed && broke());
+    if (!found && short_enough) {
       u = tissue.state().u;
-      found = jumped = newton.dragged(u, there);
-      count.iterations += newton.residuals().empty() ? 0 : newton.residuals().size() - 1;
+      found = jumped = let_go(u, there);
     }
-    if (found && h > smallest && too_much && too_much()) {
+    if (found && h > jump && too_much && too_much()) {
       ++count.refused;
       found = false;
     } else if (!found)
       ++count.halved;
     if (found) {
       accept(u, there, jumped);
-      if (iterations > settings.hard + 1)
-        next = std::max(smallest, 0.5 * h);
+      if (iterations > settings.hard + 1 || jumped)
+        next = std::max(jumped ? jump : smallest, 0.5 * h);
       else if (iterations <= settings.easy + 1)
         next = std::min(std::max(1.5 * h, cut ? next : 0.), settings.largest_step * settings.end);
       else
@@ -76,8 +78,29 @@ void LoadPath<dim>::step(const double limit) {
       return;
     }
     if (h <= smallest) throw PathEnds(why(), tissue.time());
-    h = std::max(smallest, 0.5 * h);
+    // what breaks does so at any length: sooner to where it may
+    h = std::max(smallest, (!point_failed && broke() ? 0.25 : 0.5) * h);
   }
+}
+
+/// Where that leads nowhere the law is as it was.
+template <int dim>
+bool LoadPath<dim>::let_go(std::vector<double> &u, const LoadPlace &at) {
+  MaterialLaw<dim> &law = tissue.forces().law();
+  const std::string before = archived(law);
+  const double then = broken_then;
+  const bool found = newton.dragged(u, at, [&] {
+    if (!broke()) return false;
+    broken_then = broken();
+    law.commit();
+    return true;
+  });
+  count.iterations += newton.residuals().empty() ? 0 : newton.residuals().size() - 1;
+  if (!found) {
+    restore(before, law);
+    broken_then = then;
+  }
+  return found;
 }
 
 template <int dim>
@@ -101,7 +124,7 @@ void LoadPath<dim>::accept(const std::vector<double> &u, const LoadPlace &at, co
     for (std::size_t q = 0; q < of_point.size(); ++q) result += mesh.gauss_weight[q] * of_point[q];
     return result;
   };
-  const bool brittle = jumped || (broke && broke());
+  const bool brittle = jumped || broke();
   const double gap_before = energy.gap();
   double work = 0.;
   for (std::size_t i = 0; i < op.size(); ++i) work += balance.load()[i] * (u[i] - state.u[i]);
@@ -126,6 +149,7 @@ void LoadPath<dim>::accept(const std::vector<double> &u, const LoadPlace &at, co
   state.P = op.answer().P;
   state.energy = op.answer().energy;
   op.law().commit();
+  if (broken) broken_then = broken();
   ++count.steps;
   count.jumps += jumped ? 1 : 0;
 }
@@ -133,7 +157,7 @@ void LoadPath<dim>::accept(const std::vector<double> &u, const LoadPlace &at, co
 template <int dim>
 void LoadPath<dim>::archive(Archive &a) {
   a.section("load path");
-  a(next, taken, energy, count, holding);
+  a(next, taken, energy, count, holding, broken_then);
   a(tissue);
 }
 

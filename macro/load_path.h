@@ -30,6 +30,7 @@ struct LoadPathSettings {
   LinearSettings linear;
   double end = 1.;                                                      ///< s
   double first_step = 0.02, largest_step = 0.02, smallest_step = 1e-5;  ///< of the end
+  double jump = 1e-3;                                                   ///< of the end
   unsigned int easy = 6,
                hard = 12;  ///< Newton iterations: up to the first a step grows, beyond the second it shrinks
 
@@ -74,8 +75,8 @@ class LoadPath {
 
   /// Asked with the law's trial state of a step that was found; true: a shorter one is wanted.
   std::function<bool()> too_much;
-  /// Asked before a step is committed: whether something has broken in it.
-  std::function<bool()> broke;
+  /// A number that changes where something breaks, of the law's last trial state: J, set free so far.
+  std::function<double()> broken;
 
   double time() const { return tissue.time(); }
   double share() const { return tissue.time() / settings.end; }
@@ -94,6 +95,8 @@ class LoadPath {
   LoadPlace place(double step) const;
   void accept(const std::vector<double> &u, const LoadPlace &at, bool jumped);
   std::string why() const;
+  bool broke() const { return broken && broken() != broken_then; }
+  bool let_go(std::vector<double> &u, const LoadPlace &at);
 
   Tissue<dim> &tissue;
   const LoadPathSettings settings;
@@ -103,6 +106,7 @@ class LoadPath {
   PathEnergies energy;
   PathCounters count;
   dealii::Tensor<1, dim> holding;
+  double broken_then = 0.;  ///< at the last commit
   bool point_failed = false;
 };
 }  // namespace turgor

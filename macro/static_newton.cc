@@ -9,7 +9,9 @@ constexpr unsigned int most_cuts = 6;
 constexpr double blown_up = 1e4;   // relative residual, times the one before
 constexpr double turned = 0.8;     // of the work along a step
 constexpr double first_drag = 1.;  // in units of a node's stiffness
-constexpr double no_drag = 1e-7;
+constexpr double least_drag = 1e-6, most_drag = 1e6, no_drag = 1e-7;
+constexpr double most_growth = 2., hardly = 1.3;  // of the residual in a dragged step
+constexpr double near_by = 0.02;                  // relative residual: so much of it may come at once
 
 double product(const std::vector<double> &a, const std::vector<double> &b) {
   double sum = 0.;
@@ -97,24 +99,45 @@ bool StaticNewton<dim>::solve(std::vector<double> &u, const LoadPlace &place, co
 }
 
 template <int dim>
-bool StaticNewton<dim>::dragged(std::vector<double> &u, const LoadPlace &place, const double scale) {
+bool StaticNewton<dim>::dragged(std::vector<double> &u, LoadPlace place, const std::function<bool()> &keep) {
+  const auto kept = [&] {
+    if (!keep || !keep()) return false;
+    place.since_commit = 0.;  // no time passes while it falls
+    return true;
+  };
   norms.clear();
-  double norm = evaluate(u, place, scale), drag = first_drag;
+  double norm = evaluate(u, place, 0.), drag = first_drag;
   if (norm < 0.) return false;
   norms.push_back(norm);
   for (unsigned int iteration = 0; iteration < settings.most_dragged; ++iteration) {
-    if (is_found(scale)) return true;
-    balance.linearise(drag < no_drag ? 0. : drag);
-    const std::vector<double> change = balance.solve(balance.residual());
+    if (kept()) {
+      norm = evaluate(u, place, 0.);
+      if (norm < 0.) return false;
+      norms.push_back(norm);
+    }
+    if (is_found(0.)) return true;
+    std::vector<double> change;
+    try {
+      balance.linearise(drag < no_drag ? 0. : drag);
+      change = balance.solve(balance.residual());
+    } catch (const SingularMatrix &) {
+    }
     ++all_iterations;
-    const std::vector<double> next = moved(u, 1., change);
-    norm = evaluate(next, place, scale);
-    if (norm < 0. || norm > 2. * norms.back()) {
-      drag = std::max(4. * drag, 1e-3 * first_drag);
-      if (drag > 1e6 || evaluate(u, place, scale) < 0.) return false;
+    // uphill: the drag does not outweigh what is unstable
+    if (change.empty() || !(product(change, balance.residual()) > 0.)) {
+      drag = std::max(4. * drag, least_drag);
       continue;
     }
-    drag *= std::clamp(norm / norms.back(), 0.1, 2.);
+    const std::vector<double> next = moved(u, 1., change);
+    norm = evaluate(next, place, 0.);
+    if (norm < 0. || norm > std::max(most_growth * norms.back(), near_by)) {
+      drag = std::max(4. * drag, least_drag);
+      if (drag > most_drag || evaluate(u, place, 0.) < 0.) return false;
+      continue;
+    }
+    const double ratio = norm / norms.back();
+    // away from what is unstable the residual grows at first
+    drag *= ratio < hardly || norm < near_by ? std::clamp(ratio, 0.1, 0.5) : 1.;
     u = next;
     norms.push_back(norm);
   }

@@ -7,8 +7,9 @@
 //
 // Where a branch ends (walls that buckle or break) there is a state beyond, but no way to it along which
 // Newton's method converges. dragged() goes there as the tissue would in a thick fluid: K + sigma D in place
-// of K, sigma falling with the residual (pseudo-transient continuation; Kelley, Keyes 1998,
-// doi:10.1137/S0036142996304796). What it reaches is stable.
+// of K, sigma halved or falling with the residual (pseudo-transient continuation; Kelley, Keyes 1998,
+// doi:10.1137/S0036142996304796). What breaks on the way stays broken (keep): else a wall that breaks and
+// heals from one iteration to the next never comes to rest. What is reached is stable.
 #pragma once
 
 #include "macro/static_balance.h"
@@ -20,7 +21,7 @@ namespace turgor {
 struct NewtonSettings {
   double tolerance = 1e-9;  ///< residual over the force norm
   unsigned int most_iterations = 25;
-  unsigned int most_dragged = 150;  ///< iterations of dragged()
+  unsigned int most_dragged = 300;  ///< iterations of dragged()
   bool line_search = true;
   std::function<void()> each_evaluation;  ///< before each of all points; what it throws ends the search
 };
@@ -33,7 +34,8 @@ class StaticNewton {
   /// True: u (m) is in equilibrium and the last that the law was asked. False: u is where it stopped.
   /// scale: N, of the residual; 0: the force norm of the moment.
   bool solve(std::vector<double> &u, const LoadPlace &place, double scale = 0.);
-  bool dragged(std::vector<double> &u, const LoadPlace &place, double scale = 0.);
+  /// keep: asked after each move; true: it has committed the law's trial state.
+  bool dragged(std::vector<double> &u, LoadPlace place, const std::function<bool()> &keep = {});
 
   const std::vector<double> &residuals() const { return norms; }  ///< relative, of the last search
   unsigned long iterations() const { return all_iterations; }     ///< so far

@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_SUITE(texture_test)
 // contact and history in between must not show.
 BOOST_AUTO_TEST_CASE(an_even_block_is_the_rve_alone) {
   for (const bool free : {true, false}) {
-    const auto rve = cells();
+    const auto rve = cells(0.);  // what breaks need not break everywhere at once
     StaticRunSettings s = pressed();
     if (!free) s.tissue.lateral = LateralSides::periodic;
     RveLaw<2> law(rve, {});
@@ -107,22 +107,22 @@ BOOST_AUTO_TEST_CASE(an_even_block_is_the_rve_alone) {
     LoadPath<2> path(tissue, s.path);
     Alone alone(*rve);
     path.start();
-    double worst = 0., failed = 0., turgor = 200e3;
+    double worst = 0., permanent = 0., turgor = 200e3;
     while (path.time() < s.path.end) {
       path.step(s.path.end);
       const double P = alone.step(tissue.state().F[0][0][0], path.last_step(), free);
       for (const dealii::Tensor<2, 2> &of_point : tissue.stress())
         worst = std::max(worst, std::abs(of_point[0][0] - P) / turgor);
       BOOST_TEST(std::abs(tissue.state().tool.force / 4e-4 + P) < 1e-6 * turgor);
-      failed = alone.condition.failed;
-      BOOST_TEST(law.condition()[0].failed == failed);
+      permanent = alone.condition.permanent;
+      BOOST_TEST(std::abs(law.condition()[0].permanent - permanent) < 1e-9);
       BOOST_TEST(std::abs(tissue.state().F[0][1][1] - alone.across) < 1e-7);
     }
     BOOST_TEST_MESSAGE((free ? "free sides" : "periodic")
                        << ": to F_xx = " << tissue.state().F[0][0][0] << ", " << path.counters().steps
-                       << " steps, stress off by " << worst << " of turgor, failed " << failed);
+                       << " steps, stress off by " << worst << " of turgor, permanent stretch " << permanent);
     BOOST_TEST(worst < 1e-6);
-    BOOST_TEST(alone.condition.permanent > 1e-3);
+    BOOST_TEST(permanent > 1e-3);
   }
 }
 
@@ -134,7 +134,11 @@ BOOST_AUTO_TEST_CASE(a_puncture_test_and_its_energy) {
   BOOST_TEST(results.at("mean_permanent_stretch") > 0.);
   BOOST_TEST(results.at("travel_at_first_failure") > 0.);
   BOOST_TEST(std::abs(results.at("energy_gap_share")) < 0.02);
-  BOOST_TEST(results.at("released") >= 0.);
+  BOOST_TEST_MESSAGE("work " << results.at("work") << " J/m, released " << results.at("released")
+                             << ", gap share " << results.at("energy_gap_share") << ", jumps "
+                             << results.at("jumps") << ", failed " << results.at("failed_share") << ", CPU "
+                             << results.at("cpu_time") << " s, explicit " << results.at("explicit_cpu_time")
+                             << " s");
   BOOST_TEST(results.at("explicit_cpu_time") > 100. * results.at("cpu_time"));
   const auto &steps = disk.series["steps"];
   BOOST_TEST(steps.size() == results.at("load_steps") + 1.);
