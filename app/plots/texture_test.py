@@ -44,7 +44,7 @@ def draw_curve(axis, steps, results):
         twin.set_ylim(0, None)
         twin.tick_params(colors=FAILED, labelsize=8)
         twin.spines["top"].set_visible(False)
-    axis.legend(lines, labels, frameon=False, fontsize=9, loc="best")
+    axis.legend(lines, labels, frameon=False, fontsize=9, loc="upper left", bbox_to_anchor=(0.0, 1.02))
 
 
 def draw_energies(axis, steps, energies):
