@@ -5,7 +5,8 @@
 //   part     FE2 over FE2 with one thing refined - 1: mesh, RVE size, time step, skipping
 //   number   of cells: what all cells come to when there are ever more, over what they are, - 1; by
 //            2 f(n) - f(n/2), as what ends and clamp do goes with 1/n
-//   rest     what is left of the total when every part is taken out: higher orders, the particles' own error
+//   rest     what is left of the total when every part is taken out: what does not go
+//            with 1/n (sides of a block at such sizes), the particles' own error
 //   surface  all cells with free sides over the same with sides as the interior - 1; in no FE2, so in no
 //   error
 //

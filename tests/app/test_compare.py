@@ -29,7 +29,7 @@ class Compare(unittest.TestCase):
             self.assertAlmostEqual(product, 1. + tip["error of FE2"] / 100., places=6)
             # The unit cell answers as any number of them does while nothing buckles.
             self.assertLess(abs(tip["RVE size"]), 1e-4)
-            # A slab of 8 bricks: the clamp along their steps takes a quarter of a brick, which goes with 1/n (doc/results/rve/blocks.md).
+            # A slab of 8 bricks: what the clamp along their steps takes goes with 1/n (doc/results/rve/blocks.md).
             self.assertLess(abs(tip["rest"]), 0.1 * abs(tip["number of cells"]))
             again = compare(STATICS, "-o", out, *SMALL, "--set", "Structure/Structure=brick", "--set", "Cell/Nodes per side=8")
             self.assertEqual(again.returncode, 0, again.stderr)

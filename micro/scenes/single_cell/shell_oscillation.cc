@@ -198,7 +198,13 @@ void ShellOscillation::compare(RunContext &context, const std::vector<Harmonic> 
     const Harmonic part = largest_between(parts, below, 0.5 * (theory[m] + next[m + 1]));
     const std::string name = "mode_" + number_text(m + 1);
     context.result(name + "_closed_form", theory[m] / (2. * pi), "Hz");
-    if (part.omega == 0.) continue;  // not excited, or not carried by the fluid's resolution
+    if (part.omega == 0.) {  // not excited, or not carried by the fluid's resolution
+      remarked(context, name,
+               "No tone that lasts is found near the closed form's " + number_text(theory[m] / (2. * pi)) +
+                   " Hz of mode " + number_text(m + 1) +
+                   ", so that it has no result: it was not struck hard enough, or the particles do not carry it.");
+      continue;
+    }
     const double deviation = 100. * (part.omega / theory[m] - 1.);
     lines->add_row({theory[m] / (2. * pi), part.omega / (2. * pi), deviation});
     context.result(name + "_found", part.omega / (2. * pi), "Hz");
