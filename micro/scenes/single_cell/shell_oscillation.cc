@@ -199,10 +199,11 @@ void ShellOscillation::compare(RunContext &context, const std::vector<Harmonic> 
     const std::string name = "mode_" + number_text(m + 1);
     context.result(name + "_closed_form", theory[m] / (2. * pi), "Hz");
     if (part.omega == 0.) {  // not excited, or not carried by the fluid's resolution
-      remarked(context, name,
-               "No tone that lasts is found near the closed form's " + number_text(theory[m] / (2. * pi)) +
-                   " Hz of mode " + number_text(m + 1) +
-                   ", so that it has no result: it was not struck hard enough, or the particles do not carry it.");
+      remarked(
+          context, name,
+          "No tone that lasts is found near the closed form's " + number_text(theory[m] / (2. * pi)) +
+              " Hz of mode " + number_text(m + 1) +
+              ", so that it has no result: it was not struck hard enough, or the particles do not carry it.");
       continue;
     }
     const double deviation = 100. * (part.omega / theory[m] - 1.);
