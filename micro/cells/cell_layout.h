@@ -6,8 +6,8 @@
 //   hinge i   at node i, between the bonds before and after hinge[i] = B/l, rest_angle[i]
 //   tie       node a to the image of node b by lattice periods: zero-length spring (lamella_tie.h)
 //
-// Rings are never wrapped: only ties (and contact) know the lattice H, whose columns are the periods. Where
-// facing walls are not tied there is a gap. Cells that are all alike (parenchyma.h) are one case among
+// Rings are never wrapped: only ties and contact know the lattice H, whose columns are the periods. Where
+// facing walls are not tied there is an air space. Cells that are all alike (parenchyma.h) are one case among
 // others.
 //
 //   CellLayout layout = make_parenchyma(parameters, 3, 2, true, true);
@@ -35,6 +35,15 @@ struct WallRing {
   std::size_t before(const std::size_t node) const { return node == first ? end() - 1 : node - 1; }
 };
 
+/// The part of a ring that bounds an air space, from one tied node to the next.
+struct AirFace {
+  std::uint32_t ring = 0, first = 0, bonds = 0;  ///< bonds from node `first` on, along the ring
+  std::array<int, 2> shift{{0, 0}};              ///< of the image of that cell that lies there
+};
+
+/// A space between walls that are not tied (air_spaces.h): its faces, clockwise around it.
+using AirSpace = std::vector<AirFace>;
+
 struct CellLayout {
   ParenchymaParameters
       parameters;  ///< of walls and fluid; what lengths and counts in it say is the builder's matter
@@ -49,6 +58,7 @@ struct CellLayout {
   std::vector<double> node_mass;    ///< kg
   std::vector<double> fluid_mass;   ///< kg, of a cell
   std::vector<LamellaTie> ties;     ///< each once
+  std::vector<AirSpace> air;        ///< none in dense tissue
 
   double spacing = 0.;  ///< m, of wall nodes as a rule: what lengths are measured by
   double spring_stiffness =

@@ -75,5 +75,6 @@ void HydrostaticNetwork::affine_response(const std::vector<double> &x, const Ten
     add(tie.a, -tie.stiffness * dd);
     add(tie.b, tie.stiffness * dd);
   }
+  air.add_affine(e.touches, L, forces, curvature);
 }
 }  // namespace turgor

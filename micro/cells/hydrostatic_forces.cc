@@ -169,6 +169,12 @@ void HydrostaticNetwork::evaluate(const std::vector<double> &x, const Tensor2<2>
     if (!body.isZero()) body_energy(x, polygon_area(x, geometry.rings[c]), c, &out.gradient);
   }
   add_ties(x, H, out);
+  out.touches.clear();
+  if (contact_on && !air.empty()) {
+    air.find(x, H, with_hessian, out.touches);
+    air.add_forces(out.touches, out.gradient, out.virial.contact);
+    out.virial.touching = !out.touches.empty();
+  }
   if (!body.isZero())
     for (std::size_t i = 0; i < n; ++i)
       for (int c = 0; c < 2; ++c) out.gradient[2 * i + c] -= geometry.node_mass[i] * body[c];

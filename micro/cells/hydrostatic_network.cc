@@ -1,5 +1,8 @@
 #include "micro/cells/hydrostatic_network.h"
 
+#include "micro/cells/air_spaces.h"
+#include "micro/cells/ring_geometry.h"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -13,7 +16,8 @@ HydrostaticNetwork::HydrostaticNetwork(CellLayout layout)
       fluid{geometry.parameters.equation_of_state()},
       scale(geometry.parameters.turgor * geometry.spacing * geometry.parameters.depth),
       bending(std::any_of(geometry.hinge.begin(), geometry.hinge.end(),
-                          [](const double hinge) { return hinge > 0.; })) {
+                          [](const double hinge) { return hinge > 0.; })),
+      air(geometry) {
   geometry.check();
   // Without turgor, residuals are measured against 1 % of the wall stiffness.
   if (!(scale > 0.)) scale = 0.01 * geometry.parameters.wall_stiffness * geometry.parameters.depth;
@@ -35,6 +39,19 @@ void HydrostaticNetwork::release_water(const std::vector<double> &volumes) {
   for (const double volume : volumes) taken_up.push_back(density * volume);
   set_fluid_masses(std::move(taken_up));
   held.reset();
+}
+
+double HydrostaticNetwork::air_share(const std::vector<double> &x, const Tensor2<2> &H) const {
+  if (geometry.air.empty()) return 0.;
+  double cells = 0.;
+  for (const WallRing &ring : geometry.rings) cells += polygon_area(x, ring);
+  return 1. - cells / H.determinant();
+}
+
+bool HydrostaticNetwork::air_lost(const std::vector<double> &x, const Tensor2<2> &H) const {
+  return std::any_of(geometry.air.begin(), geometry.air.end(), [&](const AirSpace &space) {
+    return air_area(geometry, space, x, H) < -2. * air.law().inset * air_rim(geometry, space, x);
+  });
 }
 
 void HydrostaticNetwork::set_dead_forces(std::vector<double> forces) {

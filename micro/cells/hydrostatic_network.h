@@ -5,10 +5,12 @@
 //           + sum over hinges B (theta - theta_0)^2/(2 l)     wall_bending.h
 //           + sum over ties   k |x_b + H n - x_a|^2/2         lamella_tie.h
 //           + sum over cells  m e(m/V),  V = z0 * polygon area  hydrostatic_pressure.h
+//           + sum over air spaces  k/3 (rho - d)^3            air_contact.h; only where there are any
 //           - sum over cells m b . centroid - sum over nodes (m_w b + f) . x    body acceleration b, dead
 //             forces f
 //
-// Only ties know the lattice H (m, columns are periods): rings are never wrapped.
+// Only ties and contact know the lattice H (m, columns are periods): rings are never wrapped. Air has no
+// pressure (it is connected with the air outside).
 // Wall edges enter through e_i = x_(i+1) - x_i: t_i = dE/de_i, S_i = d2E/de_i2, C_i = d2E/(de_i de_(i+1)).
 // The volume term gives one rank-one matrix per cell, which stays outside the sparse part:
 //   d2E/dx2 = K + sum over cells b_c b_c^T,  b_c = sqrt(d2E/dV2) dV/dx
@@ -22,6 +24,7 @@
 // Kirchhoff virial sum r (x) dE/dr in J (divide by the current volume for stress, Eq. 3.17).
 #pragma once
 
+#include "micro/cells/air_contact.h"
 #include "micro/cells/cell_layout.h"
 #include "micro/cells/wall_history.h"
 #include "micro/laws/hydrostatic_pressure.h"
@@ -35,7 +38,12 @@ namespace turgor {
 struct NetworkVirial {
   Tensor2<2> wall = Tensor2<2>::Zero(), bending = Tensor2<2>::Zero(), tie = Tensor2<2>::Zero(),
              fluid = Tensor2<2>::Zero();
-  Tensor2<2> total() const { return wall + bending + tie + fluid; }
+  Tensor2<2> contact = Tensor2<2>::Zero();
+  bool touching = false;  ///< there is contact
+  Tensor2<2> total() const {
+    const Tensor2<2> apart = wall + bending + tie + fluid;
+    return touching ? Tensor2<2>(apart + contact) : apart;
+  }
 };
 
 enum class NetworkOrder {
@@ -59,6 +67,7 @@ struct NetworkEvaluation {
   std::vector<double> tx, ty;         ///< N, dE/de
   std::vector<double> gx, gy;         ///< 1/m, gradient of the edge's direction angle
   std::vector<double> Sxx, Sxy, Syy;  ///< N/m
+  std::vector<AirTouch> touches;      ///< of walls across air spaces
 };
 
 class HydrostaticNetwork {
@@ -74,6 +83,15 @@ class HydrostaticNetwork {
 
   /// Every cell keeps the mass that has the held pressure at these volumes (m^3 per cell).
   void release_water(const std::vector<double> &volumes);
+
+  /// Walls pass through each other across air spaces, or (as at first) do not.
+  void set_contact(bool on) { contact_on = on; }
+  const AirContact &air_contact() const { return air; }
+  /// Share of the period's area that no cell covers; what ties give way counts as well. 0 without air spaces.
+  double air_share(const std::vector<double> &x, const Tensor2<2> &H) const;
+  /// Whether walls have passed through each other: a space is smaller than 0 by more than the thickness 2 h
+  /// of the walls around it.
+  bool air_lost(const std::vector<double> &x, const Tensor2<2> &H) const;
 
   /// m/s^2, on fluid and wall nodes.
   void set_body_acceleration(const Vector<2> &acceleration) { body = acceleration; }
@@ -153,5 +171,7 @@ class HydrostaticNetwork {
   Vector<2> body = Vector<2>::Zero();
   std::vector<double> dead;
   std::optional<double> held;  ///< Pa
+  AirContact air;
+  bool contact_on = true;
 };
 }  // namespace turgor

@@ -66,8 +66,10 @@ class NetworkEquilibrium {
   /// First and second derivatives along affine motions are known; this lets the nodes follow:
   /// d2E/dF2 (J) of the relaxed network for the four motions L_k, at the equilibrium x. False where
   /// the Hessian is not positive definite.
+  /// followed, where given: how nodes move besides the affine motions (m, as x).
   bool relaxed_curvature(const std::vector<double> &x, const Tensor2<2> &H,
-                         const std::array<Tensor2<2>, 4> &L, Tensor4<2> &curvature);
+                         const std::array<Tensor2<2>, 4> &L, Tensor4<2> &curvature,
+                         std::array<std::vector<double>, 4> *followed = nullptr);
 
   /// The matrix above at x: free unknowns in the order of x, then two rows per cell, q and an
   /// idle one (1 on the diagonal) that fills up its block.
@@ -78,6 +80,7 @@ class NetworkEquilibrium {
  private:
   void build_pattern();
   void assemble(double shift);
+  void add_contact();  ///< of the last evaluation
   bool factorise(double shift);
   double residual(const NetworkEvaluation &at) const;
   bool leave_saddle(std::vector<double> &x, const Tensor2<2> &H);
@@ -110,6 +113,7 @@ class NetworkEquilibrium {
   std::vector<BlockLdlt::Place> own, next, second, border;  ///< per node: with itself, the next two, its cell
   std::vector<Block2> constant_part;                        ///< ties and the rows of q
   bool apart = true;  ///< no block takes up the changing parts of two pairs (rings of four nodes have such)
+  std::vector<std::vector<BlockLdlt::Place>> across;        ///< per air space, of all pairs of its nodes
   NetworkEvaluation now, trial, energy_scratch;
   std::vector<double> step, x_trial;
   double round_off_floor;

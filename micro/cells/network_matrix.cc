@@ -24,6 +24,11 @@ void NetworkEquilibrium::build_pattern() {
       pair(block(ring.first + k), cell_block(c));
     }
   for (const LamellaTie &tie : layout.ties) pair(block(tie.a), block(tie.b));
+  const AirContact &air = network.air_contact();
+  for (std::size_t s = 0; s < air.size(); ++s)
+    for (const AirContact::Node &a : air.nodes(s))
+      for (const AirContact::Node &b : air.nodes(s))
+        if (a.node < b.node) pair(block(a.node), block(b.node));
   const auto stress_block = [&](const int b) { return static_cast<std::uint32_t>(n_free / 2 + n_cells + b); };
   if (traction) {
     pair(stress_block(0), stress_block(1));
@@ -57,6 +62,11 @@ void NetworkEquilibrium::build_pattern() {
     add_isotropic(place(block(tie.b), block(tie.b)), tie.stiffness);
     add_isotropic(place(block(tie.a), block(tie.b)), -tie.stiffness);
   }
+  across.resize(air.size());
+  for (std::size_t s = 0; s < air.size(); ++s)
+    for (const AirContact::Node &a : air.nodes(s))
+      for (const AirContact::Node &b : air.nodes(s)) across[s].push_back(place(block(a.node), block(b.node)));
+
   for (std::size_t c = 0; c < layout.rings.size(); ++c)
     constant_part[place(cell_block(c), cell_block(c)).index] = {-1., 0., 0., 1.};
   if (traction) {
@@ -75,7 +85,8 @@ void NetworkEquilibrium::build_pattern() {
     for (const BlockLdlt::Place &at : *places)
       if (at.index != fixed) changing.push_back(at.index);
   std::sort(changing.begin(), changing.end());
-  apart = std::adjacent_find(changing.begin(), changing.end()) == changing.end();
+  // contact comes on top of what is there
+  apart = air.empty() && std::adjacent_find(changing.begin(), changing.end()) == changing.end();
 }
 
 void NetworkEquilibrium::assemble(const double shift) {
@@ -118,6 +129,27 @@ void NetworkEquilibrium::assemble(const double shift) {
       Pxx = Cxx, Pxy = Cxy, Pyx = Cyx, Pyy = Cyy;
     }
   }
+  add_contact();
+}
+
+void NetworkEquilibrium::add_contact() {
+  std::vector<Block2> &value = solver.values();
+  for (const AirTouch &touch : now.touches) {
+    const std::vector<AirContact::Node> &nodes = network.air_contact().nodes(touch.space);
+    for (std::size_t a = 0; a < 7; ++a)
+      for (std::size_t b = 0; b < 7; ++b) {
+        const std::uint32_t i = touch.local[a], j = touch.local[b];
+        const BlockLdlt::Place at = across[touch.space][i * nodes.size() + j];
+        // one triangle is kept: every pair of nodes once, a node with itself (or its image) as a whole
+        if (at.index == fixed || (at.transposed && nodes[i].node != nodes[j].node)) continue;
+        const auto part = touch.hessian.block<2, 2>(Eigen::Index(2 * a), Eigen::Index(2 * b));
+        Block2 &to = value[at.index];
+        to[0] += part(0, 0);
+        to[1] += part(1, 0);
+        to[2] += part(0, 1);
+        to[3] += part(1, 1);
+      }
+  }
 }
 
 Eigen::SparseMatrix<double> NetworkEquilibrium::system(const std::vector<double> &x, const Tensor2<2> &H) {
@@ -132,7 +164,8 @@ bool NetworkEquilibrium::factorise(const double shift) {
 }
 
 bool NetworkEquilibrium::relaxed_curvature(const std::vector<double> &x, const Tensor2<2> &H,
-                                           const std::array<Tensor2<2>, 4> &L, Tensor4<2> &curvature) {
+                                           const std::array<Tensor2<2>, 4> &L, Tensor4<2> &curvature,
+                                           std::array<std::vector<double>, 4> *followed) {
   evaluate(x, H, NetworkOrder::hessian, now);
   if (!factorise(0.)) return false;
   std::array<std::vector<double>, 4> forces;
@@ -149,6 +182,12 @@ bool NetworkEquilibrium::relaxed_curvature(const std::vector<double> &x, const T
     for (int l = 0; l < 4; ++l)
       for (std::size_t d = 0; d < unknown.size(); ++d)
         if (unknown[d] >= 0) curvature(k, l) -= forces[k][d] * follow[l][unknown[d]];
+  if (followed)
+    for (std::size_t k = 0; k < 4; ++k) {
+      (*followed)[k].assign(x.size(), 0.);
+      for (std::size_t d = 0; d < unknown.size(); ++d)
+        if (unknown[d] >= 0) (*followed)[k][d] = -follow[k][std::size_t(unknown[d])];
+    }
   curvature = (0.5 * (curvature + curvature.transpose())).eval();
   return curvature.allFinite();
 }

@@ -20,6 +20,9 @@ void check_block(const TissueStructure &structure, const unsigned int rows) {
     throw std::invalid_argument("Structure/Rotation is " + number_text(structure.rotation) +
                                 " degrees, but the sides of a clamped block are upright, and so is its "
                                 "tissue: use 0.");
+  if (structure.gap > 0.)
+    throw std::invalid_argument("Structure/Gap is " + number_text(structure.gap) +
+                                " m, but the tissue of a clamped block is dense: use 0.");
   if (moved_rows(structure) && rows % 2 != 0)
     throw std::invalid_argument(
         "Rows is " + number_text(rows) + ", but rows of Structure/Structure = " + word_of(structure.kind) +

@@ -1,5 +1,6 @@
 #include "micro/cells/tiled_layout.h"
 
+#include "micro/cells/air_spaces.h"
 #include "micro/laws/wall_bending.h"
 #include "run/number_text.h"
 
@@ -132,6 +133,7 @@ CellLayout lay_cells(const Tiling &tiling, const ParenchymaParameters &p, const 
         layout.ties.push_back({node(c, k, i), node(other.cell, other.side, side.bonds() - i), other.shift,
                                p.lamella_ratio * layout.spring_stiffness * side.share(i) / layout.spacing});
     }
+  if (gap > 0. && tiling.periodic) layout.air = find_air_spaces(layout);
   layout.check();
   return layout;
 }

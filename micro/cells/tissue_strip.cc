@@ -48,6 +48,9 @@ void check_strip(const TissueStructure &structure, const ParenchymaParameters &c
     throw std::invalid_argument("Structure/Structure is " + word_of(structure.kind) +
                                 ", but a strip of particles (Sides) has cells with equally many wall nodes: "
                                 "use square, hexagon or brick.");
+  if (structure.gap > 0.)
+    throw std::invalid_argument("Structure/Gap is " + number_text(structure.gap) +
+                                " m, but a strip of particles (Sides) is dense: use 0.");
   if (structure.rotation != 0.)
     throw std::invalid_argument(
         "Structure/Rotation is " + number_text(structure.rotation) +

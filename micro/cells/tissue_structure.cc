@@ -88,6 +88,13 @@ void TissueStructure::add_parameters(InputEntries &prm) {
                     "Cell/Period. Units: 1.",
                     Double(0., 0.2));
   prm.add_parameter(
+      "Gap", gap,
+      "Length without lamella ties at either end of a wall that two cells share where three cells or "
+      "more meet, as laid: 0 gives dense tissue, more opens air spaces between the cells; a wall "
+      "shorter than two of it is not tied at all. Needs RVE/Fluid = hydrostatic in an RVE. Square cells "
+      "then have the side Cell/Period before turgor stretches the walls. Units: m.",
+      Double(0., 1e-2));
+  prm.add_parameter(
       "Area scatter", area_scatter,
       "Standard deviation of the areas of voronoi cells over their mean (log-normal). Units: 1.",
       Double(0., 0.6));
@@ -161,7 +168,12 @@ CellLayout laid_tissue(const TissueStructure &structure, ParenchymaParameters ce
     laid.area_scatter = found.area_scatter();
     cell.period = std::sqrt(found.mean_area());
   }
-  return lay_cells(laid.tiling(cell.period, columns, rows, cell.period / cell.nodes_per_side, periods), cell);
+  if (!(laid.gap < 0.25 * cell.period))
+    throw std::invalid_argument("Structure/Gap is " + number_text(laid.gap) +
+                                " m, but it has to be less than a quarter of Cell/Period (" +
+                                number_text(0.25 * cell.period) + " m): too little would tie the cells.");
+  return lay_cells(laid.tiling(cell.period, columns, rows, cell.period / cell.nodes_per_side, periods), cell,
+                   laid.gap);
 }
 
 CellLayout turgid_tissue(const TissueStructure &structure, const ParenchymaParameters &cell,

@@ -10,6 +10,9 @@
 //                     given: corners in a table, or a
 //            segmented picture; what is given is bounded, an RVE is periodic
 //
+// With a gap there are air spaces between the cells (air_spaces.h), and square cells too are laid with flat
+// walls and find their period at turgor.
+//
 //   TissueStructure structure; structure.add_parameters(prm); ... structure.check();
 //   HydrostaticNetwork network(turgid_tissue(structure, cell, 4, 4));
 //
@@ -37,6 +40,7 @@ struct TissueStructure {
   unsigned int seed = 1;
   double rotation = 0.;       ///< degrees, counter-clockwise
   double jitter = 0.;         ///< of hexagons' and bricks' corners, over Cell/Period
+  double gap = 0.;            ///< m, without ties at either end of a wall that two cells share; 0: dense
   double area_scatter = 0.2;  ///< of Laguerre cells: standard deviation of their areas over the mean
   unsigned int ordering = 5;  ///< of Laguerre cells: rounds in which seeds go to the centroids of their cells
 
@@ -48,7 +52,8 @@ struct TissueStructure {
   /// The tissue of the file, bounded. Throws InputError where it is none.
   Tiling given() const;
 
-  bool square() const { return kind == StructureKind::square; }
+  /// Square cells as they have always been: dense, of a period that is known at turgor.
+  bool square() const { return kind == StructureKind::square && !(gap > 0.); }
   /// " brick", " hexagon" ...: how to call such cells in a sentence; nothing of square ones.
   std::string words() const { return square() ? "" : " " + word_of(kind); }
 

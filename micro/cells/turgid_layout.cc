@@ -36,7 +36,11 @@ class FreeTissue {
     motions = {along * along.transpose(), along * across.transpose(), across * across.transpose(),
                across * along.transpose()};
     if (disturb_start != nullptr) disturb_start(0, x);
+    network.set_contact(false);
   }
+
+  bool has_air() const { return !network.air_contact().empty(); }
+  void let_walls_touch() { network.set_contact(true); }
 
   /// Until the mean stress is below goal (Pa), or as small as round-off lets it be.
   void relax(const double pressure, const double goal, const double good_enough) {
@@ -64,6 +68,8 @@ class FreeTissue {
 
   /// Largest component of the mean Cauchy stress, Pa.
   double stress() const { return stress(H); }
+
+  bool air_lost() const { return network.air_lost(x, H); }
 
   CellLayout sealed(CellLayout layout) {
     network.release_water(equilibrium.last_evaluation().volume);
@@ -195,6 +201,14 @@ CellLayout turgid_with_lattice(CellLayout layout, TurgidSearch *how) {
   constexpr int steps = 5;  // at once, sparse tissue may end in another state
   for (int s = 1; s < steps; ++s) tissue.relax(turgor * s / steps, 1e-3 * turgor, 1e-3 * turgor);
   tissue.relax(turgor, 1e-12 * turgor, good_enough);
+  if (tissue.has_air()) {
+    tissue.let_walls_touch();
+    tissue.relax(turgor, 1e-12 * turgor, good_enough);
+    if (tissue.air_lost())
+      throw std::invalid_argument(
+          "The turgid reference of this tissue is not found: at turgor walls have passed through each other "
+          "across an air space. Use a smaller Structure/Gap, or none.");
+  }
   if (how != nullptr) *how = tissue.how;
   return tissue.sealed(std::move(layout));
 }

@@ -13,7 +13,9 @@
 //                        tangent of NetworkEquilibrium::relaxed_curvature; the first period keeps its
 //                        direction (the axes of F are those of the first period, so that a layout that is
 //                        turned is answered turned). Then every cell keeps the water it has: m = rho(p) V.
-//                        Contact of walls across air spaces is left out: turgor opens them.
+//                        Walls touch across air spaces only when turgor has opened them: with contact from
+//                        the beginning the corners, which are laid on each other, find a state of their own.
+//                        Then the lattice gives way once more, with contact.
 //
 //   const HydrostaticNetwork network(turgid_parenchyma(parameters, 2, 2, true, true));
 //   const HydrostaticNetwork other(turgid_with_lattice(lay_cells(tiling, parameters)));
