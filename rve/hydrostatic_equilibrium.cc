@@ -63,6 +63,12 @@ void HydrostaticRve::settle(const RveState<2> &committed, const Tensor2<2> &F, R
     answer.diagnostics.dragged = report.converged;
     if (!report.converged) report.message = first;
   }
+  if (report.converged && has_air() && network.air_lost(x, F * network.layout().lattice)) {
+    report.converged = false;
+    report.message =
+        "Walls have passed through each other across an air space: a smaller change of F per call helps, or "
+        "stronger contact by more Cell/Nodes per side.";
+  }
   answer.diagnostics.converged = report.converged;
   answer.diagnostics.message = report.message;
   answer.diagnostics.iterations = report.iterations;

@@ -57,8 +57,9 @@ HydrostaticRve::HydrostaticRve(CellLayout turgid, const HydrostaticRveSettings &
   bool regular = false;
   const Tensor2<2> I = Tensor2<2>::Identity();
   const Tensor4<2> affine = tangent(reference, I, Tensor2<2>::Zero(), false, scratch, regular);
-  bound = 1.2 * quadratic_bound<2>(affine);
-  waves = 1.2 * acoustic_bound(affine);
+  const double full = 1. - air_share(reference, I), closed = full * full;
+  bound = 1.2 * quadratic_bound<2>(affine) / closed;
+  waves = 1.2 * acoustic_bound(affine) / closed;
 }
 
 std::unique_ptr<Rve<2>::Workspace> HydrostaticRve::make_workspace() const {
@@ -97,7 +98,8 @@ Tensor4<2> HydrostaticRve::tangent(const std::vector<double> &x, const Tensor2<2
   const std::array<Tensor2<2>, 4> motions = unit_motions(F_inverse);
   Tensor4<2> result;
   if (relaxed)
-    regular = scratch.equilibrium.relaxed_curvature(x, H, motions, result);
+    regular =
+        scratch.equilibrium.relaxed_curvature(x, H, motions, result, has_air() ? &scratch.followed : nullptr);
   else {
     network.evaluate(x, H, NetworkOrder::hessian, scratch.evaluation, &scratch.history);
     network.affine_response(x, H, scratch.evaluation, motions, scratch.forces, result);
@@ -105,12 +107,32 @@ Tensor4<2> HydrostaticRve::tangent(const std::vector<double> &x, const Tensor2<2
   }
   result /= reference_volume;
 
-  result += AffineFlow<2>(network.layout().parameters.fluid_viscosity, F, F_dot).tangent();
+  const AffineFlow<2> flow(network.layout().parameters.fluid_viscosity, F, F_dot);
+  result += (1. - air_share(x, F)) * flow.tangent();
+  if (!has_air() || !relaxed || !regular) return result;
+  // The share changes as nodes move besides the affine motion; areas are quadratic forms of places.
+  const Tensor2<2> viscous = flow.P();
+  for (int k = 0; k < 4; ++k) {
+    const std::vector<double> &follow = scratch.followed[std::size_t(k)];
+    std::vector<double> ahead = x, behind = x;
+    for (std::size_t d = 0; d < x.size(); ++d) {
+      ahead[d] += follow[d];
+      behind[d] -= follow[d];
+    }
+    const double rise = 0.5 * (air_share(ahead, F) - air_share(behind, F));
+    for (int a = 0; a < 2; ++a)
+      for (int b = 0; b < 2; ++b) result(2 * a + b, k) -= rise * viscous(a, b);
+  }
   return result;
 }
 
-Tensor4<2> HydrostaticRve::rate_tangent(const Tensor2<2> &F) const {
-  return AffineFlow<2>(network.layout().parameters.fluid_viscosity, F, Tensor2<2>::Zero()).rate_tangent();
+Tensor4<2> HydrostaticRve::rate_tangent(const Tensor2<2> &F, const double air) const {
+  return (1. - air) *
+         AffineFlow<2>(network.layout().parameters.fluid_viscosity, F, Tensor2<2>::Zero()).rate_tangent();
+}
+
+double HydrostaticRve::air_share(const std::vector<double> &x, const Tensor2<2> &F) const {
+  return network.air_share(x, F * network.layout().lattice);
 }
 
 void HydrostaticRve::begin(const RveState<2> &committed, const RveRequest &request, Scratch &scratch) const {
@@ -167,11 +189,12 @@ RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor
     network.evaluate(x, H, NetworkOrder::gradient, scratch.evaluation);
   }
 
-  const double J = F.determinant();
+  const double J = F.determinant(), air = air_share(x, F);
+  answer.diagnostics.air = air;
   const AffineFlow<2> flow(network.layout().parameters.fluid_viscosity, F, F_dot);
-  answer.sigma = e->virial.total() / (J * reference_volume) + flow.sigma();
+  answer.sigma = e->virial.total() / (J * reference_volume) + (1. - air) * flow.sigma();
   answer.P = J * answer.sigma * F.inverse().transpose();
-  answer.viscous = flow.P();
+  answer.viscous = (1. - air) * flow.P();
   for (const double p : e->pressure) answer.pressure += p;
   answer.pressure /= double(e->pressure.size());
   if (request.tangent && answer.diagnostics.converged) {
@@ -182,7 +205,7 @@ RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor
       answer.diagnostics.message = "The tangent is not defined here: the cells are about to buckle.";
     }
   }
-  if (request.rate_tangent && answer.diagnostics.converged) answer.rate_tangent = rate_tangent(F);
+  if (request.rate_tangent && answer.diagnostics.converged) answer.rate_tangent = rate_tangent(F, air);
   if (answer.diagnostics.converged) take_energy(F, *e, answer, scratch);
   answer.trial.F = F;
   answer.trial.F_dot = F_dot;

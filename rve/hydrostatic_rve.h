@@ -24,6 +24,10 @@
 // With another boundary than the periodic one (RveBoundary) the energy is that of mean_traction.h; the rest
 // is the same.
 //
+// Where there are air spaces (air_contact.h) they are at p = 0: the air is connected with the air outside and
+// leaves freely. Stress is over the whole area, air included, the Newtonian one times the cells' share of it;
+// an answer tells the air's share. Walls that have passed through each other are no answer.
+//
 // In: F (no unit), F_dot (1/s). Out: see rve.h. State: node positions (m), x and y interleaved; history:
 // WallHistory::pack().
 #pragma once
@@ -59,14 +63,19 @@ class HydrostaticRve : public Rve<2> {
                         const RveRequest &request, Workspace &workspace) const override;
 
   double density() const override;
-  double flow_viscosity() const override { return network.layout().parameters.fluid_viscosity; }
+  /// With air the flow's share of the area is the cells', which depends on where they come to.
+  double flow_viscosity() const override {
+    return has_air() ? -1. : network.layout().parameters.fluid_viscosity;
+  }
+  bool has_air() const override { return !network.air_contact().empty(); }
   std::vector<Tensor2<2>> symmetries() const override { return settings.symmetries; }
   bool has_history() const override { return settings.walls.history(); }
   bool knows_heating() const override { return true; }
 
   /// Of Cauchy-Born at F = I, whose cells are stiffer than relaxed ones to every dF, with a fifth more for
   /// the stiffening of walls and fluid under strain (quadratic_bound.h); so is wave_modulus()
-  /// (acoustic_bound.h).
+  /// (acoustic_bound.h). Air spaces that have closed make the tissue as stiff as its cells are: over 1 - air
+  /// once because cells then fill the area, once because it has become smaller.
   double stiffness_bound() const override { return bound; }
   double viscosity_bound() const override;
   double wave_modulus() const override { return waves; }
@@ -102,7 +111,9 @@ class HydrostaticRve : public Rve<2> {
   RveCondition condition(const WallHistory &history) const;
   Tensor4<2> tangent(const std::vector<double> &x, const Tensor2<2> &F, const Tensor2<2> &F_dot, bool relaxed,
                      Scratch &scratch, bool &regular) const;
-  Tensor4<2> rate_tangent(const Tensor2<2> &F) const;
+  Tensor4<2> rate_tangent(const Tensor2<2> &F, double air) const;
+  /// Share of the area.
+  double air_share(const std::vector<double> &x, const Tensor2<2> &F) const;
 
   HydrostaticRveSettings settings;
   std::vector<std::uint32_t> clamped;    ///< at a boundary that follows F

@@ -15,7 +15,7 @@ struct HydrostaticRve::Scratch : Rve<2>::Workspace {
   NetworkEvaluation evaluation;
   WallHistory history;  // of the call under way
   std::vector<double> positions;
-  std::array<std::vector<double>, 4> forces;
+  std::array<std::vector<double>, 4> forces, followed;
 };
 
 /// to = A from, places as x and y interleaved.

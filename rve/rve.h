@@ -54,6 +54,7 @@ struct RveDiagnostics {
   double energy_drift = 0.;  ///< relative, over a rule's dynamics; 0 without dynamics
   double stress_spread = 0.;  ///< Pa, rms of the stress over the window tau_0; 0 without window
   double cpu_seconds = 0.;
+  double air = 0.;  ///< share of the area that is air between the cells
 };
 
 template <int dim>
@@ -130,6 +131,9 @@ class Rve {
   /// Pa s, mu, where the stress is that of the affine flow of such a fluid (affine_flow.h) and an elastic one
   /// that is a function of F alone while nothing has happened for good. Negative: it is not.
   virtual double flow_viscosity() const { return -1.; }
+
+  /// Whether there is air between the cells.
+  virtual bool has_air() const { return false; }
 
   /// Orthogonal Q with P(F Q) = P(F) Q while nothing has happened for good; the identity need not be among
   /// them.

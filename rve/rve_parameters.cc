@@ -163,6 +163,13 @@ void RveParameters::check() const {
   if (structure.measured()) structure.given();  // for what is wrong with its file
   if (!structure.square()) require_walls_that_hold();
   make_parenchyma(yielding_cell(), columns, rows, true, true);
+  if (structure.gap > 0. && fluid != RveFluid::hydrostatic) {
+    std::ostringstream text;
+    text << "Structure/Gap is " << structure.gap
+         << " m, but the walls of an RVE of particles (RVE/Fluid = " << word_of(fluid)
+         << ") do not touch across air spaces: use 0, or RVE/Fluid = hydrostatic.";
+    throw std::invalid_argument(text.str());
+  }
   if (fluid == RveFluid::hydrostatic && rule == RveRule::constrained_runs)
     throw std::invalid_argument(
         "RVE/Rule is " + word_of(rule) +

@@ -58,7 +58,7 @@ struct Moduli {
   }
 };
 
-std::vector<Column> stress_columns() {
+std::vector<Column> stress_columns(const bool with_air) {
   std::vector<Column> columns = {{"time", "s"}};
   for (const auto &[name, unit] :
        {Column{"F", "1"}, Column{"F_dot", "1/s"}, Column{"sigma", "Pa"}, Column{"P", "Pa"}})
@@ -76,6 +76,7 @@ std::vector<Column> stress_columns() {
                                  {"iterations", ""},
                                  {"residual", "1"},
                                  {"cpu_time", "s"}});
+  if (with_air) columns.push_back({"air_share", "1"});
   return columns;
 }
 
@@ -126,7 +127,7 @@ struct RveResponse::Walk {
         control(cells_, path_, search_of(rve)),
         state(cells_.initial_state()),
         comparison(rve),
-        table(context.series("stress", stress_columns())) {
+        table(context.series("stress", stress_columns(cells_.has_air()))) {
     if (cells.has_history()) condition.emplace(context);
   }
 
@@ -161,8 +162,8 @@ void RveResponse::add_row(Walk &walk, const LoadingPath::Load &at) const {
   const RveAnswer<2> &last = walk.last;
   // The closed form and the moduli are elastic: they are of the stress without the viscous part of F_dot.
   const Tensor2<2> L = at.F_dot * at.F.inverse();
-  const Tensor2<2> elastic =
-      last.sigma - rve.cell.fluid_viscosity * (L + L.transpose() + L.trace() * Tensor2<2>::Identity());
+  const Tensor2<2> elastic = last.sigma - (1. - last.diagnostics.air) * rve.cell.fluid_viscosity *
+                                              (L + L.transpose() + L.trace() * Tensor2<2>::Identity());
   walk.moduli.add(at.F, elastic);
   const ClosedFormComparison::Point flat = walk.comparison.add(at.F, elastic, last.pressure);
   std::vector<double> row = {at.time};
@@ -172,6 +173,7 @@ void RveResponse::add_row(Walk &walk, const LoadingPath::Load &at) const {
   row.insert(row.end(), {last.pressure, last.energy, flat.applies ? 1. : 0., flat.stress(0, 0),
                          flat.stress(0, 1), flat.stress(1, 1), flat.pressure, flat.deviation,
                          how.stress_spread, double(how.iterations), how.residual, how.cpu_seconds});
+  if (walk.cells.has_air()) row.push_back(how.air);
   walk.table->add_row(row);
   walk.cpu += how.cpu_seconds;
   walk.iterations += how.iterations;

@@ -35,6 +35,8 @@ std::vector<OutputDefinition> structure_results() {
       {"shear_modulus_45", "Pa",
        "Shear modulus of the undeformed tissue for simple shear along x, which is stretch at 45 degrees.",
        other},
+      {"air_share_at_rest", "1", "Share of the undeformed tissue's area that is air between its cells.",
+       "with Structure/Gap"},
       {"period_*", "m",
        "That component (row, column) of the lattice at turgor, whose columns are the periods of the RVE.",
        other},
@@ -112,7 +114,9 @@ Outputs RveResponse::outputs() const {
            {"iterations", "", "Number of Newton iterations (dynamic rules: micro steps) of this evaluation."},
            {"residual", "1",
             "Largest force left unbalanced on a node, over turgor times node spacing times depth."},
-           {"cpu_time", "s", "CPU time of this evaluation inside the RVE."}})
+           {"cpu_time", "s", "CPU time of this evaluation inside the RVE."},
+           {"air_share", "1", "Share of the tissue's area that is air between its cells.",
+            "with Structure/Gap"}})
       .table("cells",
              "One row for each wall node of the RVE, cell by cell, with Structure other than square.",
              {{"cell", "", "Number of the cell, from 1.", other},

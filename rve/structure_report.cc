@@ -30,6 +30,7 @@ void report_structure(RunContext &context, const TissueStructure &structure, con
       cells.evaluate(cells.initial_state(), Tensor2<2>::Identity(), Tensor2<2>::Zero(), request, workspace);
   if (!at_rest.diagnostics.converged)
     throw RunFailed("The undeformed tissue has no moduli: " + at_rest.diagnostics.message);
+  if (cells.has_air()) context.result("air_share_at_rest", at_rest.diagnostics.air, "1");
   const PlaneModuli moduli(at_rest.tangent);
   constexpr double quarter = std::numbers::pi / 4.;
   context.result("modulus_x", moduli.free(0.), "Pa");
