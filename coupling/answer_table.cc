@@ -10,7 +10,8 @@ struct Row {
   static constexpr std::size_t P = 0, sigma = dim * dim, viscous = 2 * dim * dim, energy = 3 * dim * dim,
                                pressure = energy + 1, iterations = energy + 2, residual = energy + 3,
                                spread = energy + 4, cpu = energy + 5, failed = energy + 6,
-                               dragged = energy + 7, heating = energy + 8, tangent = energy + 9;
+                               dragged = energy + 7, heating = energy + 8, air = energy + 9,
+                               tangent = energy + 10;
 };
 
 template <int dim>
@@ -55,6 +56,7 @@ void AnswerTable<dim>::put(const std::size_t point, const RveAnswer<dim> &a) {
   row[R::spread] = a.diagnostics.stress_spread;
   row[R::cpu] = a.diagnostics.cpu_seconds;
   row[R::dragged] = a.diagnostics.dragged;
+  row[R::air] = a.diagnostics.air;
   if (tangents) write<dim>(a.tangent, row + R::tangent);
   if (rate_tangents) write<dim>(a.rate_tangent, row + rate_tangent);
   if (conditions) {
@@ -141,6 +143,7 @@ RveDiagnostics AnswerTable<dim>::diagnostics(const std::size_t point) const {
   diagnostics.stress_spread = row[R::spread];
   diagnostics.cpu_seconds = row[R::cpu];
   diagnostics.dragged = row[R::dragged] != 0.;
+  diagnostics.air = row[R::air];
   return diagnostics;
 }
 

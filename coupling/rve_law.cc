@@ -107,6 +107,7 @@ void RveLaw<dim>::count(const AnswerTable<dim> &table) {
     double &residual = d.dragged ? s.max_dragged_residual : s.max_residual;
     residual = std::max(residual, d.residual);
     s.max_stress_spread = std::max(s.max_stress_spread, d.stress_spread);
+    s.least_air = std::min(s.least_air, d.air);
     s.rve_cpu_seconds += d.cpu_seconds;
     // The last cost alone does not predict the next: a step that needed one Newton iteration more is no
     // trend.

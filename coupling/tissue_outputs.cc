@@ -64,6 +64,10 @@ std::vector<OutputDefinition> call_results() {
        "Largest number of Newton iterations (bursts: micro steps) of an evaluation."},
       {"rve_residual_max", "1",
        "Largest force left unbalanced on a node of an RVE, over turgor times node spacing times depth."},
+      {"air_share_least", "1",
+       "Smallest share of an RVE's area that was air between its cells; negative by what walls are pressed "
+       "into each other.",
+       "with Structure/Gap"},
       {"rve_calls_dragged", "",
        "Number of evaluations whose torn walls found no equilibrium near by and were held by drag.", torn},
       {"rve_residual_max_dragged", "1",

@@ -38,6 +38,7 @@ void TissueCourse::report_calls() {
   context.result("rve_iterations_mean", s.calls > 0 ? double(s.iterations) / double(s.calls) : 0., "1");
   context.result("rve_iterations_max", s.max_iterations, "");
   context.result("rve_residual_max", s.max_residual, "1");
+  if (rve.has_air() && s.calls > s.failed_calls) context.result("air_share_least", s.least_air, "1");
   if (rve.has_history()) {
     // A torn RVE without an equilibrium near by is held by drag; its stress is off by about that residual of
     // the turgor.
