@@ -113,7 +113,7 @@ class NetworkEquilibrium {
   std::vector<BlockLdlt::Place> own, next, second, border;  ///< per node: with itself, the next two, its cell
   std::vector<Block2> constant_part;                        ///< ties and the rows of q
   bool apart = true;  ///< no block takes up the changing parts of two pairs (rings of four nodes have such)
-  std::vector<std::vector<BlockLdlt::Place>> across;        ///< per air space, of all pairs of its nodes
+  std::vector<std::vector<BlockLdlt::Place>> across;  ///< per air space, of all pairs of its nodes
   NetworkEvaluation now, trial, energy_scratch;
   std::vector<double> step, x_trial;
   double round_off_floor;
