@@ -66,8 +66,8 @@ void HydrostaticRve::settle(const RveState<2> &committed, const Tensor2<2> &F, R
   if (report.converged && has_air() && network.air_lost(x, F * network.layout().lattice)) {
     report.converged = false;
     report.message =
-        "Walls have passed through each other across an air space: a smaller change of F per call helps, or "
-        "stronger contact by more Cell/Nodes per side.";
+        "Walls have passed through each other across an air space: they are pressed together harder than "
+        "their contact holds. Press less, or use Structure/Gap = 0.";
   }
   answer.diagnostics.converged = report.converged;
   answer.diagnostics.message = report.message;
