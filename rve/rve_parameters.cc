@@ -180,6 +180,12 @@ void RveParameters::check() const {
     throw std::invalid_argument("RVE/Boundary is " + word_of(boundary) +
                                 ", which needs 'RVE/Fluid = hydrostatic' and 'RVE/Rule = "
                                 "elastic_equilibrium'.");
+  if (boundary != RveBoundary::periodic && structure.gap > 0.) {
+    std::ostringstream text;
+    text << "Structure/Gap is " << structure.gap << " m, but a window (RVE/Boundary = " << word_of(boundary)
+         << ") would be cut through air spaces: use 0, or RVE/Boundary = periodic.";
+    throw std::invalid_argument(text.str());
+  }
   const WallLimits limits = wall_limits();
   limits.check(yield);
   if (limits.failure() || yielding != Yielding::none) {

@@ -242,6 +242,10 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_gets_a_sentence) {
     return [part](const std::exception &e) { return std::string(e.what()).find(part) != std::string::npos; };
   };
   BOOST_CHECK_EXCEPTION(p.check(), std::invalid_argument, says("use 0, or RVE/Fluid = hydrostatic"));
+  p.fluid = RveFluid::hydrostatic;
+  p.boundary = RveBoundary::uniform_traction;
+  BOOST_CHECK_EXCEPTION(p.check(), std::invalid_argument, says("use 0, or RVE/Boundary = periodic"));
+  p.boundary = RveBoundary::periodic;
   p.structure.gap = 25e-6;
   BOOST_CHECK_EXCEPTION(turgid_tissue(p.structure, p.cell, 1, 1), std::invalid_argument,
                         says("less than a quarter of Cell/Period"));
