@@ -80,6 +80,7 @@ class NetworkEquilibrium {
  private:
   void build_pattern();
   void assemble(double shift);
+  void place_contact();
   void add_contact();  ///< of the last evaluation
   bool factorise(double shift);
   double residual(const NetworkEvaluation &at) const;

@@ -62,11 +62,7 @@ void NetworkEquilibrium::build_pattern() {
     add_isotropic(place(block(tie.b), block(tie.b)), tie.stiffness);
     add_isotropic(place(block(tie.a), block(tie.b)), -tie.stiffness);
   }
-  across.resize(air.size());
-  for (std::size_t s = 0; s < air.size(); ++s)
-    for (const AirContact::Node &a : air.nodes(s))
-      for (const AirContact::Node &b : air.nodes(s)) across[s].push_back(place(block(a.node), block(b.node)));
-
+  place_contact();
   for (std::size_t c = 0; c < layout.rings.size(); ++c)
     constant_part[place(cell_block(c), cell_block(c)).index] = {-1., 0., 0., 1.};
   if (traction) {
@@ -130,6 +126,18 @@ void NetworkEquilibrium::assemble(const double shift) {
     }
   }
   add_contact();
+}
+
+void NetworkEquilibrium::place_contact() {
+  const AirContact &air = network.air_contact();
+  across.resize(air.size());
+  for (std::size_t s = 0; s < air.size(); ++s)
+    for (const AirContact::Node &a : air.nodes(s))
+      for (const AirContact::Node &b : air.nodes(s)) {
+        const int i = unknown[2 * a.node], j = unknown[2 * b.node];
+        across[s].push_back(i < 0 || j < 0 ? BlockLdlt::Place{fixed, false}
+                                           : solver.place(std::uint32_t(i / 2), std::uint32_t(j / 2)));
+      }
 }
 
 void NetworkEquilibrium::add_contact() {
