@@ -40,7 +40,7 @@ def curve(run, name):
 
 def pressed(run):
     stress = curve(run, "P_yy")
-    return " / ".join(f"{-stress[percent] / 1e3:.3g}" if percent < len(stress) else "-" for percent in (5, 10, 20))
+    return " / ".join(f"{-stress[percent] / 1e3:.{0 if stress[percent] < -1e5 else 1}f}" if percent < len(stress) else "-" for percent in (5, 10, 20))
 
 
 def closed(run):
@@ -59,7 +59,7 @@ def main():
     for tissue in TISSUES:
         free, held = (runs[label(tissue, sides)] for sides in SIDES)
         found = results(free)
-        moduli = " | ".join(f"{found[name] / 1e3:.4g}" for name in ("modulus_x", "modulus_y", "modulus_45", "held_modulus_y"))
+        moduli = " | ".join(f"{found[name] / 1e3:.0f}" for name in ("modulus_x", "modulus_y", "modulus_45", "held_modulus_y"))
         lines.append(f"| {tissue[0]} | {tissue[1]} | {tissue[2]} | {found.get('air_share_at_rest', 0):.3f} | {moduli} | {pressed(free)} | "
                      f"{pressed(held)} | {closed(held)} |")
     lines += [f"\n{name} did not finish: {run['message']}" for name, run in runs.items() if run["status"] != "finished"]
