@@ -47,8 +47,8 @@ std::vector<OutputDefinition> energy_results() {
       {"dissipated_by_failure", "J/m", "Energy that breaking walls have set free, per metre of depth."},
       {"released", "J/m",
        "Work less stored, contact and dissipated energy of the steps in which walls broke or the tissue "
-       "jumped: what would have become motion and heat, per metre of depth. Negative where RVEs tell the "
-       "flow of so large a step too high."},
+       "jumped: what would have become motion and heat, per metre of depth. Negative where the energy of "
+       "those steps does not balance."},
       {"energy_gap_share", "1",
        "The same of all other steps, over the largest work so far: the error of the trapezoidal rule, "
        "which falls with the square of the step."},

@@ -170,10 +170,13 @@ void StaticCourse::report_energy() {
              " % of the largest work is not found again as stored, dissipated or released energy (a smaller "
              "Load steps/Largest makes it less)");
   if (e.released < -energy_gap.noted * most)
-    remarked(context, "released",
-             "In the steps in which walls broke or the tissue jumped " + number_text(-e.released, 3) +
-                 " J/m more were dissipated than there was to release: an RVE tells the flow of a step as "
-                 "large as a break too high. Forces and failed cells do not depend on it.");
+    remarked(
+        context, "released",
+        "In the steps in which walls broke or the tissue jumped " + number_text(-e.released, 3) +
+            " J/m more were dissipated than there was to release, " +
+            number_text(-100. * e.released / most, 3) +
+            " % of the largest work: the energy of those steps does not balance. Up to the first of them "
+            "it does (energy_gap_share); what is told of forces and failed cells beyond it is less sure.");
   // what a rate this slow leaves out
   const double viscous = rve.viscosity_bound() * memory.fastest;
   const double stress = memory.largest_stress;
