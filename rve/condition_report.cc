@@ -13,8 +13,8 @@ ConditionReport::ConditionReport(RunContext &context)
     : table(context.series("condition", {{"time", "s"},
                                          {"failed_share", "1"},
                                          {"permanent_stretch", "1"},
-                                         {"dissipated_by_flow", "J/m^3"},
-                                         {"dissipated_by_failure", "J/m^3"}})) {}
+                                         {"flow_dissipation", "J/m^3"},
+                                         {"failure_dissipation", "J/m^3"}})) {}
 
 void ConditionReport::define(Outputs &outputs) {
   outputs
@@ -28,10 +28,10 @@ void ConditionReport::define(Outputs &outputs) {
               {"failed_share", "1", "Share of the cells that have failed.", lasting},
               {"permanent_stretch", "1", "Mean permanent stretch of the walls over that at rest, less 1.",
                lasting},
-              {"dissipated_by_flow", "J/m^3", "Energy over undeformed volume that yielding walls have taken.",
+              {"flow_dissipation", "J/m^3", "Energy over undeformed volume that yielding walls have taken.",
                lasting},
-              {"dissipated_by_failure", "J/m^3",
-               "Energy over undeformed volume set free by walls that broke.", lasting}});
+              {"failure_dissipation", "J/m^3", "Energy over undeformed volume set free by walls that broke.",
+               lasting}});
 }
 
 void ConditionReport::add(const double time, const RveAnswer<2> &answer) {

@@ -68,7 +68,7 @@ void TangentReport::define(Outputs &outputs) {
             "Smallest eigenvalue of the acoustic tensor along the path, over all directions, without viscous "
             "stress; negative where FE² has lost ellipticity.",
             when},
-           {"smallest_acoustic_time", "s", "Time of that point.", when},
+           {"smallest_acoustic_time", "s", "Time of that point of the path.", when},
            {"smallest_acoustic_normal", "deg",
             "Normal of the band that slides or opens there, in the tissue as it is deformed, from x.", when},
            {"smallest_acoustic_motion", "deg", "Direction in which that band moves, from x.", when},
@@ -76,13 +76,13 @@ void TangentReport::define(Outputs &outputs) {
             "where ellipticity is lost"}})
       .table("tensors", "One row for each component of the tensors at rest, relaxed.",
              {{"a", "", "Row of P: 1 for x, 2 for y.", when},
-              {"b", "", "Column of P.", when},
-              {"c", "", "Row of F.", when},
-              {"d", "", "Column of F.", when},
+              {"b", "", "Column of the stress P, 0 or 1.", when},
+              {"c", "", "Row of the gradient F, 0 or 1.", when},
+              {"d", "", "Column of the gradient F, 0 or 1.", when},
               {"elasticity", "Pa", "dP_ab/dF_cd of the undeformed tissue.", when},
               {"viscosity", "Pa s", "dP_ab/dF_dot_cd of the undeformed tissue.", when}})
       .table("polar", "One row for each direction, at rest.",
-             {{"direction", "deg", "Angle from x.", when},
+             {{"direction", "deg", "Angle of the direction from x.", when},
               {"young_modulus", "Pa", "Stress over strain along it, sides free (plane strain).", when},
               {"shear_modulus", "Pa", "Of simple shear along it.", when},
               {"extensional_viscosity", "Pa s", "Viscous stress over rate along it, sides free.", when},

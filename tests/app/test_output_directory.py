@@ -201,7 +201,8 @@ class OutputDirectory(Case):
         self.assertEqual(tree(self.directory), before)
 
     def test_where_there_is_nothing_to_draw_no_advice_is_given_to_draw(self):
-        one_point = ["run", os.path.join(SOURCE, "inputs", "rve_response.prm"), "--set", "Path/F=1, 0.05; 0, 1", "-o", "out"]
+        one_point = ["run", os.path.join(SOURCE, "inputs", "rve_response.prm"), "--set", "Path/F=1, 0.05; 0, 1", "--set", "Path/Tangents=false", "-o",
+                     "out"]
         for again in ([], ["--resume"]):
             done = self.accepted(*one_point, *again)
             for word in ("plot", "drawn"):

@@ -46,7 +46,7 @@ void BodyEntries::declare(InputEntries &prm) {
   prm.add_parameter("Unit", unit, "Length of one unit of the file. Units: m.", Double(1e-12, 1e3));
   prm.add_parameter(
       "Position", position,
-      "Where the mean of the body's nodes is at the start; the first cells are about the origin: x, "
+      "Place of the mean of the body's nodes at the start; the first cells are about the origin: x, "
       "y, z. Units: m.",
       List(Double(-1e3, 1e3), 3, 3, ","));
   prm.add_parameter(
@@ -126,7 +126,7 @@ Surroundings BodyEntries::surroundings(const std::optional<LocalStiffness> &stif
         {"body_y", "m", body.centre[1]},
         {"body_z", "m", body.centre[2]},
         {"body_speed", "m/s", body.velocity.norm()},
-        {"body_force", "N", body.force().norm()},
+        {"force_on_body", "N", body.force().norm()},
         {"body_pressing", "N", now.pressing},
         {"body_imbalance", "1", now.pressing > 0. ? imbalance / now.pressing : 0.},
         {"cells_on_body", "", now.count}};
@@ -173,7 +173,7 @@ Outputs BodyEntries::outputs() {
               {"body_y", "m", "Place of the body's centre along y.", there},
               {"body_z", "m", "Place of the body's centre along z.", there},
               {"body_speed", "m/s", "Speed of the body's centre in the last step.", there},
-              {"body_force", "N", "Size of the force that the cells put on the body.", there},
+              {"force_on_body", "N", "Size of the force that the cells put on the body.", there},
               {"body_pressing", "N", "Sum of the sizes of all forces between cells and body.", there},
               {"body_imbalance", "1",
                "Force on the body plus the forces on the cells, each summed by itself, over body_pressing: 0 "
@@ -181,8 +181,9 @@ Outputs BodyEntries::outputs() {
                "for round-off.",
                there},
               {"cells_on_body", "", "Number of cells that touch the body.", there}})
-      .fields("body", "The surface of the body as triangles.",
-              {{"velocity", "m/s", "Velocity of the surface.", "with a Body/File and Frames > 0"}});
+      .fields(
+          "body", "The surface of the body as triangles.",
+          {{"velocity", "m/s", "Velocity of the body's surface there.", "with a Body/File and Frames > 0"}});
   return all;
 }
 }  // namespace turgor

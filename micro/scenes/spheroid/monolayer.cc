@@ -6,6 +6,7 @@
 namespace turgor {
 Monolayer::Monolayer() {
   flat = true;
+  takes_body = false;  // one that is met would push cells out of their plane
   first_cells = 4;
   phases = FirstPhases::spread;
   duration = 10. * 61200.;  // cycles

@@ -21,12 +21,16 @@ class SpheroidFree : public SpheroidScene {
   SpheroidFree();
 
  protected:
-  void declare_more(InputEntries &prm) override { body.declare(prm); }
+  void declare_more(InputEntries &prm) override {
+    if (takes_body) body.declare(prm);
+  }
   void check_more() const override;
   Surroundings make_surroundings() const override;
   bool has_body() const override { return body.is_there(); }
   Outputs more_outputs() const override;
   void report(RunContext &context, const GrowthTable &table, CellCulture &culture) const override;
+
+  bool takes_body = true;  ///< whether it has the subsection Body
 
  private:
   void report_body(RunContext &context, const GrowthTable &table) const;
