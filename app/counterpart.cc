@@ -81,6 +81,14 @@ Counterpart counterpart_of(const Input &tissue, const ScenarioRegistry &registry
     throw InputError(scenes.sides +
                      " is clamped, but a block of all cells is held at its left side alone: "
                      "compare with free or periodic.");
+  if (read_number(values.at(scenes.same[1].first)) == 0.)
+    throw InputError(scenes.same[1].first +
+                     " is 0: without a load there is nothing to compare; use another.");
+  if (const double turned = read_number(values.at("Structure/Rotation")).value_or(0.); turned != 0.)
+    throw InputError(
+        "Structure/Rotation is " + number_text(turned) +
+        " degrees, but the sides of a block of all cells are upright, and so is its tissue: compare "
+        "with 0.");
   Counterpart cells{scenes.cells, {}, sides == "free", scenes.moves, {}, {}};
   const std::unique_ptr<Scenario> scene = registry.make(scenes.cells);
   InputEntries prm;

@@ -1,6 +1,7 @@
 #include "rve/mixed_control.h"
 
 #include "run/number_text.h"
+#include "run/stop_flag.h"
 #include "rve/elastic_tangent.h"
 
 #include <Eigen/Eigenvalues>
@@ -107,8 +108,10 @@ RveAnswer<2> MixedControl::find(const RveState<2> &from, const double dt, Loadin
   if (!search.answer.diagnostics.converged) return search.answer;
   search.K = model(search.answer, dt);
   search.r = excess(search.answer, load);
-  for (int step = 0; step < 60 && !search.found; ++step)
+  for (int step = 0; step < 60 && !search.found; ++step) {
+    stop_here("while the F that carries the stress was searched for");
     if (!newton_step(search, from, dt, load, workspace)) break;
+  }
   if (!search.found) {
     search.answer.diagnostics.converged = false;
     if (search.answer.diagnostics.message.empty())
@@ -142,7 +145,9 @@ void MixedControl::explain(RveAnswer<2> &answer, const LoadingPath::Load &last,
             " Pa: it can hardly carry more (a limit point). Give the largest of them as F, in "
             "Path/Keyframes, to go on beyond it.";
   else
-    text += "Take more Path/Points or less of a change.";
+    text +=
+        "Take more Path/Points or less of a change; where it then ends at the same stress, that is the most "
+        "the walls carry: they break there, or stretch without end.";
   answer.diagnostics.message = text;
 }
 

@@ -141,27 +141,11 @@ void RveParameters::add_parameters(InputEntries &prm) {
   prm.leave_subsection();
 }
 
-// What cells of any shape hold at most is p = P^2/A F(lambda)/(2 lambda P_0 z0), as turgid_limit.h has it of
-// round ones. P_0 is no less than 3.5 Cell/Period and P^2/A no more than 18 in the mean of a tissue, so that
-// twice the limit of a round cell with P_0 = 4 Cell/Period is beyond what any of them holds.
-void RveParameters::require_walls_that_hold() const {
-  const ParenchymaParameters held = yielding_cell();
-  const double limit = 2. * turgid_limit(held.wall_law(), round_cell, 4. * held.period, held.depth).pressure;
-  if (held.turgor < limit || structure.measured()) return;
-  std::ostringstream text;
-  text << "Cell/Turgor is " << held.turgor
-       << " Pa, but cells of Structure/Structure = " << word_of(structure.kind)
-       << " with walls of Cell/Wall stiffness = " << held.wall_stiffness
-       << " N/m and Cell/Period = " << held.period << " m hold less than " << limit
-       << " Pa: beyond it walls stretch without end. Use less turgor, stiffer walls or smaller cells.";
-  throw std::invalid_argument(text.str());
-}
-
 void RveParameters::check() const {
   equilibrium_tolerance();
   structure.check();
   if (structure.measured()) structure.given();  // for what is wrong with its file
-  if (!structure.square()) require_walls_that_hold();
+  require_walls_that_hold(structure, yielding_cell());
   make_parenchyma(yielding_cell(), columns, rows, true, true);
   if (structure.gap > 0. && fluid != RveFluid::hydrostatic) {
     std::ostringstream text;

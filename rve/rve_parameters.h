@@ -62,8 +62,6 @@ struct RveParameters {
   void add_parameters(InputEntries &prm);
   /// Throws std::invalid_argument, entry and allowed range in one sentence.
   void check() const;
-  /// Throws std::invalid_argument for turgor that no wall of cells of another shape than squares holds.
-  void require_walls_that_hold() const;
 
  private:
   void declare_walls(InputEntries &prm);

@@ -14,8 +14,10 @@ bool moved_rows(const TissueStructure &structure) {
 }
 }  // namespace
 
-void check_block(const TissueStructure &structure, const unsigned int rows) {
+void check_block(const TissueStructure &structure, const ParenchymaParameters &cell,
+                 const unsigned int rows) {
   structure.check();
+  require_walls_that_hold(structure, cell);
   if (structure.rotation != 0.)
     throw std::invalid_argument("Structure/Rotation is " + number_text(structure.rotation) +
                                 " degrees, but the sides of a clamped block are upright, and so is its "
@@ -32,7 +34,7 @@ void check_block(const TissueStructure &structure, const unsigned int rows) {
 
 CellLayout turgid_block(const TissueStructure &structure, const ParenchymaParameters &cell,
                         const unsigned int columns, const unsigned int rows) {
-  check_block(structure, rows);
+  check_block(structure, cell, rows);
   const bool regular = moved_rows(structure) && structure.jitter == 0.;
   return regular ? repeated(turgid_tissue(structure, cell, 1, 2, Periods::upright), columns, rows / 2)
                  : turgid_tissue(structure, cell, columns, rows, Periods::upright);

@@ -1,7 +1,7 @@
 // A block with upright sides of tissue of any structure (tissue_structure.h), for the scenes that clamp it at
 // its left side (cut_block.h): the very tissue that an RVE of the same entries stands for.
 //
-//   check_block(structure, rows);
+//   check_block(structure, cell, rows);
 //   const CellLayout block = turgid_block(structure, cell, 16, 16);      // periodic both ways, at right
 //   angles
 //
@@ -12,8 +12,9 @@
 #include "micro/cells/tissue_structure.h"
 
 namespace turgor {
-/// Throws std::invalid_argument with a sentence: a tissue that is turned, or rows that come in twos.
-void check_block(const TissueStructure &structure, unsigned int rows);
+/// Throws std::invalid_argument with a sentence: a tissue that is turned, rows that come in twos, turgor that
+/// walls do not hold.
+void check_block(const TissueStructure &structure, const ParenchymaParameters &cell, unsigned int rows);
 
 /// At turgor. Where all cells are alike one pair of rows comes to turgor and is repeated. Throws
 /// std::invalid_argument.

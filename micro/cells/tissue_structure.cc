@@ -3,6 +3,7 @@
 #include "micro/cells/parenchyma.h"
 #include "micro/cells/tiled_layout.h"
 #include "micro/cells/turgid_layout.h"
+#include "micro/cells/turgid_limit.h"
 #include "micro/geometry/joined_polygons.h"
 #include "micro/geometry/laguerre_tiling.h"
 #include "micro/geometry/regular_tilings.h"
@@ -154,6 +155,20 @@ Tiling TissueStructure::tiling(const double side, const unsigned int columns, co
     for (std::size_t d = 0; d < 2; ++d)
       tiling.vertices[v][d] += jitter * side * (2. * random_uniform(seed, 2 * v + d) - 1.);
   return without_short_sides(tiling, shortest);
+}
+
+// What cells of any shape hold at most is p = P^2/A F(lambda)/(2 lambda P_0 z0), as turgid_limit.h has it of
+// round ones. P_0 is no less than 3.5 Cell/Period and P^2/A no more than 18 in the mean of a tissue, so that
+// twice the limit of a round cell with P_0 = 4 Cell/Period is beyond what any of them holds.
+void require_walls_that_hold(const TissueStructure &structure, const ParenchymaParameters &held) {
+  if (structure.square() || structure.measured()) return;
+  const double limit = 2. * turgid_limit(held.wall_law(), round_cell, 4. * held.period, held.depth).pressure;
+  if (held.turgor < limit) return;
+  throw std::invalid_argument(
+      "Cell/Turgor is " + number_text(held.turgor) + " Pa, but cells of Structure/Structure = " +
+      word_of(structure.kind) + " with walls of Cell/Wall stiffness = " + number_text(held.wall_stiffness) +
+      " N/m and Cell/Period = " + number_text(held.period) + " m hold less than " + number_text(limit) +
+      " Pa: beyond it walls stretch without end. Use less turgor, stiffer walls or smaller cells.");
 }
 
 CellLayout laid_tissue(const TissueStructure &structure, ParenchymaParameters cell,

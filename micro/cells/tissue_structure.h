@@ -67,6 +67,9 @@ struct TissueStructure {
                 Periods periods = Periods::leaning) const;
 };
 
+/// Throws std::invalid_argument for turgor that no wall of cells of another shape than squares holds.
+void require_walls_that_hold(const TissueStructure &structure, const ParenchymaParameters &cell);
+
 /// columns x rows periodic cells as they are laid, before turgor: nodes, bonds and ties are those of
 /// turgid_tissue(). Throws std::invalid_argument.
 CellLayout laid_tissue(const TissueStructure &structure, ParenchymaParameters cell, unsigned int columns,

@@ -3,6 +3,7 @@
 #include "micro/cells/network_equilibrium.h"
 #include "micro/cells/parenchyma.h"
 #include "run/number_text.h"
+#include "run/stop_flag.h"
 #include "run/start_disturbance.h"
 
 #include <algorithm>
@@ -48,6 +49,7 @@ class FreeTissue {
     settle(x, H);
     double last = stress();
     for (int step = 0; last > goal; ++step) {
+      stop_here("while the tissue came to turgor");
       if (step >= 100)
         throw std::invalid_argument("The turgid reference of this tissue is not found: a mean stress of " +
                                     number_text(last) + " Pa is left at a turgor of " +

@@ -207,7 +207,7 @@ void read_stl(const std::filesystem::path &file, Surface &surface) {
   if (bytes.size() >= 84) std::memcpy(&triangles, bytes.data() + 80, 4);
   if (bytes.size() >= 84 && bytes.size() == 84 + 50 * std::size_t(triangles))
     read_binary_stl(bytes, surface);
-  else if (bytes.starts_with("solid"))
+  else if (bytes.starts_with("solid") && bytes.find('\0') == std::string::npos)
     read_ascii_stl(read_text(file), surface);
   else
     surface.fail(bytes.size() < 84

@@ -19,7 +19,7 @@ void TriangleMesh::complete() {
       const std::uint16_t a = faces[f][k], b = faces[f][(k + 1) % 3], c = faces[f][(k + 2) % 3];
       nodes = std::max(nodes, std::uint32_t(a) + 1);
       if (!half.insert({{a, b}, {f, c}}).second)
-        throw std::invalid_argument("the triangles of a wall do not form an oriented surface at nodes " +
+        throw std::invalid_argument("the triangles do not form an oriented surface at nodes " +
                                     number_text(a) + ", " + number_text(b));
     }
   edges.clear();
@@ -29,8 +29,8 @@ void TriangleMesh::complete() {
       const std::uint16_t a = faces[f][k], b = faces[f][(k + 1) % 3];
       const auto other = half.find({b, a});
       if (other == half.end())
-        throw std::invalid_argument("the triangles of a wall are not closed at nodes " + number_text(a) +
-                                    ", " + number_text(b));
+        throw std::invalid_argument("the triangles are not closed at nodes " + number_text(a) + ", " +
+                                    number_text(b));
       const std::uint32_t g = other->second.first;
       if (g < f) continue;  // named by the face before
       const std::uint32_t e = std::uint32_t(edges.size());

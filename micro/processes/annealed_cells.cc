@@ -112,7 +112,7 @@ AnnealedCells anneal(const CellLayout &layout_, const SphParameters &sph,
         "the cell fluid has not come to rest after " + number_text((1 + most_patience) * steps) + " steps, " +
         number_text(1 + most_patience) + " times SPH/Anneal steps (unbalanced force " +
         number_text(reference.residual) + " of turgor times node spacing times depth, allowed " +
-        number_text(largest_residual) + "): anneal longer.");
+        number_text(largest_residual) + "): raise SPH/Anneal steps.");
   const Tensor2<2> sigma = system.virial() / volume;
   reference.cells = contents_of(*wet);
   reference.residual_stress[0] = sigma(0, 0);

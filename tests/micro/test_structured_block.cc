@@ -26,9 +26,10 @@ TissueStructure of_kind(const StructureKind kind) {
   return structure;
 }
 
-std::string refusal(const TissueStructure &structure, const unsigned int rows) {
+std::string refusal(const TissueStructure &structure, const unsigned int rows,
+                    const ParenchymaParameters &cell = coarse_cell()) {
   try {
-    check_block(structure, rows);
+    check_block(structure, cell, rows);
   } catch (const std::invalid_argument &why) {
     return why.what();
   }
@@ -107,6 +108,10 @@ BOOST_AUTO_TEST_CASE(blocks_that_cannot_be) {
       "Rows is 3, but rows of Structure/Structure = brick are moved by half a cell, so that a block has "
       "an even number of them: use 4.");
   BOOST_TEST(refusal(of_kind(StructureKind::voronoi), 3).empty());
+  ParenchymaParameters bursting = coarse_cell();
+  bursting.turgor = 1e8;
+  BOOST_TEST(refusal(bricks, 4, bursting).find("walls stretch without end. Use less turgor") !=
+             std::string::npos);
   bricks.rotation = 30.;
   BOOST_TEST(refusal(bricks, 4) ==
              "Structure/Rotation is 30 degrees, but the sides of a clamped block are upright, and so is its "

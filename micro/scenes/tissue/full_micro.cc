@@ -186,8 +186,11 @@ void FullMicro::Run::require_sound() const {
   if (const std::string wrong = unsound(system.particles, bounds); !wrong.empty())
     throw RunFailed("the run diverged before t = " + number_text(time()) + " s (step " + number_text(step) +
                     "): " + wrong +
-                    ". The last checkpoint holds the last good state; use a smaller Load (now " +
-                    number_text(scene.load) + " Pa) or an End time before it.");
+                    (step == 0
+                         ? ". It did so before it was loaded: its cells do not hold what they are given; use "
+                           "less Cell/Turgor, or a larger Cell/Fluid modulus with more SPH/Anneal steps."
+                         : ". The last checkpoint holds the last good state; use a smaller Load (now " +
+                               number_text(scene.load) + " Pa) or an End time before it."));
 }
 
 Vector<2> FullMicro::Run::probe_displacement() const {

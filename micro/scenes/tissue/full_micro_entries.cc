@@ -45,7 +45,7 @@ void FullMicro::check() const {
     throw InputError(
         "Columns x Rows x Particles per side^2 is more than 2e8 particles: choose a smaller block.");
   check_sph_cell(cell, sph);
-  check_block(structure, rows);
+  check_block(structure, cell, rows);
 }
 
 CellLayout FullMicro::laid_out() const {

@@ -40,7 +40,7 @@ void StaticLattice::check() const {
         "Columns x Rows x 4 x Cell/Nodes per side is more than 1e6 wall nodes, too many for a direct solver: "
         "choose a smaller block.");
   make_parenchyma(cell, 1, 1, true, true);
-  check_block(structure, rows);
+  check_block(structure, cell, rows);
 }
 
 LatticeBlock StaticLattice::make_block() const {
