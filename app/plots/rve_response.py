@@ -93,7 +93,7 @@ def main(directory):
                               linestyle=(0, (2, 2)), label="closed form (flat walls)" if c == "yy" and k == 0 else None)
             draw_data(axis, f"F_{lead} [1]", f"sigma_{c} [Pa]", 100, 1e-3)
         axis.set_xlabel(f"{NAMES[lead]} [%]", color=INK)
-        axis.set_ylabel("stress, positive in tension [kPa]", color=INK)
+        axis.set_ylabel("Cauchy stress, positive in tension [kPa]", color=INK)
     axes[-1].plot(scale * time, table["pressure [Pa]"] / 1e3, color=ALONG, linewidth=1.8)
     axes[-1].set_ylabel("pressure of the cells' fluid [kPa]", color=INK)
     for axis in axes:
