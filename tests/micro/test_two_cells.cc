@@ -44,6 +44,22 @@ BOOST_AUTO_TEST_CASE(rest_is_judged_by_the_net_force) {
   BOOST_CHECK_SMALL(result("set Adhesion = 3e-4", "pull_off_error"), 1e-6);
 }
 
+BOOST_AUTO_TEST_CASE(a_pair_that_holds_comes_to_rest) {
+  // weak adhesion, whose place of rest lies below the overlap at the start, and cells of other sizes
+  for (const std::string entry : {"Adhesion = 3e-5", "Adhesion = 1e-7", "Adhesion = 1e-10", "Radius = 7e-3",
+                                  "Adhesion = 1e-10\nset Law = extended_hertz"})
+    BOOST_CHECK_SMALL(result("set " + entry, "pull_off_error"), 1e-6);
+}
+
+BOOST_AUTO_TEST_CASE(a_search_without_end_says_what_helps) {
+  const std::string soft = "set Modulus = 1e-3\nset Adhesion = 1e-12\nset Radius = 1\n";
+  BOOST_CHECK_EXCEPTION(result(soft + "set Medium friction = 1e-12", "pull_off"), RunFailed,
+                        [](const RunFailed &e) {
+                          return std::string(e.what()).find("a larger Medium friction") != std::string::npos;
+                        });
+  BOOST_CHECK_SMALL(result(soft + "set Medium friction = 1", "pull_off_error"), 1e-6);
+}
+
 BOOST_AUTO_TEST_CASE(a_bracket_has_ends) {
   const auto below_two = [](const double x) { return x * x < 2.; };
   BOOST_TEST(bisect(1., 2., below_two, "a root") == std::sqrt(2.), boost::test_tools::tolerance(1e-15));

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace turgor {
 void TwoCells::declare_parameters(InputEntries &prm) {
@@ -85,16 +86,30 @@ bool TwoCells::holds(const double force) const {
                          .longest_step = HUGE_VAL},
                         motion, 1);
   // It holds once the net force apart is a hundredth of the accuracy asked for, or turns: between there and
-  // the start it was nothing. It is free where there is no contact any more. The net force itself: beside the
-  // friction between the cells that of the medium may be nothing, so that velocity times Medium friction says
-  // nothing.
-  for (;;) {
-    stepper.step(p, HUGE_VAL);
+  // the start it was nothing. Or once the way left to rest is the round-off of the cells' places. It is free
+  // where there is no contact any more. The net force itself: beside the friction between the cells that of
+  // the medium may be nothing, so that velocity times Medium friction says nothing.
+  //
+  // A step lasts half the time in which the contact relaxes: force over overlap bends upwards, so that none
+  // passes the place of rest, and the force left is halved in every second or so. The tolerance of the steps
+  // alone lets them grow until the pair dances about its rest, as far from it as the tolerance, for ever.
+  constexpr int most_steps = 100000;  // hundreds are enough
+  double relaxation = HUGE_VAL;
+  for (int k = 0; k < most_steps; ++k) {
+    stepper.step(p, 0.5 * relaxation);
     stop_here("during the search for the pull-off force");
     motion.forces(p, true);
     if (contacts.contacts().empty() || !(contacts.contacts()[0].area > 0.)) return false;
-    if (p.f[0][1] < 0.01 * accuracy * force) return true;
+    const PairContact &contact = contacts.contacts()[0];
+    const double place = 8. * radius * std::numeric_limits<double>::epsilon();  // m
+    if (p.f[0][1] < std::max(0.01 * accuracy * force, contact.stiffness * place)) return true;
+    relaxation =
+        contact.stiffness > 0. ? 0.5 * (gamma + 2. * friction * contact.area) / contact.stiffness : HUGE_VAL;
   }
+  throw RunFailed("the search for the pull-off force: a pair drawn apart by " + number_text(force) +
+                  " N neither came to rest nor let go within " + number_text(most_steps) +
+                  " steps. Use a larger Medium friction (" + number_text(gamma) +
+                  " N s/m) or a larger Accuracy (" + number_text(accuracy) + "); approach.csv is whole.");
 }
 
 void TwoCells::run(RunContext &context) {
