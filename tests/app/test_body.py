@@ -69,6 +69,9 @@ class Body(unittest.TestCase):
     def test_what_is_refused(self):
         for values, words in ((["Body/Position=0, 0, 12e-6"], ["Body/Position is 0, 0, 12e-6", "in the body or deep in its surface", "Body/Unit"]),
                               (["Body/Unit=1e-3"], ["would be in the body"]),
+                              (["Body/Unit=1e-9"], ["Body/Unit is 1e-09 m", "less than a tenth of a cell's radius", "at least 6e-07 m"]),
+                              (["Body/Load=0, 0, -1e-3"], ["Body/Load over Body/Drag moves the body by", "Body/Load of at most", "End time of at most"]),
+                              (["Body/Drag=1e-9"], ["Body/Drag is 1e-09 N s/m", "a Body/Drag of at least"]),
                               (["Body/File=no_such.off"], ["no_such.off"])):
             done = self.run_program(*ALONE, "Body/Position=0, 0, 17e-6", *values) if "Position" not in values[0] else self.run_program(*ALONE, *values)
             self.assertEqual(done.returncode, 2, done.stderr)

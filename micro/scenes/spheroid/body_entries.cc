@@ -1,6 +1,7 @@
 #include "micro/scenes/spheroid/body_entries.h"
 
 #include "micro/geometry/surface_file.h"
+#include "micro/laws/sphere_contact.h"
 #include "run/input_entries.h"
 #include "run/number_text.h"
 #include "run/run_context.h"
@@ -32,6 +33,15 @@ Touching touching(const Obstacles<3> &walls, const Particles<3> &particles) {
   });
   return sum;
 }
+
+/// s, of a body with drag (N s/m) on contacts of that stiffness (N/m) in all.
+double longest_step(const double drag, const double stiffness) {
+  return stiffness > 0. ? 0.01 * drag / stiffness : HUGE_VAL;
+}
+
+/// Three digits that keep to a bound: none is refused again for the digits left out.
+std::string rounded_up(const double x) { return number_text(x * 1.01, 3); }
+std::string rounded_down(const double x) { return number_text(x * 0.99, 3); }
 }  // namespace
 
 void BodyEntries::declare(InputEntries &prm) {
@@ -88,24 +98,62 @@ std::unique_ptr<TriangulatedBody> BodyEntries::make() const {
   return body;
 }
 
-void BodyEntries::check(const std::vector<Vector<3>> &cells, const double radius) const {
+void BodyEntries::check(const FirstCells &cells) const {
   if (!is_there()) return;
   const std::unique_ptr<TriangulatedBody> body = make();
+  Vector<3> low = body->node(0), high = low;
+  for (std::size_t k = 1; k < body->mesh().nodes; ++k) {
+    low = low.cwiseMin(body->node(k));
+    high = high.cwiseMax(body->node(k));
+  }
+  if (const double extent = (high - low).maxCoeff(); extent < 0.1 * cells.radius)
+    throw InputError("Body/Unit is " + number_text(unit) + " m, which makes the body of Body/File " +
+                     number_text(extent) + " m long, less than a tenth of a cell's radius of " +
+                     number_text(cells.radius) +
+                     " m: a cell would hardly meet it. Give the length of one unit of the file in m, so that "
+                     "the body is at least " +
+                     number_text(0.1 * cells.radius) + " m long.");
   std::size_t inside = 0;
   double least = HUGE_VAL;
-  for (const Vector<3> &x : cells) {
+  for (const Vector<3> &x : cells.centres) {
     const double distance = body->at(x).distance;
-    inside += distance < 0.8 * radius;
+    inside += distance < 0.8 * cells.radius;
     least = std::min(least, distance);
   }
   if (inside > 0)
     throw InputError(
         "Body/Position is " + position + ", but " + number_text(inside) + " of the " +
-        number_text(cells.size()) +
+        number_text(cells.centres.size()) +
         " first cells, which lie about the origin, would be in the body or deep in its surface (the "
         "nearest centre at " +
-        number_text(least) + " m, allowed are " + number_text(0.8 * radius) +
+        number_text(least) + " m, allowed are " + number_text(0.8 * cells.radius) +
         " m and more): lay it farther away, or check Body/Unit.");
+  if (motion == BodyMotion::drag) check_drag(cells, body->load.norm());
+}
+
+void BodyEntries::check_drag(const FirstCells &cells, const double weight) const {
+  constexpr double farthest = 1e4, most_steps = 1e7;  // radii of a cell; of a run
+  const double way = weight / drag * cells.duration, allowed = farthest * cells.radius;
+  if (way > allowed)
+    throw InputError(
+        "Body/Load over Body/Drag moves the body by " + number_text(way, 3) + " m until End time, " +
+        number_text(way / cells.radius, 3) + " radii of a cell: at most " + number_text(farthest) +
+        " are allowed. Use a Body/Load of at most " + rounded_down(allowed * drag / cells.duration) +
+        " N, a Body/Drag of at least " + rounded_up(weight * cells.duration / allowed) +
+        " N s/m, or an End time of at most " + rounded_down(allowed * drag / weight) + " s.");
+  const double E = in_series(cells.modulus, modulus / (1. - poisson * poisson)),
+               stiff = HertzContact()(cells.radius, E, 0.1 * cells.radius).stiffness,
+               steps = cells.duration / longest_step(drag, stiff);
+  if (steps > most_steps)
+    throw InputError("Body/Drag is " + number_text(drag) +
+                     " N s/m: beside the stiffness of the body's contact with a cell (" +
+                     number_text(stiff, 3) +
+                     " N/m where one presses it in by a tenth of its radius) this takes steps of " +
+                     number_text(longest_step(drag, stiff), 3) + " s, " + number_text(steps, 3) +
+                     " of them until End time; at most " + number_text(most_steps) +
+                     " are allowed. Use a Body/Drag of at least " + rounded_up(drag * steps / most_steps) +
+                     " N s/m, an End time of at most " + rounded_down(cells.duration * most_steps / steps) +
+                     " s, or Body/Motion = fixed.");
 }
 
 Surroundings BodyEntries::surroundings(const std::optional<LocalStiffness> &stiffness,
@@ -135,8 +183,7 @@ Surroundings BodyEntries::surroundings(const std::optional<LocalStiffness> &stif
     around.longest_step = [&body, &walls, radius](const Particles<3> &particles) {
       const double stiff = touching(walls, particles).stiffness,
                    speed = (body.load + body.force()).norm() / body.drag;
-      return std::min(stiff > 0. ? 0.01 * body.drag / stiff : HUGE_VAL,
-                      speed > 0. ? 0.25 * radius / speed : HUGE_VAL);
+      return std::min(longest_step(body.drag, stiff), speed > 0. ? 0.25 * radius / speed : HUGE_VAL);
     };
   return around;
 }

@@ -3,7 +3,7 @@
 // or moved: without inertia, as the cells, drag v = load + what the cells do to it, and the same about its
 // centre. Without a file there is none, and nothing of it is made.
 //
-//   body.declare(prm);  body.check(centres, radius);
+//   body.declare(prm);  body.check({centres, radius, modulus, duration});
 //   if (body.is_there()) around = body.surroundings(stiffness);
 //
 // Columns of growth.csv: see body_outputs(). The body moves where a step of the
@@ -32,8 +32,15 @@ class BodyEntries {
  public:
   void declare(InputEntries &prm);
   bool is_there() const { return file != "none"; }
-  /// cells: centres (m) of the first ones; radius: m, of the largest. Throws InputError.
-  void check(const std::vector<Vector<3>> &cells, double radius) const;
+  /// What a body is checked against.
+  struct FirstCells {
+    std::vector<Vector<3>> centres;  ///< m
+    double radius;                   ///< m, of the largest
+    double modulus;                  ///< Pa, E/(1 - nu^2)
+    double duration;                 ///< s, until End time
+  };
+  /// Throws InputError.
+  void check(const FirstCells &cells) const;
 
   /// radius: m, of a newborn cell.
   Surroundings surroundings(const std::optional<LocalStiffness> &stiffness, double radius) const;
@@ -44,6 +51,8 @@ class BodyEntries {
 
  private:
   std::unique_ptr<TriangulatedBody> make() const;
+  /// weight: N, the size of the load.
+  void check_drag(const FirstCells &cells, double weight) const;
 
   std::string file = "none", position = "0, 0, 0", load = "0, 0, 0";
   double unit = 1e-6;  ///< m

@@ -34,7 +34,9 @@ SpheroidFree::SpheroidFree() {
 }
 
 void SpheroidFree::check_more() const {
-  body.check(compact_cluster(first_cells, first_spacing(), flat), largest_first_radius());
+  const CellLifeParameters &life = entries.numbers.life;
+  body.check({compact_cluster(first_cells, first_spacing(), flat), largest_first_radius(),
+              life.modulus / (1. - life.poisson * life.poisson), duration});
 }
 
 Surroundings SpheroidFree::make_surroundings() const {
