@@ -38,6 +38,12 @@ struct Surroundings {
   /// does.
   std::function<double(const Particles<3> &)> longest_step;
 
+  /// Entries that drive the cells through it, as "Body/Load"; none where nothing does.
+  std::string drivers;
+  /// Why the steps of the cells have failed and what would do, as a sentence; "": it is not the cause. None
+  /// where nothing moves.
+  std::function<std::string()> cause;
+
   template <class T>
   T &add(std::unique_ptr<T> term) {
     T &reference = *term;

@@ -158,7 +158,8 @@ void Overdamped<dim>::fail_of(const bool rose) const {
          " of the energies at play. Use softer contacts, a finer mesh of cells, or a larger tolerance of the "
          "energy.");
   fail("the cells' forces change too fast for the tolerance of " + number_text(parameters.tolerance) +
-       " radii. Use Method = implicit, a larger tolerance, or softer contacts.");
+       " radii. Use " + (parameters.method == OverdampedMethod::implicit ? "" : "Method = implicit, ") +
+       "a larger tolerance, or softer contacts.");
 }
 
 template <int dim>

@@ -66,6 +66,25 @@ class Body(unittest.TestCase):
         self.assertAlmostEqual(4 / 3 * reduced * math.sqrt(radius) * overlap**1.5 / last["body_pressing"], 1, delta=1e-3)
         self.assertLess(last["body_imbalance"], 1e-12)
 
+    def test_what_fails_names_its_cause(self):
+        cells = ["First cells=6", f"Body/File={BLOCK}", "Body/Motion=drag", "Body/Position=3e-6, 0, 27e-6", "Body/Load=0, 0, -1e-8", "Body/Friction=0",
+                 "Frames=0", "End time=20000"]
+        for method in ("implicit", "euler"):
+            done = self.run_program(*cells, f"Motion/Method={method}", "Body/Turning drag=1e-30")
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertIn("the body turns faster than the steps follow: Body/Turning drag is 1e-30 N m s. Use at least 3.84e-11 N m s", done.stderr)
+            self.assertNotIn("Method = implicit", done.stderr)
+        for helps in ("3.84e-11", "0"):
+            self.tearDown()
+            self.setUp()
+            done = self.run_program(*cells, f"Body/Turning drag={helps}")
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.tearDown()
+        self.setUp()
+        done = self.run_program(*ALONE, "Motion/Growth tolerance=2e-3", "Body/Position=0, 0, 17e-6", "Body/Load=0, 0, -4e-6", "Body/Drag=1000", "End time=1.3e7")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("Use less that drives the cells (Body/Load), more friction", done.stderr)
+
     def test_what_is_refused(self):
         for values, words in ((["Body/Position=0, 0, 12e-6"], ["Body/Position is 0, 0, 12e-6", "in the body or deep in its surface", "Body/Unit"]),
                               (["Body/Unit=1e-3"], ["would be in the body"]),

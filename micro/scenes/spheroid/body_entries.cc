@@ -42,6 +42,20 @@ double longest_step(const double drag, const double stiffness) {
 /// Three digits that keep to a bound: none is refused again for the digits left out.
 std::string rounded_up(const double x) { return number_text(x * 1.01, 3); }
 std::string rounded_down(const double x) { return number_text(x * 0.99, 3); }
+
+/// A sentence where the body, which cells have touched, turns faster than the steps follow: those last a
+/// hundredth of the time in which it travels back from a contact, drag over stiffness; it turns back in
+/// turning drag over stiffness and arm squared.
+std::string why_it_turns(const TriangulatedBody &body) {
+  double arm = 0.;
+  for (std::size_t k = 0; k < body.mesh().nodes; ++k)
+    arm = std::max(arm, (body.node(k) - body.centre).norm());
+  const double least = 0.02 * body.drag * arm * arm;  // N m s; two steps of the turning
+  if (!(body.turning_drag > 0.) || body.turning_drag >= least || body.spin.norm() == 0.) return "";
+  return "the body turns faster than the steps follow: Body/Turning drag is " +
+         number_text(body.turning_drag) + " N m s. Use at least " + rounded_up(least) +
+         " N m s (a fiftieth of Body/Drag times its size squared), or 0: it does not turn.";
+}
 }  // namespace
 
 void BodyEntries::declare(InputEntries &prm) {
@@ -179,12 +193,14 @@ Surroundings BodyEntries::surroundings(const std::optional<LocalStiffness> &stif
         {"body_imbalance", "1", now.pressing > 0. ? imbalance / now.pressing : 0.},
         {"cells_on_body", "", now.count}};
   };
-  if (motion == BodyMotion::drag)
-    around.longest_step = [&body, &walls, radius](const Particles<3> &particles) {
-      const double stiff = touching(walls, particles).stiffness,
-                   speed = (body.load + body.force()).norm() / body.drag;
-      return std::min(longest_step(body.drag, stiff), speed > 0. ? 0.25 * radius / speed : HUGE_VAL);
-    };
+  if (motion != BodyMotion::drag) return around;
+  around.longest_step = [&body, &walls, radius](const Particles<3> &particles) {
+    const double stiff = touching(walls, particles).stiffness,
+                 speed = (body.load + body.force()).norm() / body.drag;
+    return std::min(longest_step(body.drag, stiff), speed > 0. ? 0.25 * radius / speed : HUGE_VAL);
+  };
+  if (body.load.norm() > 0.) around.drivers = "Body/Load";
+  around.cause = [&body] { return why_it_turns(body); };
   return around;
 }
 

@@ -106,6 +106,24 @@ double CellCulture::longest_step() const {
   return longest;
 }
 
+std::string CellCulture::drivers() const {
+  std::string names = surroundings.drivers;
+  const auto add = [&](const char *name) { names += (names.empty() ? "" : ", ") + std::string(name); };
+  if (migrates()) add("Motion/Migration force");
+  if (parameters.motility > 0.) add("Motion/Motility");
+  return names.empty() ? "" : " (" + names + ")";
+}
+
+double CellCulture::step(const double limit) {
+  try {
+    return stepper.step(cells.particles, limit);
+  } catch (const std::runtime_error &) {
+    const std::string other = surroundings.cause ? surroundings.cause() : "";
+    if (other.empty()) throw;
+    throw std::runtime_error(other);
+  }
+}
+
 void CellCulture::follow_ways() {
   way += stepper.last_move();
   constexpr double far = 10., too_far = 100.;  // radii
@@ -123,9 +141,8 @@ void CellCulture::follow_ways() {
     throw std::runtime_error(
         "a cell has moved by " + number_text(gone, 3) +
         " radii since pressures and growth of the cells were last looked at: they "
-        "belong to another place, and so do its neighbours. Use less that drives the "
-        "cells (Motion/Migration force, Motion/Motility), more friction, or look more often (a smaller "
-        "Motion/Growth tolerance).");
+        "belong to another place, and so do its neighbours. Use less that drives the cells" +
+        drivers() + ", more friction, or look more often (a smaller Motion/Growth tolerance).");
   if (t < until) way = gone * R;
 }
 
@@ -138,7 +155,7 @@ bool CellCulture::advance(const double end, const std::function<bool()> &stop) {
   while (t < until) {
     const double of_bodies =
         surroundings.longest_step ? surroundings.longest_step(cells.particles) : HUGE_VAL;
-    const double dt = stepper.step(cells.particles, std::min({until - t, longest, of_bodies}));
+    const double dt = step(std::min({until - t, longest, of_bodies}));
     life.after_step(cells, dt, steps);
     cells.advance(dt);
     t = until - t > dt ? t + dt : until;
