@@ -64,12 +64,12 @@ struct LinearSolver<dim>::Direct {
     matrix.reinit(pattern);
   }
 
-  void set(const TissueMesh<dim> &mesh, const std::vector<double> &element,
+  void set(const TissueMesh<dim> &on, const std::vector<double> &element,
            const std::vector<NodeBlock<dim>> &blocks) {
     matrix = 0.;
-    assemble(mesh, element, blocks, matrix);
+    assemble(on, element, blocks, matrix);
     for (std::size_t i = 0; i < matrix.m(); ++i)
-      if (mesh.clamped[i / dim]) matrix.set(i, i, 1.);
+      if (on.clamped[i / dim]) matrix.set(i, i, 1.);
     factors = std::make_unique<dealii::SparseDirectUMFPACK>();
     try {
       factors->initialize(matrix);
@@ -95,16 +95,16 @@ struct LinearSolver<dim>::Multigrid {
     b.reinit(rows, MPI_COMM_SELF);
   }
 
-  void set(const TissueMesh<dim> &mesh, const std::vector<double> &element,
+  void set(const TissueMesh<dim> &on, const std::vector<double> &element,
            const std::vector<NodeBlock<dim>> &blocks, const bool symmetric) {
     matrix = 0.;
-    assemble(mesh, element, blocks, matrix);
+    assemble(on, element, blocks, matrix);
     matrix.compress(dealii::VectorOperation::add);
     // of the size of its neighbours, so that aggregation and smoother see one scale
     double largest = 0.;
     for (std::size_t i = 0; i < matrix.m(); ++i) largest = std::max(largest, matrix.diag_element(i));
     for (std::size_t i = 0; i < matrix.m(); ++i)
-      if (mesh.clamped[i / dim]) matrix.set(i, i, largest);
+      if (on.clamped[i / dim]) matrix.set(i, i, largest);
     matrix.compress(dealii::VectorOperation::insert);
 
     dealii::TrilinosWrappers::PreconditionAMG::AdditionalData data;
@@ -117,7 +117,7 @@ struct LinearSolver<dim>::Multigrid {
     data.set_parameters(list, none, matrix);
     list.set("PDE equations", dim);
     list.set("null space: type", "pre-computed");
-    list.set("null space: dimension", static_cast<int>(modes.size() / (std::size_t(mesh.nodes) * dim)));
+    list.set("null space: dimension", static_cast<int>(modes.size() / (std::size_t(on.nodes) * dim)));
     list.set("null space: vectors", modes.data());
     list.set("null space: add default vectors", false);
     list.set("ML output", 0);
@@ -126,12 +126,12 @@ struct LinearSolver<dim>::Multigrid {
 
   /// Iterations; negative: nothing found.
   template <class Solver>
-  int iterate(const std::vector<double> &right, const LinearSettings &settings,
+  int iterate(const std::vector<double> &right, const LinearSettings &how,
               const typename Solver::AdditionalData &options) {
     for (std::size_t i = 0; i < right.size(); ++i) b[i] = right[i];
     b.compress(dealii::VectorOperation::insert);
     x = 0.;
-    dealii::SolverControl control(settings.most_iterations, settings.tolerance * b.l2_norm(), false, false);
+    dealii::SolverControl control(how.most_iterations, how.tolerance * b.l2_norm(), false, false);
     try {
       Solver(control, options).solve(matrix, x, b, preconditioner);
     } catch (const dealii::ExceptionBase &) {
