@@ -18,7 +18,7 @@ std::map<std::string, std::string> values_of(const Input &input) {
 }
 
 struct Scenes {
-  const char *tissue, *cells, *section;
+  const char *tissue, *cells;
   bool moves;
   std::vector<std::pair<std::string, std::string>> same;  ///< entry of the tissue, entry of the cells
   std::string sides;                                      ///< entry
@@ -29,14 +29,12 @@ const std::vector<Scenes> &known_scenes() {
   static const std::vector<Scenes> scenes = {
       {"tissue_statics",
        "static_lattice",
-       "Tissue statics",
        false,
        {{"Tissue statics/Cells", "Columns"}, {"Tissue statics/Load", "Load"}},
        "Tissue statics/Lateral sides",
        {"Tissue statics/Elements", "Tissue statics/Elements across"}},
       {"tissue_gravity",
        "full_micro",
-       "Tissue gravity",
        true,
        {{"Tissue gravity/Cells", "Columns"}, {"Tissue gravity/Load", "Load"}, {"Time/End time", "End time"}},
        "Tissue/Lateral sides",
@@ -69,6 +67,23 @@ bool divides(const int factor, const std::string &whole) {
 }
 
 std::string halved(const std::string &number) { return number_text(0.5 * read_number(number).value_or(1.)); }
+std::string without_blanks(std::string text) {
+  std::erase(text, ' ');
+  return text;
+}
+
+/// All cells are loaded by their weight alone, downwards and at once.
+void refuse_other_loads(const std::map<std::string, std::string> &values) {
+  for (const auto &[entry, wanted] :
+       {std::pair("Loads/Way", "at_once"), {"Loads/Direction", "0, -1"}, {"Loads/Traction", "0, 0"}})
+    if (const auto found = values.find(entry);
+        found != values.end() && without_blanks(found->second) != without_blanks(wanted))
+      throw InputError(
+          std::string(entry) + " is " + found->second +
+          ", but a block of all cells is loaded by a body force downwards, all of it at once: compare with " +
+          wanted + ".");
+}
+
 std::string doubled(const std::string &whole) { return number_text(2. * read_number(whole).value_or(1.)); }
 }  // namespace
 
@@ -76,6 +91,7 @@ Counterpart counterpart_of(const Input &tissue, const ScenarioRegistry &registry
   const Scenes &scenes = scenes_of(tissue);
   const std::map<std::string, std::string> values = values_of(tissue);
   refuse_what_cells_lack(values, scenes.cells);
+  refuse_other_loads(values);
   const std::string sides = values.at(scenes.sides), structure = values.at("Structure/Structure");
   if (sides == "clamped")
     throw InputError(scenes.sides +

@@ -165,9 +165,10 @@ void Bruise::archive(Archive &a) {
   a(memory);
 }
 
-std::vector<std::array<double, 2>> Bruise::places() const {
-  // under the tool first, then down, then aside
+std::vector<std::array<double, 2>> places_under_a_tool() {
   return {{{0.97, 0.50}}, {{0.80, 0.50}}, {{0.97, 0.70}}, {{0.55, 0.50}}, {{0.80, 0.72}},
           {{0.10, 0.50}}, {{0.97, 0.95}}, {{0.97, 0.30}}, {{0.50, 0.95}}};
 }
+
+std::vector<std::array<double, 2>> Bruise::places() const { return places_under_a_tool(); }
 }  // namespace turgor

@@ -1,6 +1,7 @@
 #include "coupling/static_run.h"
 
 #include "coupling/static_course.h"
+#include "coupling/tissue_observer.h"
 #include "coupling/tissue_size.h"
 #include "run/archive.h"
 #include "run/entry_marks.h"
@@ -101,16 +102,7 @@ StaticCourse::StaticCourse(RunContext &context_, const StaticRunSettings &settin
 void StaticCourse::go() {
   const bool resumed = context.load_checkpoint([this](Archive &a) { archive(a, memory); });
   open_series();
-  outlines.emplace(context, tissue, rve.lattice(), settings.outlined_rves,
-                   std::vector<std::array<double, 2>>{{{0.97, 0.50}},
-                                                      {{0.80, 0.50}},
-                                                      {{0.97, 0.70}},
-                                                      {{0.55, 0.50}},
-                                                      {{0.80, 0.72}},
-                                                      {{0.10, 0.50}},
-                                                      {{0.97, 0.95}},
-                                                      {{0.97, 0.30}},
-                                                      {{0.50, 0.95}}});
+  outlines.emplace(context, tissue, rve.lattice(), settings.outlined_rves, places_under_a_tool());
   fields.emplace(
       context, "tissue", resumed, [this] { return tissue_frame(tissue, law); },
       [this] { return failing_tissue_frame(tissue); });
@@ -122,8 +114,10 @@ void StaticCourse::go() {
     if (tissue.time() > 0.) checkpoint();
     if (path.counters().steps > 0) report();
     throw RunFailed(std::string(why.what()) +
-                    " What was reached is saved and reported. A smaller Load steps/Smallest or a larger Load "
-                    "steps/Most failing may lead further.");
+                    " What was reached is saved and reported. More Load steps/Most iterations (now " +
+                    number_text(settings.path.newton.most_iterations) +
+                    "), a larger Load steps/Tolerance (now " + number_text(settings.path.newton.tolerance) +
+                    ") or a smaller Load steps/Smallest may lead further.");
   }
   report();
 }

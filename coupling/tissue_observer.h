@@ -12,6 +12,10 @@
 namespace turgor {
 class Archive;
 
+/// Places at which RVEs tell most of tissue that is pressed at x = width: under the tool first, then down,
+/// then aside; shares of width and height.
+std::vector<std::array<double, 2>> places_under_a_tool();
+
 class TissueObserver {
  public:
   virtual ~TissueObserver() = default;

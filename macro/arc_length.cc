@@ -113,25 +113,12 @@ void ArcLength<dim>::step() {
 
 template <int dim>
 void ArcLength<dim>::accept(const Point &p) {
-  TissueOperator<dim> &op = tissue.forces();
-  TissueState<dim> &state = tissue.state();
-  const auto sum = [&](const std::vector<double> &of_point) {
-    double result = 0.;
-    for (std::size_t q = 0; q < of_point.size(); ++q) result += op.mesh().gauss_weight[q] * of_point[q];
-    return result;
-  };
   for (std::size_t i = 0; i < p.u.size(); ++i) {
-    before[i] = p.u[i] - state.u[i];
+    before[i] = p.u[i] - tissue.state().u[i];
     energy.work += 0.5 * (lambda + p.share) * balance.load()[i] * before[i];
   }
-  energy.stored = sum(op.answer().energy);
-  energy.spent = state.spent = sum(op.answer().spent);
   lambda = p.share;
-  state.u = p.u;
-  state.F = op.F_bar();
-  state.P = op.answer().P;
-  state.energy = op.answer().energy;
-  op.law().commit();
+  take_balance(tissue, p.u, energy);
   ++count.steps;
 }
 

@@ -162,9 +162,10 @@ bool LinearSolver<dim>::by_multigrid() const {
 }
 
 template <int dim>
-void LinearSolver<dim>::use_direct() {
+void LinearSolver<dim>::use_direct(const std::vector<double> &element,
+                                   const std::vector<NodeBlock<dim>> &blocks) {
   if (!direct) direct = std::make_unique<Direct>(mesh);
-  direct->set(mesh, elements, extra);
+  direct->set(mesh, element, blocks);
   is_direct = true;
 }
 
@@ -173,13 +174,13 @@ void LinearSolver<dim>::set_matrix(const std::vector<double> &element,
                                    const std::vector<NodeBlock<dim>> &blocks, const bool symmetric) {
   const double before = thread_cpu_seconds();
   ++counts.matrices;
-  elements = element;
-  extra = blocks;
   is_symmetric = symmetric;
   is_direct = false;
   if (!by_multigrid())
-    use_direct();
+    use_direct(element, blocks);
   else {
+    elements = element;
+    extra = blocks;
     if (!multigrid) {
       begin_mpi();
       multigrid = std::make_unique<Multigrid>(mesh, settings.rigid_body_modes);
@@ -205,7 +206,7 @@ std::vector<double> LinearSolver<dim>::solve(const std::vector<double> &right) {
     if (iterations < 0) iterations = multigrid->template iterate<Gmres>(right, settings, from_the_right);
     if (iterations < 0) {
       ++counts.fallbacks;
-      use_direct();
+      use_direct(elements, extra);
     }
   }
   if (is_direct) {

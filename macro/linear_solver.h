@@ -75,7 +75,7 @@ class LinearSolver {
   struct Direct;
   struct Multigrid;
 
-  void use_direct();
+  void use_direct(const std::vector<double> &element, const std::vector<NodeBlock<dim>> &blocks);
   bool by_multigrid() const;
 
   const TissueMesh<dim> &mesh;

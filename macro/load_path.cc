@@ -16,6 +16,24 @@ void LoadPathSettings::check() const {
 }
 
 template <int dim>
+void take_balance(Tissue<dim> &tissue, const std::vector<double> &u, PathEnergies &energies) {
+  TissueOperator<dim> &op = tissue.forces();
+  TissueState<dim> &state = tissue.state();
+  const auto sum = [&](const std::vector<double> &of_point) {
+    double result = 0.;
+    for (std::size_t q = 0; q < of_point.size(); ++q) result += op.mesh().gauss_weight[q] * of_point[q];
+    return result;
+  };
+  energies.stored = sum(op.answer().energy);
+  energies.spent = state.spent = sum(op.answer().spent);
+  state.u = u;
+  state.F = op.F_bar();
+  state.P = op.answer().P;
+  state.energy = op.answer().energy;
+  op.law().commit();
+}
+
+template <int dim>
 LoadPath<dim>::LoadPath(Tissue<dim> &tissue_, const LoadPathSettings &settings_)
     : tissue(tissue_),
       settings(settings_),
@@ -118,12 +136,6 @@ template <int dim>
 void LoadPath<dim>::accept(const std::vector<double> &u, const LoadPlace &at, const bool jumped) {
   TissueOperator<dim> &op = tissue.forces();
   TissueState<dim> &state = tissue.state();
-  const TissueMesh<dim> &mesh = op.mesh();
-  const auto sum = [&](const std::vector<double> &of_point) {
-    double result = 0.;
-    for (std::size_t q = 0; q < of_point.size(); ++q) result += mesh.gauss_weight[q] * of_point[q];
-    return result;
-  };
   const bool brittle = jumped || broke();
   const double gap_before = energy.gap();
   double work = 0.;
@@ -138,17 +150,11 @@ void LoadPath<dim>::accept(const std::vector<double> &u, const LoadPlace &at, co
     state.tool.support += balance.held()[0];
     energy.contact = state.tool.energy;
   }
-  energy.stored = sum(op.answer().energy);
-  energy.spent = state.spent = sum(op.answer().spent);
-  if (brittle) energy.released += energy.gap() - gap_before;
   holding = balance.held();
   taken = at.time - state.time;
   state.time = at.time;
-  state.u = u;
-  state.F = op.F_bar();
-  state.P = op.answer().P;
-  state.energy = op.answer().energy;
-  op.law().commit();
+  take_balance(tissue, u, energy);
+  if (brittle) energy.released += energy.gap() - gap_before;
   if (broken) broken_then = broken();
   ++count.steps;
   count.jumps += jumped ? 1 : 0;
@@ -161,6 +167,8 @@ void LoadPath<dim>::archive(Archive &a) {
   a(tissue);
 }
 
+template void take_balance<2>(Tissue<2> &, const std::vector<double> &, PathEnergies &);
+template void take_balance<3>(Tissue<3> &, const std::vector<double> &, PathEnergies &);
 template class LoadPath<2>;
 template class LoadPath<3>;
 }  // namespace turgor

@@ -45,6 +45,11 @@ struct PathEnergies {
   double gap() const { return work - stored - contact - spent - released; }
 };
 
+/// The balance that the tissue's forces were last evaluated in, at u, becomes its state and is committed;
+/// energies: stored and spent there. Time and loads are the caller's.
+template <int dim>
+void take_balance(Tissue<dim> &tissue, const std::vector<double> &u, PathEnergies &energies);
+
 struct PathCounters {
   unsigned long steps = 0;    ///< accepted
   unsigned long halved = 0;   ///< searches that found nothing

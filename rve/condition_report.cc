@@ -1,5 +1,6 @@
 #include "rve/condition_report.h"
 
+#include "micro/geometry/tensor_text.h"
 #include "run/number_text.h"
 #include "run/output_list.h"
 #include "run/run_context.h"
@@ -49,8 +50,7 @@ void ConditionReport::results(RunContext &context) const {
 void ConditionReport::say(RunContext &context) const {
   if (first)
     context.say("The first cell failed by time " + number_text(first->time) +
-                " s, F = " + number_text(first->F(0, 0), 4) + ", " + number_text(first->F(0, 1), 4) + "; " +
-                number_text(first->F(1, 0), 4) + ", " + number_text(first->F(1, 1), 4) + "; " +
-                number_text(100. * last.failed, 3) + " % of the cells have failed at the end");
+                " s, F = " + tensor_text(first->F, 4) + "; " + number_text(100. * last.failed, 3) +
+                " % of the cells have failed at the end");
 }
 }  // namespace turgor

@@ -1,5 +1,6 @@
 #include "rve/rve_response.h"
 
+#include "micro/geometry/tensor_text.h"
 #include "run/input_entries.h"
 #include "run/judged.h"
 #include "run/number_text.h"
@@ -14,18 +15,11 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 namespace turgor {
 namespace {
 const char *const component_names[4] = {"xx", "xy", "yx", "yy"};
-
-std::string printed(const Tensor2<2> &F) {
-  std::ostringstream out;
-  out << F(0, 0) << ", " << F(0, 1) << "; " << F(1, 0) << ", " << F(1, 1);
-  return out.str();
-}
 
 /// Stress over strain at the first small deformation of a kind; both stresses are zero without one, by the
 /// symmetry of a square cell.
@@ -212,8 +206,8 @@ void RveResponse::walk(RunContext &context, Walk &walk) const {
     if (!found.diagnostics.converged) {
       if (walk.points > 0 && time > walk.last_time) take(walk, load, walk.control.reached());
       finish(context, walk);
-      throw RunFailed("The RVE gives no stress at time " + number_text(next) + " s, F = " + printed(load.F) +
-                      ": " + found.diagnostics.message);
+      throw RunFailed("The RVE gives no stress at time " + number_text(next) +
+                      " s, F = " + tensor_text(load.F, 6) + ": " + found.diagnostics.message);
     }
     take(walk, load, found, with_tangent);
     context.progress(double(walk.points) / double(times.size()), "stress along the path");

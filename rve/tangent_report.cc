@@ -1,5 +1,6 @@
 #include "rve/tangent_report.h"
 
+#include "micro/geometry/tensor_text.h"
 #include "run/judged.h"
 #include "run/number_text.h"
 #include "run/output_list.h"
@@ -43,11 +44,6 @@ double over(const double compliance) {
 }
 
 std::string direction(const double angle) { return number_text(angle / degree, 3) + " degrees"; }
-
-std::string printed(const Tensor2<2> &F) {
-  return number_text(F(0, 0), 4) + ", " + number_text(F(0, 1), 4) + "; " + number_text(F(1, 0), 4) + ", " +
-         number_text(F(1, 1), 4);
-}
 }  // namespace
 
 void TangentReport::define(Outputs &outputs) {
@@ -75,10 +71,10 @@ void TangentReport::define(Outputs &outputs) {
            {"ellipticity_lost_time", "s", "Time of the first point at which that eigenvalue is not positive.",
             "where ellipticity is lost"}})
       .table("tensors", "One row for each component of the tensors at rest, relaxed.",
-             {{"a", "", "Row of P: 1 for x, 2 for y.", when},
-              {"b", "", "Column of the stress P, 0 or 1.", when},
-              {"c", "", "Row of the gradient F, 0 or 1.", when},
-              {"d", "", "Column of the gradient F, 0 or 1.", when},
+             {{"a", "", "Row of the stress P: 1 for x, 2 for y.", when},
+              {"b", "", "Column of the stress P: 1 for x, 2 for y.", when},
+              {"c", "", "Row of the gradient F: 1 for x, 2 for y.", when},
+              {"d", "", "Column of the gradient F: 1 for x, 2 for y.", when},
               {"elasticity", "Pa", "dP_ab/dF_cd of the undeformed tissue.", when},
               {"viscosity", "Pa s", "dP_ab/dF_dot_cd of the undeformed tissue.", when}})
       .table("polar", "One row for each direction, at rest.",
@@ -183,7 +179,7 @@ void TangentReport::say(RunContext &context) const {
   if (lost)
     remarked(context, "ellipticity_lost_time",
              "FE² with this tissue loses ellipticity at time " + number_text(lost->time) +
-                 " s, F = " + printed(lost->F) + ": a band with its normal at " +
+                 " s, F = " + tensor_text(lost->F, 4) + ": a band with its normal at " +
                  direction(lost->acoustic.normal) + " moves along " + direction(lost->acoustic.motion) +
                  " by itself (smallest eigenvalue of the acoustic tensor " +
                  number_text(1e-3 * lost->acoustic.value, 3) + " kPa). From there on bands follow the mesh.");

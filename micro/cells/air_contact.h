@@ -5,8 +5,9 @@
 //
 // with a ratio of 1. Particles have h = 0.2 spacing, the same eps and rho and half the stiffness, in a force
 // that is linear in rho - d (cell_contact.h, brick_tissue.cc); here it begins softly. Five times as stiff,
-// bricks pressed with free sides answer 1 % more, but a point in a hollow corner of a face, where the nearest
-// place jumps, no longer comes to rest when closed tissue is pressed to 8 MPa.
+// bricks pressed with free sides answer 1 % more, but closed tissue no longer comes to rest when it is
+// pressed to 8 MPa; perhaps because of points in a hollow corner of a face, where the nearest place jumps
+// (not shown).
 //
 // Every node of a face that is not tied touches the other faces of its space, each at the nearest place.
 // Nothing is searched for: spaces of different junctions never meet, so who may touch whom is known when the

@@ -1,5 +1,7 @@
 #include "micro/cells/mean_traction.h"
 
+#include "micro/cells/ring_geometry.h"
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -7,10 +9,6 @@
 
 namespace turgor {
 namespace {
-Vector<2> place(const std::vector<double> &x, const std::uint32_t node) {
-  return {x[2 * node], x[2 * node + 1]};
-}
-
 double product(const Tensor2<2> &a, const Tensor2<2> &b) { return (a.array() * b.array()).sum(); }
 
 /// Linear in F in two dimensions.
@@ -89,8 +87,8 @@ MeanTraction::At MeanTraction::at(const std::vector<double> &x, const Tensor2<2>
   now.F = H * H0_inverse;
   now.K = cofactor(now.F);
   for (const End &end : all) {
-    now.B += place(x, end.node) * end.area.transpose();
-    now.X += place(x, end.node) * end.force.transpose();
+    now.B += turgor::at(x, end.node) * end.area.transpose();
+    now.X += turgor::at(x, end.node) * end.force.transpose();
   }
   now.P = (now.F * G - now.B - now.K * C) * M_inverse;
   return now;

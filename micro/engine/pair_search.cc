@@ -17,9 +17,7 @@ double bin_width(const std::size_t n, const double least, const double *low, con
     if (!(bins > 64. * double(n) + 4096.)) return width;
   }
 }
-}  // namespace
 
-namespace {
 /// Least and greatest of a direction; four at a time, for a comparison waits for the one before.
 std::array<double, 2> range(const double *const x, const std::uint32_t n) {
   std::array<double, 4> low, high;

@@ -1,5 +1,6 @@
 #include "micro/geometry/tensor_text.h"
 
+#include "run/number_text.h"
 #include "run/run_context.h"
 #include "run/user_text.h"
 
@@ -15,5 +16,10 @@ Tensor2<2> parse_tensor(const std::string &text, const std::string &entry) {
     result.row(a) << row[0], row[1];
   }
   return result;
+}
+
+std::string tensor_text(const Tensor2<2> &tensor, const int digits) {
+  const auto number = [&](const int a, const int b) { return number_text(tensor(a, b), digits); };
+  return number(0, 0) + ", " + number(0, 1) + "; " + number(1, 0) + ", " + number(1, 1);
 }
 }  // namespace turgor

@@ -43,6 +43,9 @@ class Compare(unittest.TestCase):
                     ("tissue_statics.prm", ["--set", "Tissue statics/Lateral sides=clamped"],
                      "Tissue statics/Lateral sides is clamped, but a block of all cells is held at its left side alone: compare with free or "
                      "periodic."),
+                    ("tissue_statics.prm", ["--set", "Loads/Direction=1,0"],
+                     "Loads/Direction is 1,0, but a block of all cells is loaded by a body force downwards, all of it at once: compare with "
+                     "0, -1."),
                     ("tissue_statics.prm", ["--set", "Wall/Yielding=plastic"],
                      "Wall/Yielding is plastic, but the scene of all cells (static_lattice) has walls that neither yield nor break: compare "
                      "with none, or 0.")):

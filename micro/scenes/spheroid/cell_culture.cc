@@ -2,6 +2,7 @@
 
 #include "run/archive.h"
 #include "run/number_text.h"
+#include "run/run_context.h"
 #include "micro/engine/space_order.h"
 #include "micro/processes/polarity.h"
 #include "micro/terms/cell_motility.h"
@@ -117,6 +118,8 @@ std::string CellCulture::drivers() const {
 double CellCulture::step(const double limit) {
   try {
     return stepper.step(cells.particles, limit);
+  } catch (const RunStopped &) {
+    throw;
   } catch (const std::runtime_error &) {
     const std::string other = surroundings.cause ? surroundings.cause() : "";
     if (other.empty()) throw;
