@@ -30,13 +30,20 @@ void read(const double *row, dealii::Tensor<4, dim> &to) {
 }  // namespace
 
 template <int dim>
-AnswerTable<dim>::AnswerTable(const std::size_t points, const LawRequest &request, const bool conditions_)
-    : tangents(request.tangents),
-      rate_tangents(request.rate_tangents),
-      conditions(conditions_),
-      rate_tangent(Row<dim>::tangent + (tangents ? dim * dim * dim * dim : 0)),
-      width(rate_tangent + (rate_tangents ? dim * dim * dim * dim : 0) + (conditions ? 5 : 0)),
-      table(points * width, 0.) {}
+AnswerTable<dim>::AnswerTable(const std::size_t points, const LawRequest &request, const bool conditions_) {
+  begin(points, request, conditions_);
+}
+
+template <int dim>
+void AnswerTable<dim>::begin(const std::size_t points, const LawRequest &request, const bool conditions_) {
+  tangents = request.tangents;
+  rate_tangents = request.rate_tangents;
+  conditions = conditions_;
+  rate_tangent = Row<dim>::tangent + (tangents ? dim * dim * dim * dim : 0);
+  width = rate_tangent + (rate_tangents ? dim * dim * dim * dim : 0) + (conditions ? 5 : 0);
+  table.resize(points * width);
+  for (std::size_t point = 0; point < points; ++point) table[point * width + Row<dim>::failed] = 0.;
+}
 
 template <int dim>
 void AnswerTable<dim>::put(const std::size_t point, const RveAnswer<dim> &a) {
@@ -74,6 +81,7 @@ RveCondition AnswerTable<dim>::condition(const std::size_t point) const {
 
 template <int dim>
 void AnswerTable<dim>::put_failed(const std::size_t point) {
+  std::fill_n(table.begin() + static_cast<std::ptrdiff_t>(point * width), width, 0.);
   table[point * width + Row<dim>::failed] = 1.;
 }
 

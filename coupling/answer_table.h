@@ -15,12 +15,17 @@ namespace turgor {
 template <int dim>
 class AnswerTable {
  public:
-  /// All rows zero: nobody has answered, nobody failed. Rows are as wide as what the batch is asked for.
+  AnswerTable() = default;
+  /// begin()s.
   AnswerTable(std::size_t points, const LawRequest &request, bool conditions = false);
+
+  /// Nobody has answered, nobody failed; what a row holds otherwise says nothing before its put(). Rows are
+  /// as wide as what the batch is asked for. The memory of the batch before serves again.
+  void begin(std::size_t points, const LawRequest &request, bool conditions);
 
   /// Rows of this rank's points; different points at once from different threads.
   void put(std::size_t point, const RveAnswer<dim> &answer);
-  void put_failed(std::size_t point);
+  void put_failed(std::size_t point);  ///< all else of its row is zero
   /// Collective: afterwards every rank holds the rows of these points (ascending).
   void gather(const PointShares &shares, const std::vector<std::size_t> &points);
 
@@ -42,8 +47,8 @@ class AnswerTable {
   template <int size>
   Eigen::Matrix<double, size, size> square(std::size_t point, std::size_t column) const;
 
-  bool tangents, rate_tangents, conditions;
-  std::size_t rate_tangent, width;  ///< columns: where it begins, all
+  bool tangents = false, rate_tangents = false, conditions = false;
+  std::size_t rate_tangent = 0, width = 0;  ///< columns: where it begins, all
   std::vector<double> table;
 };
 }  // namespace turgor

@@ -22,6 +22,17 @@ std::string place(std::size_t number, const dealii::Point<dim> &x) {
   text << "): ";
   return text.str();
 }
+
+/// What the next call begins with comes into the cache while this one computes: the RVEs of a batch drive it
+/// out.
+template <int dim>
+void fetch(const std::size_t p, const RveBatch<dim> &batch, const PointStates<dim> &states) {
+  __builtin_prefetch(&batch.F[p]);
+  __builtin_prefetch(&batch.F_dot[p]);
+  __builtin_prefetch(&states.trial[p].unknowns);
+  __builtin_prefetch(&states.committed[p]);
+  __builtin_prefetch(&states.committed[p].unknowns);
+}
 }  // namespace
 
 template <int dim>
@@ -64,7 +75,9 @@ void RveCalls<dim>::call(const std::vector<std::size_t> &points, const RveBatch<
     const std::size_t p = points[k];
     if (stop_was_requested())  // the rest of the batch would be thrown away
       return batch.table.put_failed(p);
-    batch.reasons[p] = call_one(p, batch, request(p), states);
+    if (k + 1 < points.size()) fetch(points[k + 1], batch, states);
+    std::string reason = call_one(p, batch, request(p), states);
+    if (!reason.empty()) batch.reasons[p] = std::move(reason);
   };
   if (threads <= 1)
     for (std::size_t k = 0; k < points.size(); ++k) one(k);

@@ -25,7 +25,7 @@ RveLaw<dim>::RveLaw(std::shared_ptr<const Rve<dim>> rve_, const RveLawSettings &
 template <int dim>
 void RveLaw<dim>::call(const std::vector<std::size_t> &which, const RveBatch<dim> &batch,
                        const LawRequest &request) {
-  std::vector<std::size_t> mine;
+  mine.clear();
   for (const std::size_t p : which)
     if (share.owners()[p] == share.rank()) mine.push_back(p);
   calls.call(
@@ -70,7 +70,7 @@ void RveLaw<dim>::call_what_no_record_answers(const RveBatch<dim> &batch, const 
 }
 
 template <int dim>
-void RveLaw<dim>::read(const AnswerTable<dim> &table, const LawRequest &request, LawAnswer<dim> &answer) {
+void RveLaw<dim>::read(const LawRequest &request, LawAnswer<dim> &answer) {
   const std::size_t n = points.size();
   answer.P.resize(n);
   answer.energy.resize(n);
@@ -90,7 +90,7 @@ void RveLaw<dim>::read(const AnswerTable<dim> &table, const LawRequest &request,
 }
 
 template <int dim>
-void RveLaw<dim>::count(const AnswerTable<dim> &table) {
+void RveLaw<dim>::count() {
   RveLawStatistics &s = counts;
   bool any_failed = false;
   for (const std::size_t p : called) {
@@ -138,6 +138,7 @@ void RveLaw<dim>::set_points(const std::vector<dealii::Point<dim>> &places) {
   sigma.assign(points.size(), Tensor2<dim>::Constant(unset));
   conditions.assign(rve->has_history() ? points.size() : 0, RveCondition());
   cost.assign(points.size(), 0.);
+  reasons.assign(points.size(), {});
   all.resize(points.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   if (skipped) {
@@ -159,21 +160,21 @@ void RveLaw<dim>::evaluate(const std::vector<dealii::Tensor<2, dim>> &F,
 
   LawRequest columns = request;
   columns.tangents = request.tangents || skipped;  // which records need
-  AnswerTable<dim> table(n, columns, !conditions.empty());
-  std::vector<std::string> reasons(n);
+  table.begin(n, columns, !conditions.empty());
   const RveBatch<dim> batch{points, F, F_dot, table, reasons};
   called.clear();
   if (skipped)
     call_what_no_record_answers(batch, request);
   else
     call(all, batch, request);
-  count(table);
-  read(table, request, answer);
+  count();
+  read(request, answer);
   last = answer.failed.empty() ? Last::good : Last::failed;
   if (!answer.failed.empty())  // the table is equal on all ranks: all come here, or none
   {
     share.gather_texts(reasons);
     for (FailedPoint &f : answer.failed) f.reason = reasons[f.point];
+    reasons.assign(n, {});
   }
   counts.wall_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }

@@ -101,8 +101,9 @@ class RveLaw : public MaterialLaw<dim> {
   void call(const std::vector<std::size_t> &points, const RveBatch<dim> &batch, const LawRequest &request);
   /// In rounds (skipping.h), and all others from its table.
   void call_what_no_record_answers(const RveBatch<dim> &batch, const LawRequest &request);
-  void read(const AnswerTable<dim> &table, const LawRequest &request, LawAnswer<dim> &answer);
-  void count(const AnswerTable<dim> &table);
+  /// From the table of answers.
+  void read(const LawRequest &request, LawAnswer<dim> &answer);
+  void count();
   void rebalance();
 
   std::shared_ptr<const Rve<dim>> rve;
@@ -113,6 +114,11 @@ class RveLaw : public MaterialLaw<dim> {
   std::optional<Skipping<dim>> skipped;
 
   std::vector<dealii::Point<dim>> points;
+  // Of the batch that is being answered: kept, so that no batch asks for memory that has left the cache.
+  AnswerTable<dim> table;
+  std::vector<std::string> reasons;  // empty but where a point fails
+  std::vector<std::size_t> mine;     // of the points that are called, this rank's
+
   std::vector<std::size_t> all;     // points
   std::vector<std::size_t> called;  // in the last batch, ascending
   std::vector<Tensor2<dim>> F_now,

@@ -22,6 +22,7 @@ namespace turgor {
 template <int dim>
 class FBar {
  public:
+  /// The projection has to outlive the element: all elements of a mesh share it.
   FBar(unsigned int nodes, unsigned int gauss_points, unsigned int points,
        const std::vector<double> &projection);
 
@@ -29,10 +30,10 @@ class FBar {
   /// Returns the first point with det F <= 0 (or not finite), or `points` if there is none.
   unsigned int set(const dealii::Tensor<1, dim> *gradient, const double *u);
 
-  double determinant(unsigned int point) const { return J[point]; }
+  double determinant(unsigned int point) const { return at[point].J; }
 
   /// F_bar of Gauss point q.
-  dealii::Tensor<2, dim> deformation(unsigned int q) const { return scale[q] * F[q]; }
+  dealii::Tensor<2, dim> deformation(unsigned int q) const { return at[q].scale * at[q].F; }
 
   /// Exact derivative of F_bar_q, all q, in the direction v (m/s, [node][dim]).
   void rate(const dealii::Tensor<1, dim> *gradient, const double *v, dealii::Tensor<2, dim> *F_bar_dot);
@@ -47,11 +48,19 @@ class FBar {
                  const dealii::Tensor<2, dim> *P, const dealii::Tensor<4, dim> *tangent, double *matrix);
 
  private:
+  /// All of an element in one piece of memory: between two steps the RVEs drive it out of the cache.
+  struct AtPoint {
+    dealii::Tensor<2, dim> F, F_inverse_T;
+    double J = 0., log_J = 0.;
+    double scale = 1.;     ///< Gauss points only
+    double dilation = 0.;  ///< F^-1 : dF, or its force
+  };
+
+  double A(unsigned int q, unsigned int p) const { return (*projection)[q * n_points + p]; }
+  bool projects() const { return !projection->empty(); }
+
   unsigned int n_nodes, n_gauss, n_points;
-  std::vector<double> A;  // [gauss][point], empty: no projection
-  std::vector<dealii::Tensor<2, dim>> F, F_inverse_T;
-  std::vector<double> J, log_J, scale, dilation;  // dilation: F^-T : dF, or its force, per point
-  std::vector<dealii::Tensor<2, dim>> direction;  // stiffness: dF_bar of each dof
-  std::vector<double> theta;
+  const std::vector<double> *projection;  // [gauss][point], empty: none
+  std::vector<AtPoint> at;
 };
 }  // namespace turgor

@@ -33,7 +33,7 @@ double StableStep<dim>::power_iteration(const std::vector<double> &matrices, uns
   const auto mass = [&](std::size_t i) { return op.mass()[i / components * dim]; };
 
   // a start with all wave lengths in it, the same everywhere
-  std::vector<double> x(size), y(size);
+  std::vector<double> x(size), y(size), here(n);
   std::uint64_t random = 0x9e3779b97f4a7c15ull;
   for (double &value : x) {
     random = random * 6364136223846793005ull + 1442695040888963407ull;
@@ -43,18 +43,19 @@ double StableStep<dim>::power_iteration(const std::vector<double> &matrices, uns
   for (unsigned int iteration = 0; iteration < 2000; ++iteration) {
     if (op.ask) op.ask();
     std::fill(y.begin(), y.end(), 0.);
-    for (unsigned int cell = 0; cell < mesh.cells; ++cell)
-      for (unsigned int i = 0; i < n; ++i) {
-        double sum = 0.;
-        for (unsigned int j = 0; j < n; ++j) {
-          const std::size_t column =
-              std::size_t(mesh.cell_node[cell * mesh.nodes_per_cell + j / components]) * components +
-              j % components;
-          sum += matrices[(std::size_t(cell) * n + i) * n + j] * x[column];
+    for (unsigned int cell = 0; cell < mesh.cells; ++cell) {
+      const unsigned int *node = &mesh.cell_node[std::size_t(cell) * mesh.nodes_per_cell];
+      for (unsigned int a = 0; a < mesh.nodes_per_cell; ++a)
+        for (unsigned int c = 0; c < components; ++c)
+          here[a * components + c] = x[std::size_t(node[a]) * components + c];
+      const double *row = &matrices[std::size_t(cell) * n * n];
+      for (unsigned int a = 0; a < mesh.nodes_per_cell; ++a)
+        for (unsigned int c = 0; c < components; ++c, row += n) {
+          double sum = 0.;
+          for (unsigned int j = 0; j < n; ++j) sum += row[j] * here[j];
+          y[std::size_t(node[a]) * components + c] += sum;
         }
-        y[std::size_t(mesh.cell_node[cell * mesh.nodes_per_cell + i / components]) * components +
-          i % components] += sum;
-      }
+    }
     double xKx = 0., xMx = 0., norm = 0.;
     for (std::size_t i = 0; i < size; ++i)
       if (free(i)) {
