@@ -46,14 +46,14 @@ def draw_cells(directory, F):
     window = input_entries(directory).get(("RVE", "Boundary"), "periodic") != "periodic"
     near = (0,) if window else (-1, 0, 1)
     figure, axes = plt.subplots(1, 2, figsize=(11, 5.4), layout="constrained")
-    for axis, (x, y), lattice, title in zip(axes, (("x", "y"), ("end_x", "end_y")), (H, F @ H), ("at turgor", "at the end of the path")):
-        nodes = 1e6 * np.column_stack([table[f"{x} [m]"], table[f"{y} [m]"]])
+    shapes = [1e6 * np.column_stack([table[f"{x} [m]"], table[f"{y} [m]"]]) for x, y in (("x", "y"), ("end_x", "end_y"))]
+    half = 0.62 * max(np.ptp(nodes, axis=0).max() for nodes in shapes)  # one scale: the two are compared by eye
+    for axis, nodes, lattice, title in zip(axes, shapes, (H, F @ H), ("at turgor", "at the end of the path")):
         cells = [nodes[table["cell"] == c] for c in np.unique(table["cell"])]
         for shift in sorted(((i, j) for i in near for j in near), key=lambda one: one == (0, 0)):  # itself last
             axis.add_collection(PolyCollection([cell + lattice @ shift for cell in cells], facecolors="#dbe7c9" if shift == (0, 0) else "#f1f3ee",
                                                edgecolors=INK if shift == (0, 0) else "#aab2b8", linewidths=1.1))
-        low, high = nodes.min(axis=0), nodes.max(axis=0)
-        middle, half = (low + high) / 2, 0.62 * max(high - low)
+        middle = (nodes.min(axis=0) + nodes.max(axis=0)) / 2
         axis.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] - half, middle[1] + half), aspect="equal")
         axis.set_xlabel(f"{title}: x [µm]", color=INK)
         axis.set_ylabel("y [µm]", color=INK)

@@ -56,7 +56,7 @@ def plot_errors(rows, info, directory, same):
                                   layout="constrained")
     for panel in panels.ravel()[len(measures):]:
         panel.axis("off")
-    drawn, fronts, zeros = [], False, False
+    drawn, fronts, zeros, below = [], False, False, False
     for panel, measure in zip(panels.ravel(), measures):
         column, shown = "error_" + measure["name"], []
         for place, row in enumerate(rows, 1):
@@ -66,7 +66,8 @@ def plot_errors(rows, info, directory, same):
                 zeros = True
             elif time and error:
                 shown.append((time, abs(error), str(place), look[row["run"]]["color"]))
-                panel.plot(time, abs(error), markersize=5, ls="", **look[row["run"]])
+                panel.plot(time, abs(error), markersize=5, ls="", **look[row["run"]], **({"markerfacecolor": "white"} if error < 0 else {}))
+                below = below or error < 0
         front = pareto([point[:2] for point in shown])
         # A reference that is the fastest of all: what the others differ in is no price for coming closer.
         if len(front) > 1 and not any(number(row.get(column)) == 0 and (number(row["cpu_time_s"]) or 0) <= front[0][0] for row in rows):
@@ -97,6 +98,8 @@ def plot_errors(rows, info, directory, same):
                                   **(dict(color="0.5", ls=":") if reference else dict(look[row["run"]], ls=""))))
     if zeros:
         handles.append(plt.Line2D([], [], color="0.5", ls=":", label="no difference to the reference"))
+    if below:
+        handles.append(plt.Line2D([], [], color="0.5", marker="o", ls="", markerfacecolor="white", label="hollow: less than the reference"))
     if fronts:
         handles.append(plt.Line2D([], [], color="0.75", lw=3, label="no other numbered run is both faster and\ncloser to the reference, itself left out"))
     list_beside(figure, handles)
