@@ -104,13 +104,14 @@ void TissueStructure::add_parameters(InputEntries &prm) {
                     "gives wild shapes, many a nearly regular "
                     "tissue. Units: 1.",
                     Integer(0, 1000));
-  prm.add_parameter("Tissue file", file,
-                    "File of a tissue that is given. Structure polygons: a CSV with the columns cell, x, y, "
-                    "one row for each corner in m, those of a cell one "
-                    "after the other. Structure image: a PNG with one grey value or colour for each cell, 0 "
-                    "where there is none. Other structures: "
-                    "none. Units: none.",
-                    WordOrFile("none"));
+  prm.add_parameter(
+      "Tissue file", file,
+      "File of a tissue that is given. Structure polygons: a CSV with the columns cell, x, y, "
+      "one row for each corner in m, those of a cell one "
+      "after the other. Structure image: a PNG or TIFF with one grey value or colour for each cell, 0 "
+      "where there is none. Other structures: "
+      "none. Units: none.",
+      WordOrFile("none"));
   prm.add_parameter("Pixel size", pixel, "Side of a pixel of Structure image. Units: m.", Double(1e-9, 1e-3));
   prm.add_parameter("Line width", line_width,
                     "Pixels across the lines without a label that part the cells of Structure image: they go "

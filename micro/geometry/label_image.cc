@@ -1,18 +1,15 @@
 #include "micro/geometry/label_image.h"
 
+#include "micro/geometry/label_files.h"
 #include "run/number_text.h"
-#include "run/run_context.h"
 
-#include <png.h>
-
-#include <cstdio>
-#include <memory>
-#include <string>
+#include <array>
+#include <fstream>
 #include <utility>
 
 namespace turgor {
 namespace {
-constexpr png_uint_32 largest_side = 20000;
+constexpr unsigned int largest_side = 20000;
 
 /// Distance, in steps from pixel to pixel, of those that are not `from` to the nearest that is; -1 where
 /// further than `reach`.
@@ -39,71 +36,29 @@ std::vector<int> steps_away(const LabelImage &image, const int reach, const From
   return distance;
 }
 
-struct Rows {
-  png_uint_32 width = 0, height = 0;
-  int bytes_a_pixel = 0;
-  bool too_large = false;
-  std::vector<png_byte> bytes;
-  std::vector<png_bytep> at;
-};
-
-void say_nothing(png_structp, png_const_charp) {}
-[[noreturn]] void leave(png_structp png, png_const_charp) { png_longjmp(png, 1); }
-
-/// The picture's numbers as they are: no gamma, palettes as their colours, no transparency. libpng leaves by
-/// longjmp, so nothing with a destructor is begun here.
-bool read_rows(std::FILE *file, Rows &rows) {
-  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, &leave, &say_nothing);
-  png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
-  if (info == nullptr || setjmp(png_jmpbuf(png))) {
-    png_destroy_read_struct(&png, &info, nullptr);
-    return false;
-  }
-  png_init_io(png, file);
-  png_read_info(png, info);
-  rows.width = png_get_image_width(png, info);
-  rows.height = png_get_image_height(png, info);
-  rows.too_large =
-      rows.width > largest_side || rows.height > largest_side || rows.width < 3 || rows.height < 3;
-  if (rows.too_large) png_error(png, "size");
-  if (png_get_color_type(png, info) == PNG_COLOR_TYPE_PALETTE)
-    png_set_palette_to_rgb(png);
-  else if (png_get_color_type(png, info) & PNG_COLOR_MASK_COLOR)
-    png_set_scale_16(png);
-  png_set_packing(png);
-  png_set_strip_alpha(png);
-  png_set_interlace_handling(png);
-  png_read_update_info(png, info);
-  rows.bytes_a_pixel = png_get_channels(png, info) * png_get_bit_depth(png, info) / 8;
-  const std::size_t row = png_get_rowbytes(png, info);
-  rows.bytes.resize(row * rows.height);
-  for (png_uint_32 y = 0; y < rows.height; ++y) rows.at.push_back(rows.bytes.data() + row * y);
-  png_read_image(png, rows.at.data());
-  png_destroy_read_struct(&png, &info, nullptr);
-  return true;
+/// Whether the file begins as TIFF files do, of either order of bytes, small or big.
+bool is_tiff(const std::filesystem::path &file) {
+  std::array<char, 4> first{};
+  std::ifstream(file, std::ios::binary).read(first.data(), first.size());
+  const bool little = first[0] == 'I' && first[1] == 'I' && first[3] == 0,
+             big = first[0] == 'M' && first[1] == 'M' && first[2] == 0;
+  return (little && (first[2] == 42 || first[2] == 43)) || (big && (first[3] == 42 || first[3] == 43));
 }
 }  // namespace
 
+bool allowed_size(const std::uint64_t width, const std::uint64_t height) {
+  return width >= 3 && height >= 3 && width <= largest_side && height <= largest_side;
+}
+
+InputError wrong_size(const std::filesystem::path &file, const std::uint64_t width,
+                      const std::uint64_t height) {
+  return InputError(file.string() + " cannot be read: it has " + number_text(width) + " x " +
+                    number_text(height) + " pixels, allowed are 3 to " + number_text(largest_side) +
+                    " each way.");
+}
+
 LabelImage read_label_image(const std::filesystem::path &file) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE *)> open(std::fopen(file.c_str(), "rb"), &std::fclose);
-  if (!open) throw InputError(file.string() + " cannot be opened.");
-  Rows rows;
-  if (!read_rows(open.get(), rows))
-    throw InputError(file.string() + " cannot be read as a PNG picture" +
-                     (rows.too_large
-                          ? ": it has " + number_text(rows.width) + " x " + number_text(rows.height) +
-                                " pixels, allowed are 3 to " + number_text(largest_side) + " each way."
-                          : std::string(".")));
-  LabelImage image{int(rows.width), int(rows.height), {}};
-  image.labels.reserve(std::size_t(rows.width) * rows.height);
-  for (png_uint_32 y = rows.height; y-- > 0;)  // the first row is the upper one
-    for (png_uint_32 x = 0; x < rows.width; ++x) {
-      std::uint32_t label = 0;
-      for (int c = 0; c < rows.bytes_a_pixel; ++c)
-        label = label * 256u + rows.at[y][std::size_t(x) * rows.bytes_a_pixel + c];
-      image.labels.push_back(label);
-    }
-  return image;
+  return is_tiff(file) ? labels_of_tiff(file) : labels_of_png(file);
 }
 
 void close_lines(LabelImage &image, const int width) {

@@ -2,7 +2,7 @@
 // cells), one label a cell.
 //
 //   const LabelImage image = read_label_image("cells.png");
-//     // grey of 8 or 16 bits, palette or colour: a colour is a label
+//     // PNG or TIFF (label_files.h): grey, palette or colour; a colour is a label
 //
 // Rows from below: (0, 0) is the lower left pixel. Throws InputError where the file is no such picture.
 #pragma once

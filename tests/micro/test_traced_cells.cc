@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE(files_are_read_as_they_are) {
   BOOST_CHECK_EXCEPTION(read_label_image(directory.path / "none.png"), InputError, says("cannot be opened"));
   std::ofstream(directory.path / "text.png") << "no picture";
   BOOST_CHECK_EXCEPTION(read_label_image(directory.path / "text.png"), InputError,
-                        says("cannot be read as a PNG"));
+                        says("cannot be read as a PNG or TIFF"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
