@@ -4,6 +4,8 @@
 
 namespace turgor {
 namespace {
+constexpr std::size_t condition_columns = 6;  // at the end of a row, safe_strain last
+
 /// Columns of a row.
 template <int dim>
 struct Row {
@@ -40,7 +42,7 @@ void AnswerTable<dim>::begin(const std::size_t points, const LawRequest &request
   rate_tangents = request.rate_tangents;
   conditions = conditions_;
   rate_tangent = Row<dim>::tangent + (tangents ? dim * dim * dim * dim : 0);
-  width = rate_tangent + (rate_tangents ? dim * dim * dim * dim : 0) + (conditions ? 5 : 0);
+  width = rate_tangent + (rate_tangents ? dim * dim * dim * dim : 0) + (conditions ? condition_columns : 0);
   table.resize(points * width);
   for (std::size_t point = 0; point < points; ++point) table[point * width + Row<dim>::failed] = 0.;
 }
@@ -68,15 +70,16 @@ void AnswerTable<dim>::put(const std::size_t point, const RveAnswer<dim> &a) {
   if (rate_tangents) write<dim>(a.rate_tangent, row + rate_tangent);
   if (conditions) {
     const RveCondition &c = a.condition;
-    const double values[5] = {c.failed, c.permanent, c.flow_dissipated, c.failure_dissipated, a.safe_strain};
-    std::copy(values, values + 5, row + width - 5);
+    const double values[condition_columns] = {
+        c.failed, c.permanent, c.flow_dissipated, c.failure_dissipated, c.torn_dissipated, a.safe_strain};
+    std::copy(values, values + condition_columns, row + width - condition_columns);
   }
 }
 
 template <int dim>
 RveCondition AnswerTable<dim>::condition(const std::size_t point) const {
-  const double *last = table.data() + (point + 1) * width - 5;
-  return {last[0], last[1], last[2], last[3]};
+  const double *last = table.data() + (point + 1) * width - condition_columns;
+  return {last[0], last[1], last[2], last[3], last[4]};
 }
 
 template <int dim>
@@ -167,8 +170,7 @@ void AnswerTable<dim>::read(const std::size_t point, LawAnswer<dim> &answer) con
       for (int j = 0; j < dim; ++j) answer.viscous[point][i][j] = row[R::viscous + i * dim + j];
     answer.heating[point] = row[R::heating];
   }
-  if (conditions)
-    answer.spent[point] = condition(point).flow_dissipated + condition(point).failure_dissipated;
+  if (conditions) answer.spent[point] = condition(point).dissipated();
   if (!answer.tangent.empty()) turgor::read<dim>(row + R::tangent, answer.tangent[point]);
   if (rate_tangents) turgor::read<dim>(row + rate_tangent, answer.rate_tangent[point]);
 }

@@ -23,8 +23,8 @@ class StaticCourse {
 
   struct Sum  ///< over the points, weighted with their area
   {
-    double failed = 0., permanent = 0.;    // shares of the area
-    double by_flow = 0., by_failure = 0.;  // J/m
+    double failed = 0., permanent = 0.;                  // shares of the area
+    double by_flow = 0., by_failure = 0., by_torn = 0.;  // J/m
   };
 
   struct Place  ///< of the force-displacement curve

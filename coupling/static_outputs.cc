@@ -45,13 +45,18 @@ std::vector<OutputDefinition> energy_results() {
        "depth."},
       {"dissipated_by_flow", "J/m", "Energy that yielding walls have dissipated, per metre of depth."},
       {"dissipated_by_failure", "J/m", "Energy that breaking walls have set free, per metre of depth."},
+      {"dissipated_by_torn_cells", "J/m",
+       "Energy that failed cells have lost after their walls broke, by fluid that leaks out and by torn "
+       "walls "
+       "that drag holds, per metre of depth."},
       {"released", "J/m",
-       "Work less stored, contact and dissipated energy of the steps in which walls broke or the tissue "
-       "jumped: what would have become motion and heat, per metre of depth. Negative where the energy of "
-       "those steps does not balance."},
+       "Energy dropped where walls broke or buckled and the tissue fell to the next stable state: work of "
+       "the "
+       "unbalanced forces on its way, which would have become motion and heat, per metre of depth."},
       {"energy_gap_share", "1",
-       "The same of all other steps, over the largest work so far: the error of the trapezoidal rule, "
-       "which falls with the square of the step."},
+       "Work less stored, contact, dissipated and released energy, each computed on its own, over the "
+       "largest "
+       "work so far: the error of the load steps, which falls with their square where nothing breaks."},
       {"viscous_stress_bound", "Pa",
        "Upper bound of the viscous stress, which is left out, at the fastest strain rate of a step in which "
        "nothing broke."}};
@@ -65,8 +70,8 @@ std::vector<OutputDefinition> cost_results() {
        "Number of states found in which more cells failed than Load steps/Most failing, and which were "
        "halved."},
       {"jumps", "",
-       "Number of steps that ended where no equilibrium was near by and the tissue went to the next stable "
-       "state."},
+       "Number of steps in which walls broke or no equilibrium was near by, and the tissue fell to the next "
+       "stable state."},
       {"newton_iterations", "", "Number of Newton iterations of the tissue, rejected increments included."},
       {"residual_max", "1",
        "Largest norm of the unbalanced nodal forces of an accepted step over that of all nodal forces."},
@@ -116,9 +121,13 @@ Outputs static_run_outputs() {
               {"contact", "J/m", "Energy in the penalty of tool and support."},
               {"dissipated_by_flow", "J/m", "Energy that yielding walls have dissipated since rest."},
               {"dissipated_by_failure", "J/m", "Energy that breaking walls have set free since rest."},
+              {"dissipated_by_torn_cells", "J/m",
+               "Energy that failed cells have lost since rest after their walls broke, by leaking fluid and "
+               "drag."},
               {"released", "J/m",
-               "Energy set free since rest in steps in which walls broke or the tissue jumped."},
-              {"gap", "J/m", "Work less all of these: the error of the steps."}});
+               "Energy dropped since rest where the tissue fell to the next stable state: work of the "
+               "unbalanced forces on its way."},
+              {"gap", "J/m", "Work less all of these, each computed on its own: the error of the steps."}});
   return all.join(outlines_outputs(), "with Outlined RVEs > 0").join(tissue_field_outputs());
 }
 }  // namespace turgor

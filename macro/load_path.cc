@@ -54,7 +54,7 @@ void LoadPath<dim>::start() {
   const LoadPlace here = place(0.);
   if (!balance.evaluate(tissue.state().u, here))
     throw TissueFailed(tissue.forces().failure(), here.time, 0., 0);
-  accept(tissue.state().u, here, false);
+  accept(tissue.state().u, here, std::nullopt);
   energy = PathEnergies{0., energy.stored, energy.contact, energy.spent, 0.};
   count = PathCounters();
 }
@@ -71,14 +71,17 @@ void LoadPath<dim>::step(const double limit) {
     LoadPlace there = place(h);
     if (h == left) there = {limit, h, dead_share(limit)};
     std::vector<double> u = tissue.state().u;
-    bool found = newton.solve(u, there), jumped = false;
+    bool found = newton.solve(u, there);
+    std::optional<double> dropped;
     const std::size_t iterations = newton.residuals().size();
     count.iterations += iterations > 0 ? iterations - 1 : 0;
     point_failed = iterations == 0;
+    if (found && broke() && !balances(u, there)) found = false;
     const bool short_enough = h <= smallest || (h <= jump && !point_failed && broke());
     if (!found && short_enough) {
       u = tissue.state().u;
-      found = jumped = let_go(u, there);
+      dropped = let_go(u, there);
+      found = dropped.has_value();
     }
     if (found && h > jump && too_much && too_much()) {
       ++count.refused;
@@ -86,9 +89,9 @@ void LoadPath<dim>::step(const double limit) {
     } else if (!found)
       ++count.halved;
     if (found) {
-      accept(u, there, jumped);
-      if (iterations > settings.hard + 1 || jumped)
-        next = std::max(jumped ? jump : smallest, 0.5 * h);
+      accept(u, there, dropped);
+      if (iterations > settings.hard + 1 || dropped)
+        next = std::max(dropped ? jump : smallest, 0.5 * h);
       else if (iterations <= settings.easy + 1)
         next = std::min(std::max(1.5 * h, cut ? next : 0.), settings.largest_step * settings.end);
       else
@@ -103,22 +106,23 @@ void LoadPath<dim>::step(const double limit) {
 
 /// Where that leads nowhere the law is as it was.
 template <int dim>
-bool LoadPath<dim>::let_go(std::vector<double> &u, const LoadPlace &at) {
+std::optional<double> LoadPath<dim>::let_go(std::vector<double> &u, const LoadPlace &at) {
   MaterialLaw<dim> &law = tissue.forces().law();
   const std::string before = archived(law);
   const double then = broken_then;
-  const bool found = newton.dragged(u, at, [&] {
-    if (!broke()) return false;
+  DragWatch watch;
+  watch.broke = [this] { return broke(); };
+  watch.keep = [&] {
     broken_then = broken();
     law.commit();
-    return true;
-  });
+  };
+  watch.most_off = most_off();
+  const Dragged way = newton.dragged(u, at, watch);
   count.iterations += newton.residuals().empty() ? 0 : newton.residuals().size() - 1;
-  if (!found) {
-    restore(before, law);
-    broken_then = then;
-  }
-  return found;
+  if (way.found) return way.taken;
+  restore(before, law);
+  broken_then = then;
+  return std::nullopt;
 }
 
 template <int dim>
@@ -132,38 +136,66 @@ std::string LoadPath<dim>::why() const {
          number_text(norms.size() - 1) + " iterations.";
 }
 
+/// Where the tissue fell (see let_go) loads and tool had come first.
 template <int dim>
-void LoadPath<dim>::accept(const std::vector<double> &u, const LoadPlace &at, const bool jumped) {
+double LoadPath<dim>::work_of_loads(const std::vector<double> &u, const LoadPlace &at,
+                                    const bool fell) const {
+  const TissueState<dim> &state = tissue.state();
+  double along = 0.;
+  for (std::size_t i = 0; i < u.size(); ++i) along += balance.load()[i] * (u[i] - state.u[i]);
+  return (fell ? at.share : 0.5 * (dead_share(state.time) + at.share)) * along;
+}
+
+template <int dim>
+double LoadPath<dim>::work_of_tool(const std::vector<double> &u, const LoadPlace &at, const bool fell) const {
+  const RigidTools<dim> *tools = tissue.forces().tools();
+  const TissueState<dim> &state = tissue.state();
+  if (!tools) return 0.;
+  if (fell) return tools->read(at.time, state.u).energy - state.tool.energy;
+  return 0.5 * (state.tool.force + tools->read(at.time, u).force) *
+         (tools->travel(at.time) - tools->travel(state.time));
+}
+
+template <int dim>
+bool LoadPath<dim>::balances(const std::vector<double> &u, const LoadPlace &at) const {
+  const double gained = balance.energy() - energy.stored - energy.spent - energy.contact;
+  return std::abs(work_of_loads(u, at, false) + work_of_tool(u, at, false) - gained) <= most_off();
+}
+
+template <int dim>
+double LoadPath<dim>::most_off() const {
+  return work_most > 0. ? settings.most_off * work_most : HUGE_VAL;
+}
+
+template <int dim>
+void LoadPath<dim>::accept(const std::vector<double> &u, const LoadPlace &at,
+                           const std::optional<double> dropped) {
   TissueOperator<dim> &op = tissue.forces();
   TissueState<dim> &state = tissue.state();
-  const bool brittle = jumped || broke();
-  const double gap_before = energy.gap();
-  double work = 0.;
-  for (std::size_t i = 0; i < op.size(); ++i) work += balance.load()[i] * (u[i] - state.u[i]);
-  energy.work += 0.5 * (dead_share(state.time) + at.share) * work;
+  energy.work += work_of_loads(u, at, dropped.has_value());
   if (op.tools()) {
-    const double force = state.tool.force,
-                 travel = op.tools()->travel(at.time) - op.tools()->travel(state.time);
+    const double by_tool = work_of_tool(u, at, dropped.has_value());
+    energy.work += by_tool;
+    state.tool_work += by_tool;
     state.tool = op.tools()->read(at.time, u);
-    energy.work += 0.5 * (force + state.tool.force) * travel;
-    state.tool_work += 0.5 * (force + state.tool.force) * travel;
     state.tool.support += balance.held()[0];
     energy.contact = state.tool.energy;
   }
+  energy.released += dropped.value_or(0.);
+  work_most = std::max(work_most, std::abs(energy.work));
   holding = balance.held();
   taken = at.time - state.time;
   state.time = at.time;
   take_balance(tissue, u, energy);
-  if (brittle) energy.released += energy.gap() - gap_before;
   if (broken) broken_then = broken();
   ++count.steps;
-  count.jumps += jumped ? 1 : 0;
+  count.jumps += dropped ? 1 : 0;
 }
 
 template <int dim>
 void LoadPath<dim>::archive(Archive &a) {
   a.section("load path");
-  a(next, taken, energy, count, holding, broken_then);
+  a(next, taken, energy, count, holding, broken_then, work_most);
   a(tissue);
 }
 

@@ -10,15 +10,22 @@
 // and where whoever watches refuses it (too_much: more cells fail in it than wanted); it grows by half where
 // few iterations were enough. At the smallest step the tissue may jump: dragged to the nearest stable state.
 //
-// Energy: work = stored + contact + spent + released + gap. Work by the trapezoidal rule: its error is the
-// gap, which falls with the square of the step. A jump, and a step in which walls break (brittle), free
-// energy that a real tissue turns into motion and heat: counted as released instead.
+// Energy: work = stored + contact + spent + released + gap, each computed on its own. Work by the trapezoidal
+// rule: its error is the gap, which falls with the square of the step.
+//
+// A state beyond what breaks is one of many: a law that is asked there brings its walls to it whole and
+// breaks them then, with energy that nobody has put in. So a step in which something broke is taken as found
+// only where its energies balance to most_off. Else the tissue is let go, at a step of no more than `jump`:
+// loads and tool come first, then it falls as in a thick fluid (StaticNewton::dragged), breaking on its way,
+// each move in balance to most_off; so does one without an equilibrium near by. What the fluid takes, in a
+// real tissue motion and heat, is released.
 #pragma once
 
 #include "macro/static_newton.h"
 #include "macro/tissue.h"
 
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -31,6 +38,8 @@ struct LoadPathSettings {
   double end = 1.;                                                      ///< s
   double first_step = 0.02, largest_step = 0.02, smallest_step = 1e-5;  ///< of the end
   double jump = 1e-3;                                                   ///< of the end
+  double most_off = 1e-4;  ///< of the largest work so far: by which the energies of a step in which something
+                           ///< broke, and of a move while the tissue falls, may differ
   unsigned int easy = 6,
                hard = 12;  ///< Newton iterations: up to the first a step grows, beyond the second it shrinks
 
@@ -41,7 +50,7 @@ struct LoadPathSettings {
 /// J (2D: per metre of depth), since rest.
 struct PathEnergies {
   double work = 0., stored = 0., contact = 0., spent = 0.;
-  double released = 0.;  ///< in jumps and steps in which something broke
+  double released = 0.;  ///< dropped where the tissue fell to the next stable state
   double gap() const { return work - stored - contact - spent - released; }
 };
 
@@ -98,10 +107,17 @@ class LoadPath {
 
  private:
   LoadPlace place(double step) const;
-  void accept(const std::vector<double> &u, const LoadPlace &at, bool jumped);
+  /// dropped: J, set free where it fell there.
+  void accept(const std::vector<double> &u, const LoadPlace &at, std::optional<double> dropped);
+  double work_of_loads(const std::vector<double> &u, const LoadPlace &at, bool fell) const;
+  double work_of_tool(const std::vector<double> &u, const LoadPlace &at, bool fell) const;
+  /// Whether the energies of the step that was found last do.
+  bool balances(const std::vector<double> &u, const LoadPlace &at) const;
+  double most_off() const;  ///< J
   std::string why() const;
   bool broke() const { return broken && broken() != broken_then; }
-  bool let_go(std::vector<double> &u, const LoadPlace &at);
+  /// J, set free on the way; nothing: it comes to no rest.
+  std::optional<double> let_go(std::vector<double> &u, const LoadPlace &at);
 
   Tissue<dim> &tissue;
   const LoadPathSettings settings;
@@ -112,6 +128,7 @@ class LoadPath {
   PathCounters count;
   dealii::Tensor<1, dim> holding;
   double broken_then = 0.;  ///< at the last commit
+  double work_most = 0.;    ///< J
   bool point_failed = false;
 };
 }  // namespace turgor

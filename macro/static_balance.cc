@@ -81,6 +81,22 @@ double StaticBalance<dim>::force_norm() const {
   return std::hypot(held_and_pressed, last.share * all_of_load);
 }
 
+template <int dim>
+double StaticBalance<dim>::energy() const {
+  double sum = op.tools() ? op.tools()->read(last.time, last_u).energy : 0.;
+  const LawAnswer<dim> &answer = op.answer();
+  for (std::size_t q = 0; q < answer.energy.size(); ++q)
+    sum += op.mesh().gauss_weight[q] * (answer.energy[q] + (answer.spent.empty() ? 0. : answer.spent[q]));
+  return sum;
+}
+
+template <int dim>
+double StaticBalance<dim>::taken_by_drag(const double drag, const std::vector<double> &move) const {
+  double sum = 0.;
+  for (std::size_t i = 0; i < move.size(); ++i) sum += drag * feel[i / dim] * move[i] * move[i];
+  return sum;
+}
+
 /// The law's stress is off by its stiffness times a few units of the last place; laws that find a balance
 /// inside have several such terms (an RVE of 25 nodes a side: 4 to 8 units).
 template <int dim>

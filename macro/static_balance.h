@@ -43,6 +43,11 @@ class StaticBalance {
   double load_norm() const { return all_of_load; }
   const std::vector<double> &load() const { return dead; }  ///< N, zero at clamped nodes
 
+  /// J, at the last u: stored, spent and in contact.
+  double energy() const;
+  /// J, that a drag (as of linearise) takes along a move (m), the whole of it at its last speed.
+  double taken_by_drag(double drag, const std::vector<double> &move) const;
+
   /// N: what the rounding of F = I + grad u makes of forces, as a norm over the free nodes.
   double round_off() const;
 

@@ -99,49 +99,64 @@ bool StaticNewton<dim>::solve(std::vector<double> &u, const LoadPlace &place, co
 }
 
 template <int dim>
-bool StaticNewton<dim>::dragged(std::vector<double> &u, LoadPlace place, const std::function<bool()> &keep) {
-  const auto kept = [&] {
-    if (!keep || !keep()) return false;
+Dragged StaticNewton<dim>::dragged(std::vector<double> &u, LoadPlace place, const DragWatch &watch) {
+  const auto broke = [&] { return watch.broke && watch.broke(); };
+  const auto keep = [&] {
+    watch.keep();
     place.since_commit = 0.;  // no time passes while it falls
-    return true;
+    return evaluate(u, place, 0.);
   };
+  Dragged way;
   norms.clear();
   double norm = evaluate(u, place, 0.), drag = first_drag;
-  if (norm < 0.) return false;
+  if (norm >= 0. && broke()) norm = keep();
+  if (norm < 0.) return way;
   norms.push_back(norm);
+  double energy = balance.energy();
   for (unsigned int iteration = 0; iteration < settings.most_dragged; ++iteration) {
-    if (kept()) {
-      norm = evaluate(u, place, 0.);
-      if (norm < 0.) return false;
-      norms.push_back(norm);
-    }
-    if (is_found(0.)) return true;
+    way.found = is_found(0.);
+    if (way.found) return way;
+    const std::vector<double> force = balance.residual();
+    const double used = drag < no_drag ? 0. : drag;
     std::vector<double> change;
     try {
-      balance.linearise(drag < no_drag ? 0. : drag);
-      change = balance.solve(balance.residual());
+      balance.linearise(used);
+      change = balance.solve(force);
     } catch (const SingularMatrix &) {
     }
     ++all_iterations;
     // uphill: the drag does not outweigh what is unstable
-    if (change.empty() || !(product(change, balance.residual()) > 0.)) {
+    const double work = change.empty() ? 0. : product(change, force);
+    if (!(work > 0.)) {
       drag = std::max(4. * drag, least_drag);
       continue;
     }
     const std::vector<double> next = moved(u, 1., change);
     norm = evaluate(next, place, 0.);
-    if (norm < 0. || norm > std::max(most_growth * norms.back(), near_by)) {
+    const bool torn = norm >= 0. && broke();
+    // What breaks does so at the end of a move: up to there the tangent at its beginning holds.
+    const double taken = norm < 0. ? 0.
+                         : torn    ? 0.5 * (work + balance.taken_by_drag(used, change))
+                                   : 0.5 * (work + product(change, balance.residual()));
+    const double loads = place.share * product(balance.load(), change);
+    const double off = norm < 0. ? 0. : energy + loads - balance.energy() - taken;
+    if (norm < 0. || (!torn && norm > std::max(most_growth * norms.back(), near_by)) ||
+        std::abs(off) > watch.most_off || taken < -watch.most_off) {
       drag = std::max(4. * drag, least_drag);
-      if (drag > most_drag || evaluate(u, place, 0.) < 0.) return false;
+      if (drag > most_drag || evaluate(u, place, 0.) < 0.) return way;
       continue;
     }
+    u = next;
+    way.taken += taken;
+    if (torn) norm = keep();
+    if (norm < 0.) return way;
+    energy = balance.energy();
     const double ratio = norm / norms.back();
     // away from what is unstable the residual grows at first
     drag *= ratio < hardly || norm < near_by ? std::clamp(ratio, 0.1, 0.5) : 1.;
-    u = next;
     norms.push_back(norm);
   }
-  return false;
+  return way;
 }
 
 template class StaticNewton<2>;

@@ -8,12 +8,17 @@
 // Where a branch ends (walls that buckle or break) there is a state beyond, but no way to it along which
 // Newton's method converges. dragged() goes there as the tissue would in a thick fluid: K + sigma D in place
 // of K, sigma halved or falling with the residual (pseudo-transient continuation; Kelley, Keyes 1998,
-// doi:10.1137/S0036142996304796). What breaks on the way stays broken (keep): else a wall that breaks and
-// heals from one iteration to the next never comes to rest. What is reached is stable.
+// doi:10.1137/S0036142996304796). What breaks on the way stays broken (DragWatch::keep): else a wall that
+// breaks and heals from one iteration to the next never comes to rest. What is reached is stable.
+//
+// The energy that the fluid takes is the work of the unbalanced forces along the way, move by move: by the
+// trapezoidal rule, where something broke by the tangent at the beginning of the move. A move whose energies
+// (stored, spent, contact, dead loads) do not fall by just that is made again with more drag.
 #pragma once
 
 #include "macro/static_balance.h"
 
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -26,6 +31,18 @@ struct NewtonSettings {
   std::function<void()> each_evaluation;  ///< before each of all points; what it throws ends the search
 };
 
+/// Who watches over a dragged way. Empty: nothing can break.
+struct DragWatch {
+  std::function<bool()> broke;  ///< whether something has broken in the law's trial state since keep()
+  std::function<void()> keep;   ///< commits that state
+  double most_off = HUGE_VAL;   ///< J, by which the energies of one move may differ
+};
+
+struct Dragged {
+  bool found = false;  ///< u is in equilibrium and the last that the law was asked
+  double taken = 0.;   ///< J, by the drag
+};
+
 template <int dim>
 class StaticNewton {
  public:
@@ -34,8 +51,7 @@ class StaticNewton {
   /// True: u (m) is in equilibrium and the last that the law was asked. False: u is where it stopped.
   /// scale: N, of the residual; 0: the force norm of the moment.
   bool solve(std::vector<double> &u, const LoadPlace &place, double scale = 0.);
-  /// keep: asked after each move; true: it has committed the law's trial state.
-  bool dragged(std::vector<double> &u, LoadPlace place, const std::function<bool()> &keep = {});
+  Dragged dragged(std::vector<double> &u, LoadPlace place, const DragWatch &watch = {});
 
   const std::vector<double> &residuals() const { return norms; }  ///< relative, of the last search
   unsigned long iterations() const { return all_iterations; }     ///< so far

@@ -15,7 +15,8 @@ ConditionReport::ConditionReport(RunContext &context)
                                          {"failed_share", "1"},
                                          {"permanent_stretch", "1"},
                                          {"flow_dissipation", "J/m^3"},
-                                         {"failure_dissipation", "J/m^3"}})) {}
+                                         {"failure_dissipation", "J/m^3"},
+                                         {"torn_dissipation", "J/m^3"}})) {}
 
 void ConditionReport::define(Outputs &outputs) {
   outputs
@@ -24,20 +25,26 @@ void ConditionReport::define(Outputs &outputs) {
                  "Mean permanent stretch of the walls at the last point over that at rest, less 1.", lasting},
                 {"first_failure_time", "s", "Time of the first point at which a cell had failed.",
                  "where a cell failed"}})
-      .table("condition", "One row for each point of the path at which the stress is found.",
-             {{"time", "s", "Time on the path of deformation.", lasting},
-              {"failed_share", "1", "Share of the cells that have failed.", lasting},
-              {"permanent_stretch", "1", "Mean permanent stretch of the walls over that at rest, less 1.",
-               lasting},
-              {"flow_dissipation", "J/m^3", "Energy over undeformed volume that yielding walls have taken.",
-               lasting},
-              {"failure_dissipation", "J/m^3", "Energy over undeformed volume set free by walls that broke.",
-               lasting}});
+      .table(
+          "condition", "One row for each point of the path at which the stress is found.",
+          {{"time", "s", "Time on the path of deformation.", lasting},
+           {"failed_share", "1", "Share of the cells that have failed.", lasting},
+           {"permanent_stretch", "1", "Mean permanent stretch of the walls over that at rest, less 1.",
+            lasting},
+           {"flow_dissipation", "J/m^3", "Energy over undeformed volume that yielding walls have taken.",
+            lasting},
+           {"failure_dissipation", "J/m^3", "Energy over undeformed volume set free by walls that broke.",
+            lasting},
+           {"torn_dissipation", "J/m^3",
+            "Energy over undeformed volume that failed cells have lost after that: by fluid that leaks out "
+            "and by torn walls that drag holds.",
+            lasting}});
 }
 
 void ConditionReport::add(const double time, const RveAnswer<2> &answer) {
   last = answer.condition;
-  table->add_row({time, last.failed, last.permanent, last.flow_dissipated, last.failure_dissipated});
+  table->add_row({time, last.failed, last.permanent, last.flow_dissipated, last.failure_dissipated,
+                  last.torn_dissipated});
   if (!first && last.failed > 0.) first = {time, answer.trial.F};
 }
 

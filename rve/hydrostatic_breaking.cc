@@ -66,6 +66,7 @@ RveCondition HydrostaticRve::condition(const WallHistory &history) const {
   c.permanent = history.mean_permanent() / virgin.mean_permanent() - 1.;
   c.flow_dissipated = history.flow_dissipated / reference_volume;
   c.failure_dissipated = history.failure_dissipated / reference_volume;
+  c.torn_dissipated = history.torn_dissipated / reference_volume;
   return c;
 }
 }  // namespace turgor

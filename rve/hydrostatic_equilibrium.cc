@@ -75,21 +75,36 @@ void HydrostaticRve::settle(const RveState<2> &committed, const Tensor2<2> &F, R
   answer.diagnostics.residual = report.residual;
 }
 
+/// Work of the forces between the walls along the way from `start`, where the affine motion had put the
+/// nodes: by the trapezoidal rule, at its beginning those that the last call left.
+double HydrostaticRve::taken_by_drag(const RveState<2> &committed, const Tensor2<2> &F,
+                                     const std::vector<double> &start, const std::vector<double> &x,
+                                     Scratch &scratch) const {
+  const Tensor2<2> &H0 = network.layout().lattice;
+  double work = 0.;
+  for (const bool end : {false, true}) {
+    network.evaluate(end ? x : committed.unknowns, (end ? F : committed.F) * H0, NetworkOrder::gradient,
+                     scratch.evaluation, &scratch.history);
+    for (std::size_t d = 0; d < x.size(); ++d)
+      work -= 0.5 * scratch.evaluation.gradient[d] * (x[d] - start[d]);
+  }
+  return work;
+}
+
 EquilibriumReport HydrostaticRve::drag_on(const RveState<2> &committed, const Tensor2<2> &F,
                                           std::vector<double> &x, Scratch &scratch) const {
   const CellLayout &layout = network.layout();
   const double spring = layout.spring_stiffness, share = scratch.history.pressure_share;
   EquilibriumReport report;
   for (const double part : {1e-4, 1e-3, 1e-2, 1e-1}) {
-    scratch.history = virgin;
-    network.unpack(committed.history, scratch.history);
-    scratch.history.pressure_share = share;
+    recall(committed, share, scratch);
     EquilibriumSettings dragged = settings.equilibrium;
     dragged.drag = part * spring;
     map(F * committed.F.inverse(), committed.unknowns, x);
     const std::vector<double> start = x;
     report = scratch.equilibrium.solve(x, F * layout.lattice, dragged);
     if (report.converged) {
+      scratch.history.torn_dissipated += taken_by_drag(committed, F, start, x, scratch);
       const EquilibriumReport after = break_bonds(F, x, scratch, dragged);
       report.converged = after.converged;
       report.message = after.message;

@@ -141,13 +141,20 @@ void HydrostaticRve::begin(const RveState<2> &committed, const RveRequest &reque
     throw std::invalid_argument("The committed state does not belong to this RVE.");
   const bool with_history = settings.walls.history();
   if (with_history) {
-    scratch.history = virgin;
-    network.unpack(committed.history, scratch.history);
     const double tau = settings.walls.leak_time;
-    scratch.history.pressure_share = tau > 0. ? std::exp(-request.time_since_commit / tau) : 0.;
+    recall(committed, tau > 0. ? std::exp(-request.time_since_commit / tau) : 0., scratch);
   } else if (!committed.history.empty())
     throw std::invalid_argument("The committed state has a history, this RVE keeps none.");
   scratch.equilibrium.set_history(with_history ? &scratch.history : nullptr);
+}
+
+void HydrostaticRve::recall(const RveState<2> &committed, const double pressure_share,
+                            Scratch &scratch) const {
+  scratch.history = virgin;
+  network.unpack(committed.history, scratch.history);
+  scratch.history.pressure_share = pressure_share;
+  if (scratch.history.failed_cells() > 0)
+    scratch.history.torn_dissipated += network.given_up(committed.unknowns, scratch.history);
 }
 
 void HydrostaticRve::take_energy(const Tensor2<2> &F, const NetworkEvaluation &e, RveAnswer<2> &answer,

@@ -93,6 +93,8 @@ class HydrostaticRve : public Rve<2> {
   /// The history of the call, as of the committed state. Throws std::invalid_argument for a state of another
   /// RVE.
   void begin(const RveState<2> &committed, const RveRequest &request, Scratch &scratch) const;
+  /// The history before the step, with theta of it.
+  void recall(const RveState<2> &committed, double pressure_share, Scratch &scratch) const;
   /// The rule elastic_equilibrium: positions of the trial state and diagnostics.
   void settle(const RveState<2> &committed, const Tensor2<2> &F, RveAnswer<2> &answer,
               Scratch &scratch) const;
@@ -106,6 +108,8 @@ class HydrostaticRve : public Rve<2> {
   /// Where a torn RVE finds no equilibrium: the least drag with which it comes to rest.
   EquilibriumReport drag_on(const RveState<2> &committed, const Tensor2<2> &F, std::vector<double> &x,
                             Scratch &scratch) const;
+  double taken_by_drag(const RveState<2> &committed, const Tensor2<2> &F, const std::vector<double> &start,
+                       const std::vector<double> &x, Scratch &scratch) const;  ///< J
   double safe_strain(const std::vector<double> &x,
                      const Tensor2<2> &F) const;  ///< of a virgin history (rve.h)
   RveCondition condition(const WallHistory &history) const;

@@ -36,6 +36,8 @@ struct RveCondition {
   double permanent = 0.;           ///< mean permanent stretch of the walls over that of the reference, less 1
   double flow_dissipated = 0.;     ///< J/m^3 of reference volume, by yielding
   double failure_dissipated = 0.;  ///< J/m^3, set free by breaking walls
+  double torn_dissipated = 0.;     ///< J/m^3, lost by failed cells after that: leaking fluid, drag
+  double dissipated() const { return flow_dissipated + failure_dissipated + torn_dissipated; }
 };
 
 struct RveRequest {

@@ -50,8 +50,10 @@ def draw_curve(axis, steps, results):
 def draw_energies(axis, steps, energies):
     travel = steps["travel [m]"] * 1e3
     for column, words, colour in (("work", "work of the tool", INK), ("stored", "stored", ALONG), ("dissipated_by_flow", "by yielding walls", "#3f8f7f"),
-                                  ("dissipated_by_failure", "by failing cells", FAILED), ("released", "released", ACCENT)):
+                                  ("dissipated_by_failure", "by failing cells", FAILED), ("released", "dropped on failing", ACCENT)):
         values = energies[f"{column} [J/m]"]
+        if column == "dissipated_by_failure":  # what breaks and what leaks after it
+            values = values + energies["dissipated_by_torn_cells [J/m]"]
         if np.abs(values).max() > 0:
             axis.plot(travel, values, color=colour, linewidth=1.5, label=words)
     axis.set_xlabel("travel of the tool [mm]", color=INK, fontsize=9)

@@ -44,12 +44,23 @@ void HydrostaticNetwork::flow(const std::vector<double> &x, WallHistory &history
           geometry.rest_length[i] * history.flow(wall, elastic, i, stretch(x, ring, i));
 }
 
+double HydrostaticNetwork::given_up(const std::vector<double> &x, const WallHistory &history) const {
+  double sum = 0.;
+  for (std::size_t c = 0; c < history.mass.size(); ++c)
+    if (history.failed[c])
+      sum += (1. - history.pressure_share) *
+             fluid.energy(history.mass[c], depth() * polygon_area(x, geometry.rings[c]));
+  return sum;
+}
+
 void HydrostaticNetwork::leak(const std::vector<double> &x, WallHistory &history) const {
   for (std::size_t c = 0; c < history.mass.size(); ++c)
     if (history.failed[c]) {
       const double volume = depth() * polygon_area(x, geometry.rings[c]);
       const double left = history.pressure_share * fluid.pressure(history.mass[c], volume);
+      history.torn_dissipated += history.pressure_share * fluid.energy(history.mass[c], volume);
       history.mass[c] = volume * fluid.fluid.density_at(left);
+      history.torn_dissipated -= fluid.energy(history.mass[c], volume);
     }
 }
 

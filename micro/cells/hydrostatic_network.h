@@ -129,6 +129,9 @@ class HydrostaticNetwork {
 
   /// What the step has brought becomes history: bonds flow.
   void flow(const std::vector<double> &x, WallHistory &history) const;
+  /// Energy (J) that cells which had failed before give up to the step under way at its beginning, at x: what
+  /// theta leaves out of their fluid's potential.
+  double given_up(const std::vector<double> &x, const WallHistory &history) const;
   /// Failed cells keep the mass that has the pressure they have come to; without this a probe leaves no
   /// trace.
   void leak(const std::vector<double> &x, WallHistory &history) const;

@@ -63,18 +63,19 @@ std::vector<double> WallHistory::pack() const {
   numbers.insert(numbers.end(), reached.begin(), reached.end());
   numbers.insert(numbers.end(), broken.begin(), broken.end());
   numbers.insert(numbers.end(), mass.begin(), mass.end());
+  if (!broken.empty()) numbers.push_back(torn_dissipated);
   return numbers;
 }
 
 std::size_t WallHistory::packed_size(const WallLimits &limits, const std::size_t bonds,
                                      const std::size_t cells) {
-  return limits.history() ? 2 + (limits.plastic ? bonds : 0) + (limits.failure() ? bonds + cells : 0) : 0;
+  return limits.history() ? 2 + (limits.plastic ? bonds : 0) + (limits.failure() ? bonds + cells + 1 : 0) : 0;
 }
 
 void WallHistory::unpack(const std::vector<double> &numbers, const NeoHookeanWall &loaded,
                          const NeoHookeanWall &elastic) {
   if (empty() && numbers.empty()) return;
-  const std::size_t expected = 2 + reached.size() + broken.size() + mass.size();
+  const std::size_t expected = 2 + reached.size() + broken.size() + mass.size() + (broken.empty() ? 0 : 1);
   if (numbers.size() != expected)
     throw std::invalid_argument("The history of the committed state does not belong to this RVE.");
   flow_dissipated = numbers[0];
@@ -97,6 +98,7 @@ void WallHistory::unpack(const std::vector<double> &numbers, const NeoHookeanWal
       throw std::invalid_argument(
           "The history of the committed state holds a fluid mass that no cell can have.");
   }
+  if (!broken.empty()) torn_dissipated = numbers[at];
 }
 
 double WallHistory::permanent_at(const NeoHookeanWall &loaded, const NeoHookeanWall &elastic,

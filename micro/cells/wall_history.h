@@ -51,6 +51,7 @@ class WallHistory {
   std::vector<double> mass;           ///< kg per cell; empty: no failure
   double flow_dissipated = 0.;        ///< J, by yielding
   double failure_dissipated = 0.;     ///< J, set free by breaking bonds
+  double torn_dissipated = 0.;        ///< J, lost by failed cells after that: leaking fluid, drag
 
   /// theta of the step under way; 1 for cells that are whole. Not kept.
   double pressure_share = 1.;
