@@ -34,16 +34,8 @@ struct Surroundings {
     return std::vector<Value>();
   };
 
-  /// s, that a step may be long at most for what moves beside the cells; after the forces. None where nothing
-  /// does.
-  std::function<double(const Particles<3> &)> longest_step;
-
   /// Entries that drive the cells through it, as "Body/Load"; none where nothing does.
   std::string drivers;
-  /// Why the steps of the cells have failed and what would do, as a sentence; "": it is not the cause. None
-  /// where nothing moves.
-  std::function<std::string()> cause;
-
   template <class T>
   T &add(std::unique_ptr<T> term) {
     T &reference = *term;

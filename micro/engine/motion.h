@@ -8,6 +8,7 @@
 #pragma once
 
 #include "micro/engine/energies.h"
+#include "micro/engine/moved_bodies.h"
 #include "micro/engine/particles.h"
 
 namespace turgor {
@@ -47,6 +48,9 @@ class Motion {
 
   /// f = the random forces of step number `step`, of length h (s); false: there are none.
   virtual bool random_forces(Particles<dim> &, double /*h*/, std::uint64_t /*step*/) { return false; }
+
+  /// Bodies beside the particles whose velocities velocities() finds too; as long as a step lasts.
+  virtual std::vector<MovedBodies<dim> *> moved_bodies() { return {}; }
 
   /// m; what a step's error is measured by: the mean radius of cells.
   virtual double length(const Particles<dim> &particles) const = 0;

@@ -65,7 +65,20 @@ typename Overdamped<dim>::Change Overdamped<dim>::change_of(const Components &v)
     return total;
   });
   for (const double worst : worst_of) result.worst = std::max(result.worst, worst);
+  for (const MovedBodies<dim> *body : bodies) {
+    const double square = body->change() * body->change();
+    result.worst = std::max(result.worst, square);
+    result.total += square;
+  }
   return result;
+}
+
+template <int dim>
+double Overdamped<dim>::fastest_body(const bool kept) const {
+  double most = 0.;
+  for (const MovedBodies<dim> *body : bodies)
+    most = std::max(most, kept ? body->fastest_kept() : body->fastest());
+  return most;
 }
 
 template <int dim>
@@ -91,7 +104,9 @@ bool Overdamped<dim>::find_velocities(Particles<dim> &particles, const double h)
     if (implicit) evaluate(particles, h, false);
     if (parameters.method == OverdampedMethod::heun) {
       move(particles.x, x_before, h, v_before);
+      for (MovedBodies<dim> *body : bodies) body->go(h);
       evaluate(particles, 0., true);
+      for (MovedBodies<dim> *body : bodies) body->back();
     }
     return true;
   } catch (const StepTooLong
@@ -99,25 +114,36 @@ bool Overdamped<dim>::find_velocities(Particles<dim> &particles, const double h)
     if ((implicit && !dynamic_cast<const NotSolved *>(&error)) || 0.2 * h < parameters.least_step) throw;
     ++rejections;
     dt = 0.2 * h;
-    copy(x_before, particles.x);
+    take_back(particles);
     return false;
+  }
+}
+
+template <int dim>
+void Overdamped<dim>::take_back(Particles<dim> &particles) {
+  copy(x_before, particles.x);
+  for (MovedBodies<dim> *body : bodies) {
+    body->back();
+    if (parameters.method == OverdampedMethod::heun) body->start_again();
   }
 }
 
 template <int dim>
 double Overdamped<dim>::checked_step(Particles<dim> &particles, const double h) {
   const Energies before = motion.energy(particles);
-  const double fastest = fastest_of(particles.v),
+  const double fastest = std::max(fastest_of(particles.v), fastest_body(false)),
                longest = parameters.energy.longest_move * motion.length(particles);
   const double s = h * fastest > longest ? longest / fastest : h;
   const double lost = 0.5 * s * motion.dissipation(particles), work = motion.work_of_bodies(particles, s);
   move(particles.x, x_before, s, particles.v);
+  for (MovedBodies<dim> *body : bodies) body->go(s);
   try {
     motion.forces(particles, true);
   } catch (const StepTooLong &) {
     return 0.;
   }
   const Energies after = motion.energy(particles);
+  for (MovedBodies<dim> *body : bodies) body->back();
   const bool rests = s * fastest <= 1e-12 * motion.length(particles);  // positions are not known any better
   const bool falls =
       rests ||
@@ -129,8 +155,8 @@ double Overdamped<dim>::checked_step(Particles<dim> &particles, const double h) 
 template <int dim>
 double Overdamped<dim>::short_enough(const Particles<dim> &particles, const double h) {
   const bool heun = parameters.method == OverdampedMethod::heun;
-  double fastest = fastest_of(particles.v);
-  if (heun) fastest = 0.5 * (fastest + fastest_of(v_before));
+  double fastest = std::max(fastest_of(particles.v), fastest_body(false));
+  if (heun) fastest = 0.5 * (fastest + std::max(fastest_of(v_before), fastest_body(true)));
   moved = h * fastest;
   const double longest = parameters.longest_move * motion.length(particles);
   if (moved <= longest) return h;
@@ -169,7 +195,13 @@ double Overdamped<dim>::step(Particles<dim> &particles, const double limit) {
   const double allowed = parameters.tolerance * motion.length(particles);
   const bool heun = parameters.method == OverdampedMethod::heun,
              implicit = parameters.method == OverdampedMethod::implicit;
+  bodies = motion.moved_bodies();
+  const auto keep_bodies = [&] {
+    for (MovedBodies<dim> *body : bodies) body->keep();
+  };
+  if (!heun) keep_bodies();  // with the velocities of the step before, which its error is measured by
   if (!implicit) evaluate(particles, 0., false);
+  if (heun) keep_bodies();
   copy(particles.x, x_before);
   if (heun || v_before[0].empty()) copy(particles.v, v_before);
   for (;;) {
@@ -200,6 +232,8 @@ double Overdamped<dim>::step(Particles<dim> &particles, const double limit) {
             v_before[d][i] = particles.v[d][i] = v;
           }
       });
+      if (heun)
+        for (MovedBodies<dim> *body : bodies) body->mean();
       if (parameters.energy.on) factor = std::min(factor, parameters.energy.growth) * passed / h;
       if (h >= dt || factor < 1.)  // a step cut short by the limit says nothing against the long one
         dt = h * factor;
@@ -215,7 +249,7 @@ double Overdamped<dim>::step(Particles<dim> &particles, const double limit) {
     const bool rose = accurate && parameters.energy.on;
     rises += rose;
     if (!accurate || rose) dt = h * (accurate ? 0.5 : finite ? std::min(factor, 0.9) : 0.2);
-    copy(x_before, particles.x);
+    take_back(particles);
     if (dt < parameters.least_step) fail_of(rose);
   }
 }

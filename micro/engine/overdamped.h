@@ -103,9 +103,12 @@ class Overdamped {
     double worst = 0., total = 0.;
   };
   Change change_of(const Components &v);
+  /// m/s, of the bodies beside the particles; where they were kept.
+  double fastest_body(bool kept) const;
   /// Velocities of a step of h from x_before, those of heun at its end; false: it led where there are none
   /// and has been taken back.
   bool find_velocities(Particles<dim> &particles, double h);
+  void take_back(Particles<dim> &particles);  ///< where the step began
   /// s, of a step of h that moves and makes no energy; 0: there is none.
   double checked_step(Particles<dim> &particles, double h);
   double fastest_of(const Components &v);  ///< m/s
@@ -124,8 +127,9 @@ class Overdamped {
   bool jumped = false;
   double moved = 0.;  ///< m
   std::uint64_t rejections = 0, accepted = 0, rises = 0;
-  std::vector<double> parts, worst_of;  ///< of chunks of bodies
-  Components x_before, v_before;        ///< v_before: empty before the first step
+  std::vector<double> parts, worst_of;     ///< of chunks of bodies
+  std::vector<MovedBodies<dim> *> bodies;  ///< beside the particles, of the present step
+  Components x_before, v_before;           ///< v_before: empty before the first step
 };
 
 extern template class Overdamped<2>;

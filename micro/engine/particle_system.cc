@@ -86,6 +86,14 @@ void ParticleSystem<dim>::collect(MotionMatrix &matrix, const double h) {
 }
 
 template <int dim>
+std::vector<MovedBodies<dim> *> ParticleSystem<dim>::moved_bodies() const {
+  std::vector<MovedBodies<dim> *> all;
+  for (const auto &term : terms)
+    if (MovedBodies<dim> *bodies = term->moved_bodies()) all.push_back(bodies);
+  return all;
+}
+
+template <int dim>
 void ParticleSystem<dim>::gather(const Rearrangement &places) {
   for (const auto &term : terms) term->gather(places);
 }

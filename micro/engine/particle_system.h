@@ -58,6 +58,9 @@ class ParticleSystem {
   /// What all terms add to the matrix of over-damped motion (Term::collect).
   void collect(MotionMatrix &matrix, double h);
 
+  /// Of all terms (Term::moved_bodies).
+  std::vector<MovedBodies<dim> *> moved_bodies() const;
+
   /// f = random forces of all terms over step number `step` of h (s) in a medium of given friction (N s/m, of
   /// each particle); false: there are none, and f is as it was.
   bool random_forces(const std::vector<double> &medium, double h, std::uint64_t step);

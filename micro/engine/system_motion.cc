@@ -3,6 +3,7 @@
 #include "run/parallel.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace turgor {
 namespace {
@@ -21,7 +22,30 @@ void SystemMotion<dim>::forces(Particles<dim> &, const bool trial) {
 }
 
 template <int dim>
+void SystemMotion<dim>::put_bodies(const Particles<dim> &particles,
+                                   const std::vector<MovedBodies<dim> *> &bodies) {
+  all.medium = medium;
+  all.f = particles.f;
+  all.v = particles.v;
+  for (MovedBodies<dim> *body : bodies) body->put(all.medium, all.f, all.v);
+}
+
+template <int dim>
+void SystemMotion<dim>::solve_with_bodies(Particles<dim> &particles,
+                                          const std::vector<MovedBodies<dim> *> &bodies, const double h) {
+  if (correct_clusters) throw std::logic_error("clusters are not corrected beside bodies that forces move");
+  put_bodies(particles, bodies);
+  matrix.clear(all.medium);
+  system.collect(matrix, h);
+  matrix.template solve<dim>(all.f, all.v, system.threads);
+  for (int d = 0; d < dim; ++d) std::copy_n(all.v[d].begin(), particles.v[d].size(), particles.v[d].begin());
+  for (MovedBodies<dim> *body : bodies) body->take(all.v);
+}
+
+template <int dim>
 void SystemMotion<dim>::velocities(Particles<dim> &particles, const double h) {
+  all = {};
+  if (const auto bodies = moved_bodies(); !bodies.empty()) return solve_with_bodies(particles, bodies, h);
   matrix.clear(medium);
   system.collect(matrix, h);
   if (correct_clusters) matrix.template correct_clusters<dim>(particles.x);
@@ -41,11 +65,11 @@ Energies SystemMotion<dim>::energy(const Particles<dim> &) const {
 template <int dim>
 MotionMatrix::Power SystemMotion<dim>::friction_power(const Particles<dim> &particles) {
   if (!friction_collected) {
-    friction.clear(medium);
+    friction.clear(all.medium.empty() ? medium : all.medium);
     system.collect(friction, 0.);
     friction_collected = true;
   }
-  return friction.template power<dim>(particles.v, system.threads);
+  return friction.template power<dim>(all.medium.empty() ? particles.v : all.v, system.threads);
 }
 
 template <int dim>
@@ -56,17 +80,29 @@ double SystemMotion<dim>::dissipation(Particles<dim> &particles) {
 template <int dim>
 double SystemMotion<dim>::work_of_bodies(Particles<dim> &particles, const double h) {
   double total = system.active_work(h);
+  for (const MovedBodies<dim> *body : moved_bodies()) total += body->work_of_loads(h);
   if (matrix.moves_bodies()) {  // by friction; and the push that h K foresees
     const MotionMatrix::Power by_friction = friction_power(particles);
-    total += h * (by_friction.given + matrix.template power<dim>(particles.v, system.threads).pushed -
-                  by_friction.pushed);
+    total +=
+        h * (by_friction.given +
+             matrix.template power<dim>(all.medium.empty() ? particles.v : all.v, system.threads).pushed -
+             by_friction.pushed);
   }
   return total;
 }
 
 template <int dim>
 void SystemMotion<dim>::again(Particles<dim> &particles) {
-  matrix.template again<dim>(particles.f, particles.v, system.threads);
+  if (all.medium.empty()) return matrix.template again<dim>(particles.f, particles.v, system.threads);
+  // The bodies give way to what is pushed against them, but forces that act on particles alone (random ones)
+  // are no motion of theirs.
+  for (int d = 0; d < dim; ++d) {
+    std::copy(particles.f[d].begin(), particles.f[d].end(), all.f[d].begin());
+    std::fill(all.f[d].begin() + std::ptrdiff_t(particles.f[d].size()), all.f[d].end(), 0.);
+    std::copy(particles.v[d].begin(), particles.v[d].end(), all.v[d].begin());
+  }
+  matrix.template again<dim>(all.f, all.v, system.threads);
+  for (int d = 0; d < dim; ++d) std::copy_n(all.v[d].begin(), particles.v[d].size(), particles.v[d].begin());
 }
 
 template <int dim>

@@ -22,7 +22,7 @@ class SystemMotion final : public Motion<dim> {
 
   std::vector<double> medium;     ///< N s/m, of each particle
   bool correct_clusters = false;  ///< clusters' net force and torque exactly (motion_matrix.h), where the
-                                  ///< medium is much weaker than the links
+                                  ///< medium is much weaker than the links; not beside moved bodies
   double own_length = 0.;         ///< m, of length(); 0: the mean of the field `radius`
 
   // particles: always those of the system
@@ -34,14 +34,23 @@ class SystemMotion final : public Motion<dim> {
   double work_of_bodies(Particles<dim> &particles, double h) override;
   void again(Particles<dim> &particles) override;
   bool random_forces(Particles<dim> &particles, double h, std::uint64_t step) override;
+  std::vector<MovedBodies<dim> *> moved_bodies() override { return system.moved_bodies(); }
   double length(const Particles<dim> &particles) const override;
 
   const MotionMatrix &solver() const { return matrix; }
 
  private:
+  /// f and v of the particles and of the bodies behind them, and their medium.
+  struct WithBodies {
+    std::vector<double> medium;
+    typename Particles<dim>::Components f, v;
+  };
+  void put_bodies(const Particles<dim> &particles, const std::vector<MovedBodies<dim> *> &bodies);
+  void solve_with_bodies(Particles<dim> &particles, const std::vector<MovedBodies<dim> *> &bodies, double h);
   MotionMatrix::Power friction_power(const Particles<dim> &particles);
 
   ParticleSystem<dim> &system;
+  WithBodies all;  ///< empty where there are none
   MotionMatrix matrix;
   MotionMatrix friction;            ///< without h K, where a step checks its energy
   bool friction_collected = false;  ///< at the positions of the last forces()

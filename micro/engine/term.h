@@ -15,6 +15,8 @@
 namespace turgor {
 class MotionMatrix;
 class Archive;
+template <int dim>
+class MovedBodies;
 
 /// How fast a law can make particles move, by kind of particle: squared angular frequency (1/s^2) of its
 /// stiffest mode and decay rate (1/s) of its strongest drag. Rates of several laws on one kind add up.
@@ -79,6 +81,10 @@ class Term {
   /// prepare(): its friction, and for implicit steps of h (s) h times the positive part of its stiffness; h =
   /// 0: explicit. Links and products that are given by reference last until the next prepare().
   virtual void collect(MotionMatrix &, const Particles<dim> &, double /*h*/) {}
+
+  /// Bodies of the term's own whose velocities are unknowns of over-damped motion beside the particles'
+  /// (moved_bodies.h); null: there are none.
+  virtual MovedBodies<dim> *moved_bodies() { return nullptr; }
 
   /// gamma (N s/m, of each particle) += its friction with what is no particle: bodies of given velocity.
   virtual void add_friction(const Particles<dim> &, std::vector<double> & /*gamma*/) const {}

@@ -2,8 +2,6 @@
 
 #include "run/number_text.h"
 
-#include <Eigen/Dense>
-
 #include <algorithm>
 
 namespace turgor {
@@ -34,36 +32,6 @@ void Obstacle<dim>::pull(const std::size_t pusher, const std::size_t group, cons
                          const Vector<dim> &force) {
   pushes[pusher][group].force += force;
   pushes[pusher][group].moment += moment_of<dim>(x - centre, force);
-}
-
-template <int dim>
-void Obstacle<dim>::balance(const std::vector<Rub> &rubs) {
-  constexpr int turns = Moment<dim>::RowsAtCompileTime, all = dim + turns;
-  Eigen::Matrix<double, all, all> matrix = Eigen::Matrix<double, all, all>::Zero();
-  Eigen::Matrix<double, all, 1> right;
-  matrix.template topLeftCorner<dim, dim>().diagonal().setConstant(drag);
-  matrix.template bottomRightCorner<turns, turns>().diagonal().setConstant(turning_drag);
-  right.template head<dim>() = load + force();
-  right.template tail<turns>() = torque + moment();
-  for (const Rub &rub : rubs) {
-    Eigen::Matrix<double, dim, all> way;  // of the place, by velocity and spin
-    way.template leftCols<dim>().setIdentity();
-    const Vector<dim> arm = rub.x - centre;
-    if constexpr (dim == 2)
-      way.col(2) = Vector<2>(-arm[1], arm[0]);
-    else
-      for (int d = 0; d < 3; ++d) way.col(3 + d) = Vector<3>::Unit(d).cross(arm);
-    matrix += rub.friction * way.transpose() * way;
-    right += rub.friction * way.transpose() * rub.v;
-  }
-  if (turning_drag == 0.) {  // its spin is given
-    right.template head<dim>() -= matrix.template topRightCorner<dim, turns>() * spin;
-    velocity = matrix.template topLeftCorner<dim, dim>().ldlt().solve(right.template head<dim>());
-    return;
-  }
-  const Eigen::Matrix<double, all, 1> found = matrix.ldlt().solve(right);
-  velocity = found.template head<dim>();
-  spin = found.template tail<turns>();
 }
 
 template <int dim>
@@ -115,12 +83,29 @@ double Obstacle<dim>::advance(const double dt) {
   const double work = work_over(
       {0.5 * (last.way + step.way), 0.5 * (last.turn + step.turn), 0.5 * (last.growth + step.growth)});
   last = step;
+  move(step);
+  return work;
+}
+
+template <int dim>
+void Obstacle<dim>::move(const Step &step) {
   gone += step.way.norm() + std::abs(step.growth);
   turned += step.turn.norm();
   centre += step.way;
   turn(step.turn);
   grow(step.growth);
-  return work;
+}
+
+template <int dim>
+void Obstacle<dim>::go(const double dt) {
+  move({dt * velocity, dt * spin, 0.});
+}
+
+template <int dim>
+void Obstacle<dim>::put_back(const Place &there) {
+  centre = there.centre;
+  gone = there.gone;
+  turned = there.turned_by;
 }
 
 template <int dim>

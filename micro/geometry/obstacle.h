@@ -9,9 +9,9 @@
 //                 that force, moment and what follows from them have the same bits on any number of threads
 //   advance(dt)   driven by velocity, spin and growth; or by the forces on it: with mass, mass dv/dt = load +
 //                 force, leapfrog with v half a step behind x (and a body that turns freely by its moment,
-//                 see TriangulatedBody); or without, drag v = load + force, turning_drag spin = torque +
-//                 moment. Returns the work done on the particles, sum of (F_n + F_n+1)/2 step_n, sorted by
-//                 the forces
+//                 see TriangulatedBody); or without, where drag v = load + force and turning_drag spin =
+//                 torque + moment are solved together with the particles' motion (terms/dragged_bodies.h).
+//                 Returns the work done on the particles, sum of (F_n + F_n+1)/2 step_n, sorted by the forces
 //   settle(...)   a body whose shape answers to what presses on it
 //
 // All in SI units and the frame of the particles. Obstacles do not cross a periodic box.
@@ -97,15 +97,6 @@ class Obstacle {
   /// A force (N) on the body that acts at x itself.
   void pull(std::size_t pusher, std::size_t group, const Vector<dim> &x, const Vector<dim> &force);
 
-  /// What rubs against a body with drag: place (m), friction (N s/m) and velocity (m/s) of a particle.
-  struct Rub {
-    Vector<dim> x;
-    double friction;
-    Vector<dim> v;
-  };
-  /// The velocity and spin at which load, forces, drag and friction with all that rub balance.
-  void balance(const std::vector<Rub> &rubs);
-
   double pressing() const;     ///< N, sum of all forces along the surface's normals, positive into the body
   Vector<dim> force() const;   ///< N, on the body
   Moment<dim> moment() const;  ///< N m, on the body, about its centre
@@ -118,6 +109,18 @@ class Obstacle {
   /// within `arm` (m) of the centre. Without what settle() does.
   double moved(const double arm) const { return gone + arm * turned; }
   double work_of_last_step() const;  ///< J, that half, with the forces of now
+
+  /// Where it is, and what counts how far it has moved: a step on trial may be taken back.
+  struct Place {
+    Vector<dim> centre = Vector<dim>::Zero();
+    Tensor2<dim> turned = Tensor2<dim>::Identity();
+    double gone = 0., turned_by = 0.;
+  };
+  virtual Place place() const { return {centre, Tensor2<dim>::Identity(), gone, turned}; }
+  virtual void put_back(const Place &there);
+  void go(double dt);  ///< on trial, by its velocity and spin: no work is counted
+  /// m, from the centre to the farthest of its points; 0 of bodies that do not turn.
+  virtual double extent() const { return 0.; }
 
   virtual double energy() const { return 0.; }  ///< J, stored in the body
   virtual double kinetic_energy() const { return 0.5 * mass * velocity.squaredNorm(); }  ///< J
@@ -169,6 +172,7 @@ class Obstacle {
     void archive(Archive &a) { a(way, turn, growth); }
   };
   double work_over(const Step &step) const;
+  void move(const Step &step);
 
   std::vector<std::vector<Push>> pushes;  ///< by pusher and group
   Step last;

@@ -17,6 +17,7 @@ TriangulatedBody::TriangulatedBody(TriangleMesh mesh_, const std::vector<Vector<
   complete_closed_surface(surface, nodes, "a body");
   for (const Vector<3> &node : nodes) centre += node / double(nodes.size());
   for (const Vector<3> &node : nodes) at_rest.push_back(node - centre);
+  for (const Vector<3> &x : at_rest) farthest = std::max(farthest, x.norm());
   of_edge.assign(surface.edges.size(), Vector<3>::Zero());
   of_node.assign(nodes.size(), Vector<3>::Zero());
   for (std::size_t f = 0; f < surface.faces.size(); ++f) {
@@ -117,7 +118,19 @@ void TriangulatedBody::set_free(const double density) {
   if (axes.determinant() < 0.) axes.col(2) *= -1.;
   const Tensor2<3> frame = turned * axes;
   L = frame * principal.asDiagonal() * (frame.transpose() * spin);
+  farthest = 0.;
   for (const Vector<3> &x : at_rest) farthest = std::max(farthest, x.norm());
+}
+
+TriangulatedBody::Place TriangulatedBody::place() const {
+  Place here = Obstacle<3>::place();
+  here.turned = turned;
+  return here;
+}
+
+void TriangulatedBody::put_back(const Place &there) {
+  Obstacle<3>::put_back(there);
+  turned = there.turned;
 }
 
 double TriangulatedBody::kinetic_energy() const {

@@ -43,6 +43,10 @@ class TriangulatedBody final : public Obstacle<3> {
   /// kg m^2/s, about the centre; half a step behind, as the velocity is.
   const Vector<3> &angular_momentum() const { return L; }
 
+  Place place() const override;
+  void put_back(const Place &there) override;
+  double extent() const override { return farthest; }
+
   const TriangleMesh &mesh() const { return surface; }
   Vector<3> node(const std::size_t k) const { return centre + turned * at_rest[k]; }  ///< m, now
 

@@ -60,25 +60,8 @@ void Obstacles<dim>::prepare(const Particles<dim> &particles, const Box<dim> &, 
 
 template <int dim>
 void Obstacles<dim>::advance(const Particles<dim> &particles, const double dt) {
-  for (const auto &body : bodies) {
-    if (body->drag > 0.) body->balance(rubbing(particles, *body));
-    done += body->advance(dt);
-  }
+  for (const auto &body : bodies) done += body->advance(dt);
   if (dt > 0.) settle(particles, dt, list && list->covers(particles));
-}
-
-template <int dim>
-std::vector<typename Obstacle<dim>::Rub> Obstacles<dim>::rubbing(const Particles<dim> &particles,
-                                                                 const Obstacle<dim> &body) const {
-  std::vector<typename Obstacle<dim>::Rub> rubs;
-  if (friction() > 0.)
-    for_touches(particles, [&](const Touch &t) {
-      if (&t.body != &body) return;
-      Vector<dim> v;
-      for (int d = 0; d < dim; ++d) v[d] = particles.v[d][t.particle];
-      rubs.push_back({t.x - t.contact.distance * t.contact.normal, friction() * t.does.area, v});
-    });
-  return rubs;
 }
 
 template <int dim>
@@ -114,7 +97,9 @@ void Obstacles<dim>::collect(MotionMatrix &matrix, const Particles<dim> &particl
   for_touches(particles, [&](const Touch &t) {
     const double tangential = friction() * t.does.area,
                  normal = tangential + h * std::max(0., t.does.stiffness);
-    if (normal > 0.)
+    if (normal > 0. && dragged.has(t.body))
+      dragged.add_contact(matrix, std::uint32_t(t.particle), t.x, t.body, t.contact, normal, tangential);
+    else if (normal > 0.)
       matrix.link<dim>(std::uint32_t(t.particle), matrix.given<dim>(t.body.velocity_at(t.x, t.contact)),
                        t.contact.normal, normal, tangential);
   });

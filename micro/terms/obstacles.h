@@ -20,6 +20,7 @@
 #include "micro/engine/contact_list.h"
 #include "micro/engine/term.h"
 #include "micro/geometry/obstacle.h"
+#include "micro/terms/dragged_bodies.h"
 #include "micro/terms/surface_laws.h"
 
 #include <algorithm>
@@ -50,9 +51,10 @@ class Obstacles final : public Term<dim> {
   }
   void add_forces_of(Particles<dim> &particles, const Box<dim> &box, std::size_t begin,
                      std::size_t end) override;
-  /// Links to bodies of given velocity: friction by the area of the contact, with h (s) the slope of the
-  /// force along the normal too.
+  /// Links to bodies of given velocity, rows with those that forces move: friction by the area of the
+  /// contact, with h (s) the slope of the force along the normal too.
   void collect(MotionMatrix &matrix, const Particles<dim> &particles, double h) override;
+  MovedBodies<dim> *moved_bodies() override { return dragged.choose(bodies) ? &dragged : nullptr; }
   void advance(const Particles<dim> &particles, double dt) override;
   double energy(const Particles<dim> &particles, const Box<dim> &box, std::size_t group) const override;
   void add_virials(const Particles<dim> &particles, std::vector<Tensor2<dim>> &virial) const override;
@@ -143,15 +145,13 @@ class Obstacles final : public Term<dim> {
                      if (c.distance < reach) visit(group, i, x, c);
                    });
   }
-  /// What rubs against a body, at the velocities of the step that has ended.
-  std::vector<typename Obstacle<dim>::Rub> rubbing(const Particles<dim> &particles,
-                                                   const Obstacle<dim> &body) const;
   /// The bodies whose shape answers, into balance with what presses on them; dt (s): 0 at once.
   void settle(const Particles<dim> &particles, double dt, bool listed);
 
   std::string own_name;
   SurfaceLaw law;
   std::vector<std::unique_ptr<Obstacle<dim>>> bodies;
+  DraggedBodies<dim> dragged;
   std::vector<std::size_t> number;         ///< of this term with each body
   std::shared_ptr<ContactList<dim>> list;  ///< none: all particles are asked
   std::vector<std::size_t> entry;          ///< of each body in it

@@ -14,6 +14,7 @@
 #include "micro/solve/links.h"
 #include "micro/terms/sphere_contacts.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace turgor {
@@ -26,7 +27,8 @@ class SphereLinks final : public ListedLinks<SphereLinks> {
   bool directed() const override { return friction.directed(); }
   void room(const std::size_t begin, const std::size_t end, std::uint32_t *count) const override {
     const auto &first = contacts->list().first();
-    for (std::size_t i = begin; i < end; ++i) count[i - begin] += first[i + 1] - first[i];
+    for (std::size_t i = begin, last = std::min(end, first.size() - 1); i < last; ++i)
+      count[i - begin] += first[i + 1] - first[i];
   }
   template <class Row>
   void links_of(const std::size_t i, Row &row) const {
@@ -35,6 +37,7 @@ class SphereLinks final : public ListedLinks<SphereLinks> {
     const PairContact *contact = contacts->contacts().data();
     const auto &first = contacts->list().first(), &pair = contacts->list().own(),
                &other = contacts->list().other();
+    if (i + 1 >= first.size()) return;  // no sphere: a body behind them (engine/moved_bodies.h)
     for (std::uint32_t k = first[i], end = first[i + 1], last = std::uint32_t(pair.size()) - 1; k < end;
          ++k) {
       __builtin_prefetch(contact + pair[std::min<std::size_t>(k + ahead, last)]);

@@ -241,33 +241,88 @@ BOOST_AUTO_TEST_CASE(a_body_with_drag_moves_by_its_load) {
     BOOST_TEST(bodies[0].velocity[0] == 1.2 / (own + 2. * medium), digits(1e-3));
     BOOST_TEST(system.particles.v[0][1] == 1.2 / (own + 2. * medium), digits(1e-3));
   }
-  ParticleSystem<3> system;
-  SystemMotion<3> motion(system, {.tolerance = 1e-12});
-  Obstacles<3> &bodies = make(system, motion, 30., 40.);
-  Obstacle<3> &body = bodies[0];
-  body.load = {0., 1.2, 0.};
-  for (int k = 0; k < 300; ++k) {  // until both balance, where they are
+  // One solution is exact, however much rubs: the matrix has the body's velocities among its unknowns.
+  for (const double friction : {40., 4e3, 4e5, 4e7}) {
+    ParticleSystem<3> system;
+    SystemMotion<3> motion(system, {.tolerance = 1e-9});
+    Obstacles<3> &bodies = make(system, motion, 30., friction);
+    Obstacle<3> &body = bodies[0];
+    body.load = {0., 1.2, 0.};
     motion.forces(system.particles, false);
     motion.velocities(system.particles, 0.);
-    system.advance(1e-12);
-  }
-  double rubs = 0.;
-  bodies.for_touches(system.particles, [&](const auto &touch) { rubs += 40. * touch.does.area; });
-  const auto &v = system.particles.v[1];
-  BOOST_TEST(own * body.velocity[1] + rubs * (body.velocity[1] - v[0]) == 1.2, digits(1e-9));
-  BOOST_TEST(own * body.velocity[1] + medium * (v[0] + v[1]) == 1.2,
-             digits(1e-9));  // what is pulled is borne
-  // free to turn as well: the moment of the cell beside it spins it
-  body.turning_drag = 3.;
-  for (int k = 0; k < 300; ++k) {
+    double rubs = 0.;
+    bodies.for_touches(system.particles, [&](const auto &touch) { rubs += friction * touch.does.area; });
+    const auto &v = system.particles.v[1];
+    BOOST_TEST(own * body.velocity[1] + rubs * (body.velocity[1] - v[0]) == 1.2, digits(1e-7));
+    BOOST_TEST(own * body.velocity[1] + medium * (v[0] + v[1]) == 1.2, digits(1e-8));  // borne by the medium
+    const double stuck =
+        1.2 / (own + 2. * medium);  // no friction between the cells would let the second rest
+    BOOST_TEST(body.velocity[1] > stuck);
+    // free to turn as well: the moment of the cell beside it spins it
+    body.turning_drag = 3.;
     motion.forces(system.particles, false);
     motion.velocities(system.particles, 0.);
-    system.advance(1e-12);
+    BOOST_TEST(body.turning_drag * body.spin[2] ==
+                   -0.5 * rubs * (body.velocity[1] + 0.5 * body.spin[2] - system.particles.v[1][0]),
+               digits(1e-7));
+    BOOST_TEST(own * body.velocity[1] + medium * (v[0] + v[1]) == 1.2, digits(1e-8));
+    BOOST_TEST(body.spin[2] < 0.);
   }
-  BOOST_TEST(body.turning_drag * body.spin[2] ==
-                 -0.5 * rubs * (body.velocity[1] + 0.5 * body.spin[2] - system.particles.v[1][0]),
-             digits(1e-6));
-  BOOST_TEST(body.spin[2] < 0.);
+}
+
+// Steps see the body: its error and its way are measured with the cells'. Of a body much lighter in the
+// medium than its contacts are stiff, explicit steps stay stable and implicit ones are long.
+BOOST_AUTO_TEST_CASE(steps_follow_a_body_with_little_drag) {
+  constexpr double medium = 5., own = 0.02, R = 0.35;
+  const auto run = [&](const OverdampedMethod method, const double tolerance) {
+    ParticleSystem<3> system;
+    SystemMotion<3> motion(system, {.tolerance = 1e-10});
+    Particles<3> &p = system.particles;
+    p.resize(1);
+    p.groups = {{0, 0, 1}};
+    SphereContacts &contacts = system.add(std::make_unique<SphereContacts>(HertzContact(), 0.1));
+    Obstacles<3> &bodies = system.add(
+        std::make_unique<Obstacles<3>>("body", SphereOnSurface{{.friction = 4.}}, box({1., 1., 1.})));
+    bodies.listed_in(contacts.contact_list());
+    p.field("radius") = {R};
+    p.field("modulus") = {100.};
+    p.x[0] = {0.5 + 0.97 * R};
+    p.x[1] = {0.};
+    p.x[2] = {0.};
+    motion.medium = {medium};
+    bodies[0].drag = own;
+    bodies[0].load = {1.2, 0., 0.};
+    Overdamped<3> stepper({.method = method, .tolerance = tolerance, .first_step = 1e-5}, motion, 1);
+    double fastest = 0., slowest = HUGE_VAL;
+    std::size_t steps = 0;
+    for (double t = 0.; t < 1.; ++steps) {
+      const double h = stepper.step(p, 1. - t);
+      system.advance(h);
+      t += h;
+      if (t > 0.1) {  // the body has come to lean on the cell
+        fastest = std::max(fastest, bodies[0].velocity[0]);
+        slowest = std::min(slowest, bodies[0].velocity[0]);
+      }
+    }
+    struct Outcome {
+      double x, fastest, slowest;
+      std::size_t steps;
+    };
+    return Outcome{bodies[0].centre[0], fastest, slowest, steps};
+  };
+  const auto exact = run(OverdampedMethod::heun, 1e-6);
+  BOOST_TEST(exact.slowest > 0.);
+  for (const auto method : {OverdampedMethod::euler, OverdampedMethod::heun, OverdampedMethod::implicit}) {
+    const auto coarse = run(method, 1e-3), fine = run(method, 1e-4);
+    BOOST_TEST_MESSAGE(int(method) << ": " << coarse.x << " in " << coarse.steps << ", " << fine.x << " in "
+                                   << fine.steps << " of " << exact.x << " in " << exact.steps << "; "
+                                   << coarse.slowest << " .. " << coarse.fastest);
+    BOOST_TEST(coarse.x == exact.x, digits(5e-3));
+    BOOST_TEST(fine.x == exact.x, digits(5e-4));
+    BOOST_TEST(coarse.slowest > 0.);
+    BOOST_TEST(coarse.fastest < 2. * exact.fastest);
+  }
+  BOOST_TEST(run(OverdampedMethod::implicit, 1e-3).steps < run(OverdampedMethod::heun, 1e-3).steps);
 }
 
 // A ball of facets is as round as the ball: curvature, and the force on a sphere at its side, to second order

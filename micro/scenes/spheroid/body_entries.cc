@@ -1,7 +1,6 @@
 #include "micro/scenes/spheroid/body_entries.h"
 
 #include "micro/geometry/surface_file.h"
-#include "micro/laws/sphere_contact.h"
 #include "run/input_entries.h"
 #include "run/number_text.h"
 #include "run/run_context.h"
@@ -19,8 +18,8 @@ Vector<3> vector_of(const std::string &text, const std::string &entry) {
 
 /// What the cells do to the body, summed over the cells' own side of every contact.
 struct Touching {
-  double count = 0., pressing = 0., stiffness = 0.;  ///< N, N/m
-  Vector<3> on_cells = Vector<3>::Zero();            ///< N
+  double count = 0., pressing = 0.;        ///< N
+  Vector<3> on_cells = Vector<3>::Zero();  ///< N
 };
 
 Touching touching(const Obstacles<3> &walls, const Particles<3> &particles) {
@@ -28,34 +27,15 @@ Touching touching(const Obstacles<3> &walls, const Particles<3> &particles) {
   walls.for_touches(particles, [&](const Obstacles<3>::Touch &t) {
     sum.count += 1.;
     sum.pressing += t.does.force;
-    sum.stiffness += std::max(0., t.does.stiffness);
     sum.on_cells += t.force;
   });
   return sum;
-}
-
-/// s, of a body with drag (N s/m) on contacts of that stiffness (N/m) in all.
-double longest_step(const double drag, const double stiffness) {
-  return stiffness > 0. ? 0.01 * drag / stiffness : HUGE_VAL;
 }
 
 /// Three digits that keep to a bound: none is refused again for the digits left out.
 std::string rounded_up(const double x) { return number_text(x * 1.01, 3); }
 std::string rounded_down(const double x) { return number_text(x * 0.99, 3); }
 
-/// A sentence where the body, which cells have touched, turns faster than the steps follow: those last a
-/// hundredth of the time in which it travels back from a contact, drag over stiffness; it turns back in
-/// turning drag over stiffness and arm squared.
-std::string why_it_turns(const TriangulatedBody &body) {
-  double arm = 0.;
-  for (std::size_t k = 0; k < body.mesh().nodes; ++k)
-    arm = std::max(arm, (body.node(k) - body.centre).norm());
-  const double least = 0.02 * body.drag * arm * arm;  // N m s; two steps of the turning
-  if (!(body.turning_drag > 0.) || body.turning_drag >= least || body.spin.norm() == 0.) return "";
-  return "the body turns faster than the steps follow: Body/Turning drag is " +
-         number_text(body.turning_drag) + " N m s. Use at least " + rounded_up(least) +
-         " N m s (a fiftieth of Body/Drag times its size squared), or 0: it does not turn.";
-}
 }  // namespace
 
 void BodyEntries::declare(InputEntries &prm) {
@@ -142,11 +122,12 @@ void BodyEntries::check(const FirstCells &cells) const {
         "nearest centre at " +
         number_text(least) + " m, allowed are " + number_text(0.8 * cells.radius) +
         " m and more): lay it farther away, or check Body/Unit.");
-  if (motion == BodyMotion::drag) check_drag(cells, body->load.norm());
+  if (motion == BodyMotion::drag) check_drag(cells, *body);
 }
 
-void BodyEntries::check_drag(const FirstCells &cells, const double weight) const {
-  constexpr double farthest = 1e4, most_steps = 1e7;  // radii of a cell; of a run
+void BodyEntries::check_drag(const FirstCells &cells, const TriangulatedBody &body) const {
+  const double weight = body.load.norm();
+  constexpr double farthest = 1e4;  // radii of a cell
   const double way = weight / drag * cells.duration, allowed = farthest * cells.radius;
   if (way > allowed)
     throw InputError(
@@ -155,23 +136,19 @@ void BodyEntries::check_drag(const FirstCells &cells, const double weight) const
         " are allowed. Use a Body/Load of at most " + rounded_down(allowed * drag / cells.duration) +
         " N, a Body/Drag of at least " + rounded_up(weight * cells.duration / allowed) +
         " N s/m, or an End time of at most " + rounded_down(allowed * drag / weight) + " s.");
-  const double E = in_series(cells.modulus, modulus / (1. - poisson * poisson)),
-               stiff = HertzContact()(cells.radius, E, 0.1 * cells.radius).stiffness,
-               steps = cells.duration / longest_step(drag, stiff);
-  if (steps > most_steps)
-    throw InputError("Body/Drag is " + number_text(drag) +
-                     " N s/m: beside the stiffness of the body's contact with a cell (" +
-                     number_text(stiff, 3) +
-                     " N/m where one presses it in by a tenth of its radius) this takes steps of " +
-                     number_text(longest_step(drag, stiff), 3) + " s, " + number_text(steps, 3) +
-                     " of them until End time; at most " + number_text(most_steps) +
-                     " are allowed. Use a Body/Drag of at least " + rounded_up(drag * steps / most_steps) +
-                     " N s/m, an End time of at most " + rounded_down(cells.duration * most_steps / steps) +
-                     " s, or Body/Motion = fixed.");
+  // It turns to where no moment acts in so much less time than it travels: steps follow that.
+  if (const double least = 1e-5 * drag * body.extent() * body.extent();
+      turning_drag > 0. && turning_drag < least)
+    throw InputError(
+        "Body/Turning drag is " + number_text(turning_drag) +
+        " N m s: a body that turns so much more easily than it travels needs more steps than any "
+        "run has. Use at least " +
+        rounded_up(least) +
+        " N m s (1e-5 of Body/Drag times its size squared), or 0: it does "
+        "not turn.");
 }
 
-Surroundings BodyEntries::surroundings(const std::optional<LocalStiffness> &stiffness,
-                                       const double radius) const {
+Surroundings BodyEntries::surroundings(const std::optional<LocalStiffness> &stiffness) const {
   WallMaterial material{.modulus = modulus / (1. - poisson * poisson), .friction = friction};
   material.stiffness = stiffness;
   std::unique_ptr<TriangulatedBody> made = make();
@@ -194,13 +171,7 @@ Surroundings BodyEntries::surroundings(const std::optional<LocalStiffness> &stif
         {"cells_on_body", "", now.count}};
   };
   if (motion != BodyMotion::drag) return around;
-  around.longest_step = [&body, &walls, radius](const Particles<3> &particles) {
-    const double stiff = touching(walls, particles).stiffness,
-                 speed = (body.load + body.force()).norm() / body.drag;
-    return std::min(longest_step(body.drag, stiff), speed > 0. ? 0.25 * radius / speed : HUGE_VAL);
-  };
   if (body.load.norm() > 0.) around.drivers = "Body/Load";
-  around.cause = [&body] { return why_it_turns(body); };
   return around;
 }
 

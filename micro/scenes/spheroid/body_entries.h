@@ -43,7 +43,7 @@ class BodyEntries {
   void check(const FirstCells &cells) const;
 
   /// radius: m, of a newborn cell.
-  Surroundings surroundings(const std::optional<LocalStiffness> &stiffness, double radius) const;
+  Surroundings surroundings(const std::optional<LocalStiffness> &stiffness) const;
 
   static Outputs outputs();
   /// Its surface now; its field "velocity [m/s]".
@@ -51,8 +51,7 @@ class BodyEntries {
 
  private:
   std::unique_ptr<TriangulatedBody> make() const;
-  /// weight: N, the size of the load.
-  void check_drag(const FirstCells &cells, double weight) const;
+  void check_drag(const FirstCells &cells, const TriangulatedBody &body) const;
 
   std::string file = "none", position = "0, 0, 0", load = "0, 0, 0";
   double unit = 1e-6;  ///< m

@@ -115,18 +115,6 @@ std::string CellCulture::drivers() const {
   return names.empty() ? "" : " (" + names + ")";
 }
 
-double CellCulture::step(const double limit) {
-  try {
-    return stepper.step(cells.particles, limit);
-  } catch (const RunStopped &) {
-    throw;
-  } catch (const std::runtime_error &) {
-    const std::string other = surroundings.cause ? surroundings.cause() : "";
-    if (other.empty()) throw;
-    throw std::runtime_error(other);
-  }
-}
-
 void CellCulture::follow_ways() {
   way += stepper.last_move();
   constexpr double far = 10., too_far = 100.;  // radii
@@ -156,9 +144,7 @@ bool CellCulture::advance(const double end, const std::function<bool()> &stop) {
   }
   const double longest = longest_step();
   while (t < until) {
-    const double of_bodies =
-        surroundings.longest_step ? surroundings.longest_step(cells.particles) : HUGE_VAL;
-    const double dt = step(std::min({until - t, longest, of_bodies}));
+    const double dt = stepper.step(cells.particles, std::min(until - t, longest));
     life.after_step(cells, dt, steps);
     cells.advance(dt);
     t = until - t > dt ? t + dt : until;

@@ -41,7 +41,7 @@ void SpheroidFree::check_more() const {
 
 Surroundings SpheroidFree::make_surroundings() const {
   if (!body.is_there()) return {};
-  return body.surroundings(entries.parameters().stiffness, entries.numbers.life.birth_radius);
+  return body.surroundings(entries.parameters().stiffness);
 }
 
 void SpheroidFree::report_body(RunContext &context, const GrowthTable &table) const {
