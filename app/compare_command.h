@@ -1,17 +1,8 @@
 // `turgor compare INPUT`: a tissue by finite elements and RVEs against every one of its cells, error beside
-// run time, and where the error comes from.
-//
-//   total    FE2 over all cells - 1: the same tissue, its sides as the interior (counterpart.h)
-//   part     FE2 over FE2 with one thing refined - 1: mesh, RVE size, time step, skipping
-//   number   of cells: what all cells come to when there are ever more, over what they are, - 1; by
-//            2 f(n) - f(n/2), as what ends and clamp do goes with 1/n
-//   rest     what is left of the total when every part is taken out: what does not go
-//            with 1/n (sides of a block at such sizes), the particles' own error
-//   surface  all cells with free sides over the same with sides as the interior - 1; in no FE2, so in no
-//   error
+// run time, and where the error comes from (error_split.h).
 //
 // Runs and pictures are those of a study (study_runner.h), in whose directory the input of the cells, the
-// study and split.csv are left.
+// study, split.csv and split.png are left.
 #pragma once
 
 #include "app/input.h"

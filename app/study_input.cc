@@ -22,6 +22,7 @@ using namespace Patterns;
 struct RunEntries {
   std::string section, label, method, settings, input, overrides, grid, axes;
   unsigned int threads = 0;
+  bool compared = true;
 
   void declare(InputEntries &prm) {
     prm.enter_subsection(section);
@@ -40,6 +41,9 @@ struct RunEntries {
         "One run for each value, with several entries for each combination: A = 1 | 2; B & C = 3 & 4 | 5 & 6 "
         "(B and C change together). Units: none.",
         Anything());
+    prm.add_parameter("Compared", compared,
+                      "Whether it answers the same question as the references; else it has values and no "
+                      "errors. Units: true or false.");
     prm.add_parameter("Axes", axes, "Written as Grid, but one entry is changed at a time. Units: none.",
                       Anything());
     prm.leave_subsection();
@@ -47,12 +51,15 @@ struct RunEntries {
 };
 
 struct MeasureEntries {
-  std::string section, table, columns, against, match, result, weight = "rms", reference;
+  std::string section, title, table, columns, against, match, result, weight = "rms", reference;
   unsigned int parts = 0;
   double size = 0.;
 
   void declare(InputEntries &prm) {
     prm.enter_subsection(section);
+    prm.add_parameter("Title", title,
+                      "What pictures say is measured; its columns or result, if empty. Units: none.",
+                      Anything());
     prm.add_parameter("Table", table, "Name of a CSV of the runs, without .csv. Units: none.", Anything());
     prm.add_parameter(
         "Columns", columns,
@@ -138,6 +145,7 @@ StudyMeasure measure_of(const MeasureEntries &entries, const TopEntries &top,
   const std::string where = file.string() + ": '" + entries.section;
   StudyMeasure measure;
   measure.name = trimmed(entries.section.substr(8));
+  measure.title = entries.title;
   measure.table = entries.table;
   measure.against = entries.against;
   measure.columns = split_escaped(entries.result.empty() ? entries.columns : entries.result, ',');
@@ -239,6 +247,7 @@ StudyInput load_study(const std::filesystem::path &file) {
     run.method = entries.method.empty() ? entries.label : entries.method;
     run.settings = entries.settings;
     run.input = file.parent_path() / (entries.input.empty() ? top.input : entries.input);
+    run.compared = entries.compared;
     run.threads = entries.threads == 0 ? top.threads : entries.threads;
     for (const std::string &overrides : {top.overrides, entries.overrides})
       for (const std::string &part : split_escaped(overrides, ';')) run.overrides.push_back(part);

@@ -32,6 +32,7 @@ struct StudyRun {
   std::vector<std::string> overrides;                      ///< Section/Name=value, the swept ones last
   std::vector<std::pair<std::string, std::string>> swept;  ///< Section/Name and value
   unsigned int threads = 1;
+  bool compared = true;  ///< with references; else its values are shown and no errors
 };
 
 enum class Weight {
@@ -52,7 +53,7 @@ struct StudyReference {
 };
 
 struct StudyMeasure {
-  std::string name;
+  std::string name, title;  ///< of tables; of pictures
   std::string table,
       against;  ///< DIR/TABLE.csv and its abscissa (empty: its first column); no table: a result
   std::vector<std::string> columns,

@@ -207,6 +207,11 @@ MeasuredRun measure_result(const StudyMeasure &measure, const std::filesystem::p
 }
 }  // namespace
 
+StudyMeasure asked_of(const StudyRun &run, StudyMeasure measure) {
+  if (!run.compared) measure.reference = {};
+  return measure;
+}
+
 MeasuredRun measure(const StudyMeasure &measure, const std::filesystem::path &run_directory,
                     const std::filesystem::path &reference_run) {
   using Kind = StudyReference::Kind;

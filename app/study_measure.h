@@ -30,6 +30,9 @@ struct MeasuredRun {
 /// Results of summary.json of a finished run: (value, unit) by name.
 std::map<std::string, std::pair<double, std::string>> results_of(const std::filesystem::path &run);
 
+/// What is measured in a run: without errors where it answers another question than the references.
+StudyMeasure asked_of(const StudyRun &run, StudyMeasure measure);
+
 /// Of the finished run in a directory; reference_run: directory of the run that the measure's reference
 /// names, if it names one. Throws std::runtime_error saying which table, column or row is missing, or why no
 /// error exists.

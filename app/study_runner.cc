@@ -112,7 +112,8 @@ void measure_row(const StudyInput &study, StudyRow &row, const std::vector<Study
     const bool of_run = one.reference.kind == StudyReference::Kind::run;
     if (of_run && reference->status != "finished") continue;
     try {
-      row.measured[k] = measure(one, row.directory, of_run ? reference->directory : std::filesystem::path());
+      row.measured[k] = measure(asked_of(row.run, one), row.directory,
+                                of_run ? reference->directory : std::filesystem::path());
     } catch (const std::exception &problem) {
       row.message += (row.message.empty() ? "" : " ") + std::string(problem.what());
     }

@@ -20,6 +20,15 @@ std::string number(const double value) {
   return digits;
 }
 
+/// As it is told: a share in percent, an absolute error in the unit of its measure. Files hold shares.
+std::string error_text(const StudyMeasure &measure, const std::optional<MeasuredRun> &measured) {
+  if (!measured || !measured->error) return "";
+  if (measure.size != 0.) return number(*measured->error);
+  char digits[40];
+  std::snprintf(digits, sizeof(digits), "%.4g %%", 100. * *measured->error);
+  return digits;
+}
+
 std::string with_unit(const std::string &name, const std::string &unit) {
   return unit.empty() ? name : name + " [" + unit + "]";
 }
@@ -79,6 +88,7 @@ nlohmann::json description(const StudyInput &study, const std::vector<StudyRow> 
                            const std::filesystem::path &directory) {
   nlohmann::json json = {{"measures", nlohmann::json::array()},
                          {"entries", nlohmann::json::array()},
+                         {"not_compared", nlohmann::json::array()},
                          {"results", nlohmann::json::array()}};
   for (const StudyMeasure &measure : study.measures) {
     using Kind = StudyReference::Kind;
@@ -87,6 +97,7 @@ nlohmann::json description(const StudyInput &study, const std::vector<StudyRow> 
         reference.kind == Kind::file ? reference.path : reference.path / (measure.table + ".csv");
     json["measures"].push_back(
         {{"name", measure.name},
+         {"title", measure.title},
          {"value", measure.value_column()},
          {"weight", measure.weight_name()},
          {"table", measure.table},
@@ -103,6 +114,7 @@ nlohmann::json description(const StudyInput &study, const std::vector<StudyRow> 
     if (std::find(json[list].begin(), json[list].end(), name) == json[list].end()) json[list].push_back(name);
   };
   for (const StudyRow &row : rows) {
+    if (!row.run.compared) json["not_compared"].push_back(row.run.label);
     nlohmann::json &swept = json["swept"][row.run.label] = nlohmann::json::array();
     for (const auto &[entry, value] : row.run.swept) {
       add_once("entries", with_unit(entry, unit_of(row, entry)));
@@ -142,9 +154,9 @@ void print_study(const StudyInput &study, const std::vector<StudyRow> &rows) {
   std::printf(" %12s %12s\n", "CPU s", "wall s");
   for (const StudyRow &row : rows) {
     std::printf("%-28s %-10s", row.run.label.c_str(), row.status.c_str());
-    for (const std::optional<MeasuredRun> &measured : row.measured)
-      std::printf(" %14s %14s", measured ? number(measured->value).c_str() : "",
-                  measured && measured->error ? number(*measured->error).c_str() : "");
+    for (std::size_t k = 0; k < study.measures.size(); ++k)
+      std::printf(" %14s %14s", row.measured[k] ? number(row.measured[k]->value).c_str() : "",
+                  error_text(study.measures[k], row.measured[k]).c_str());
     std::printf(" %12.4g %12.4g%s%s\n", row.use.cpu_time, row.use.wall_time,
                 row.message.empty() ? "" : "\n    ", row.message.c_str());
   }

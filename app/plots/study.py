@@ -40,8 +40,20 @@ def readable_log_axis(axis):
     axis.set_minor_formatter(NullFormatter())
 
 
+def title_of(measure):
+    """What is measured, in words: as the study calls it, else its columns or its result, and how a course became one number."""
+    if measure.get("title"):
+        return measure["title"]
+    words = ", ".join(column.replace("_", " ") for column in measure["columns"])
+    words = measure["name"] if words == measure["name"] else f"{measure['name']}: {words}"
+    return words + (f" ({measure['weight']})" if measure["weight"] not in ("", measure["name"]) else "")
+
+
 def plot_errors(rows, info, directory, same):
-    """A panel for each measure: its error against CPU time, runs numbered as in the list beside; false without errors."""
+    """A panel for each measure: its error against CPU time, runs numbered as in the list beside; false without errors. A run that answers
+    another question than the references is no point of it."""
+    places = {row["run"]: place for place, row in enumerate(rows, 1)}
+    rows = [row for row in rows if row["run"] not in info.get("not_compared", [])]
     measures = [one for one in info["measures"] if any(number(row.get("error_" + one["name"])) for row in rows)]
     if not measures:
         return False
@@ -56,16 +68,19 @@ def plot_errors(rows, info, directory, same):
                                   layout="constrained")
     for panel in panels.ravel()[len(measures):]:
         panel.axis("off")
-    drawn, fronts, zeros, below = [], False, False, False
+    drawn, fronts, alike, below = [], False, False, False
     for panel, measure in zip(panels.ravel(), measures):
         column, shown = "error_" + measure["name"], []
-        for place, row in enumerate(rows, 1):
+        percent = 100 if measure["relative"] else 1
+        for row in rows:
             time, error = number(row["cpu_time_s"]), number(row.get(column))
-            if time and error == 0:
-                panel.axvline(time, color="0.5", ls=":")
-                zeros = True
+            if time and error == 0:  # a logarithmic axis has no place for it
+                itself = row["run"] == measure["reference"]
+                panel.axvline(time, **(dict(color="0.5", ls=":") if itself else dict(color=look[row["run"]]["color"], ls="-.", lw=0.8)))
+                alike = alike or not itself
             elif time and error:
-                shown.append((time, abs(error), str(place), look[row["run"]]["color"]))
+                error *= percent
+                shown.append((time, abs(error), str(places[row["run"]]), look[row["run"]]["color"]))
                 panel.plot(time, abs(error), markersize=5, ls="", **look[row["run"]], **({"markerfacecolor": "white"} if error < 0 else {}))
                 below = below or error < 0
         front = pareto([point[:2] for point in shown])
@@ -74,30 +89,32 @@ def plot_errors(rows, info, directory, same):
             panel.plot(*zip(*front), color="0.75", lw=3, zorder=0)
             fronts = True
         for label, group in lines.items():
-            points = [(number(row["cpu_time_s"]), abs(number(row[column]))) for row in group if number(row["cpu_time_s"]) and number(row.get(column))]
+            points = [(number(row["cpu_time_s"]), percent * abs(number(row[column]))) for row in group if number(row["cpu_time_s"]) and number(row.get(column))]
             panel.plot(*zip(*points) if points else ([], []), color=looks[label]["color"], lw=0.8)
         panel.set_xscale("log")
         panel.set_yscale("log")
         panel.margins(0.12)
+        low, high = panel.get_ylim()
+        if 0 < low < high < 4 * low:  # errors that are nearly alike look alike
+            panel.set_ylim(0.5 * math.sqrt(low * high), 2 * math.sqrt(low * high))
         readable_log_axis(panel.xaxis)
         readable_log_axis(panel.yaxis)
         unit = next((f" [{unit_of(name)}]" for name in rows[0] if bare(name) == measure["value"] and unit_of(name)), "")
-        kind = f" ({measure['weight']})" if measure["weight"] else ""
-        panel.set_title(f"{measure['name']}{kind}, against {measure['reference']}", fontsize=10, color=INK)
+        panel.set_title("\n".join(textwrap.wrap(f"{title_of(measure)}, against {measure['reference']}", 62)), fontsize=10, color=INK)
         panel.set_xlabel("CPU time of the run [s]", color=INK)
-        panel.set_ylabel(f"relative error of {measure['name']}" if measure["relative"] else f"error of {measure['name']}{unit}", color=INK)
+        panel.set_ylabel(f"size of the relative error of {measure['name']} [%]" if measure["relative"] else f"size of the error of {measure['name']}{unit}", color=INK)
         panel.grid(alpha=0.15, which="both")
         style(panel)
         drawn.append((panel, shown))
     handles = []
-    for place, row in enumerate(rows, 1):
+    for row in rows:
         again = same.get(row["run"])
         reference = any(one["reference"] == row["run"] for one in measures)
-        handles.append(plt.Line2D([], [], label=f"{place}  {row['method']}  {settings_of(row, info['entries'])}" + " (reference)" * reference +
+        handles.append(plt.Line2D([], [], label=f"{places[row['run']]}  {row['method']}  {settings_of(row, info['entries'])}" + " (reference)" * reference +
                                   (f" (the same run as {again})" if again else ""),
                                   **(dict(color="0.5", ls=":") if reference else dict(look[row["run"]], ls=""))))
-    if zeros:
-        handles.append(plt.Line2D([], [], color="0.5", ls=":", label="no difference to the reference"))
+    if alike:
+        handles.append(plt.Line2D([], [], color="0.5", ls="-.", lw=0.8, label="line in a run's colour: no difference to the reference"))
     if below:
         handles.append(plt.Line2D([], [], color="0.5", marker="o", ls="", markerfacecolor="white", label="hollow: less than the reference"))
     if fronts:

@@ -22,7 +22,7 @@ class Compare(unittest.TestCase):
             first = compare(STATICS, "-o", out, *SMALL, "--set", "Structure/Structure=brick", "--set", "Cell/Nodes per side=8")
             self.assertEqual(first.returncode, 0, first.stderr)
             with open(os.path.join(out, "split.csv"), newline="", encoding="utf-8") as file:
-                tip = {row["what"]: float(row["tip [%]"] or "nan") for row in csv.DictReader(file)}
+                tip = {row["what"]: 100. * float(row["tip"] or "nan") for row in csv.DictReader(file)}
             product = 1.
             for part in ("mesh", "RVE size", "number of cells", "rest"):
                 product *= 1. + tip[part] / 100.
@@ -31,10 +31,32 @@ class Compare(unittest.TestCase):
             self.assertLess(abs(tip["RVE size"]), 1e-4)
             # A slab of 8 bricks: what the clamp along their steps takes goes with 1/n (doc/results/rve/blocks.md).
             self.assertLess(abs(tip["rest"]), 0.1 * abs(tip["number of cells"]))
+            self.assertNotIn("does not explain", first.stdout)
+            self.assertTrue(os.path.exists(os.path.join(out, "split.png")))
+            # Tissues of half as many cells are no method: they have values and no errors, in tables and pictures.
+            with open(os.path.join(out, "error_vs_time.csv"), newline="", encoding="utf-8") as file:
+                errors = {row["run"]: row["error_tip"] for row in csv.DictReader(file)}
+            self.assertEqual(errors["half as many cells"], "")
+            self.assertNotEqual(errors["FE2"], "")
             again = compare(STATICS, "-o", out, *SMALL, "--set", "Structure/Structure=brick", "--set", "Cell/Nodes per side=8")
             self.assertEqual(again.returncode, 0, again.stderr)
             self.assertNotIn("Running", again.stdout)
             self.assertEqual(again.stdout[again.stdout.index("error of FE2"):], first.stdout[first.stdout.index("error of FE2"):])
+
+    def test_a_rest_that_the_split_does_not_explain_is_remarked_upon(self):
+        with tempfile.TemporaryDirectory() as directory:
+            out = os.path.join(directory, "out")
+            # Square cells between 4 and 8 along a side: all cells move away from FE2 (doc/results/error_split).
+            told = compare(STATICS, "-o", out, "--set", "Tissue statics/Cells=8", "--set", "Tissue statics/Elements=4", "--set",
+                           "Cell/Nodes per side=8")
+            self.assertEqual(told.returncode, 0, told.stderr)
+            sentence = "tip: the rest is "
+            self.assertIn(sentence, told.stdout)
+            self.assertIn("of the error, more than 50 %: the split does not explain this error. The number's part is a line in 1/n through two "
+                          "sizes, and from 4 to 8 cells all cells move away from FE2 instead of towards it", told.stdout)
+            with open(os.path.join(out, "split.csv"), newline="", encoding="utf-8") as file:
+                remark = {row["what"]: row["remark"] for row in csv.DictReader(file)}["rest"]
+            self.assertIn(remark, told.stdout)
 
     def test_what_cannot_be_compared(self):
         with tempfile.TemporaryDirectory() as directory:
