@@ -106,7 +106,10 @@ struct CommandLine {
     add_compare();
     add_validate();
     add_plot();
-    app.add_subcommand("test", "Build and run all tests (by the launcher ./turgor)");
+    app.add_subcommand("test", "Build and run all tests, or parts of them (by the launcher ./turgor)")
+        ->footer(
+            "It is the launcher's: ./turgor test [--fast] [PART...]; ./turgor test --help lists its "
+            "options.");
   }
 
   void require_known(const std::string &command) const {

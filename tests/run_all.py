@@ -1,7 +1,10 @@
 """Runs every Boost test program of a build and every Python test, and counts single cases.
 
 The last line is "N passed, N failed"; the exit code is 0 when nothing failed.
-  run_all.py --build DIR [--fast] [--disturb N] [NAME...]     NAME: test program (micro, rve, ...) or python
+  ./turgor test [--fast] [--disturb N] [PART...]              builds what is missing first
+  run_all.py --build DIR [--fast] [--disturb N] [PART...]     of a build that is there
+PART is a test program (app, coupling, macro, micro, run, rve) or python; without one all run. One suite or one case:
+build/tests/test_PART --run_test=SUITE/CASE, all names: build/tests/test_PART --list_content.
 --fast leaves out Boost cases labelled "slow" and is what the sanitizer build runs.
 --disturb N runs the test programs with every instruction set this processor has (TURGOR_SIMD), each of them undisturbed and with
 the start of all scenes moved by round-off in N ways (TURGOR_DISTURB, see disturbance.cc). Nothing may fail: no test asks one chaotic
@@ -101,11 +104,11 @@ def run_python(build):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", required=True)
-    parser.add_argument("--fast", action="store_true")
-    parser.add_argument("--disturb", type=int, metavar="N")
-    parser.add_argument("names", nargs="*")
+    parser = argparse.ArgumentParser(prog="./turgor test", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", required=True, metavar="DIR", help="build directory; ./turgor test gives its own")
+    parser.add_argument("--fast", action="store_true", help="without the slow cases")
+    parser.add_argument("--disturb", type=int, metavar="N", help="every instruction set, undisturbed and moved by round-off in N ways")
+    parser.add_argument("names", nargs="*", metavar="PART", help="app, coupling, macro, micro, run, rve or python; all without one")
     options = parser.parse_args()
     passed = failed = 0
     ways = [{}]
