@@ -50,11 +50,21 @@ def _save(figure, path, *arguments, **options):
         _drawn.append(part)
 
 
+def _disclaim(path):
+    """What has gone from the directory is no longer listed."""
+    with open(_record(path), encoding="utf-8") as file:
+        kept = [line for line in file.read().splitlines() if line != os.path.basename(path)]
+    with open(_record(path) + ".new", "w", encoding="utf-8") as file:
+        file.write("".join(line + "\n" for line in kept))
+    os.replace(_record(path) + ".new", _record(path))
+
+
 def _name_all():
     for part in _drawn:
         path = part.removesuffix(".part")
         _claim(path)
         os.replace(part, path)
+        _disclaim(part)
 
 
 _drawn = []

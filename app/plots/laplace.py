@@ -46,8 +46,10 @@ def main(directory):
     axis.set_ylabel("pressure, and pressure that the tension balances [kPa]", color=INK, fontsize=9)
     axis.legend(frameon=False, fontsize=9, loc="lower right")
     style(axis)
+    figure.text(0.5, 1.0, "Law of Laplace: the pressure in an inflated cell, and the pressure that the tension of its wall balances", fontsize=11, color=INK,
+                ha="center", va="bottom")
     path = os.path.join(directory, "laplace.png")
-    figure.savefig(path, dpi=150)
+    figure.savefig(path, dpi=150, bbox_inches="tight", pad_inches=0.08)
     plt.close(figure)
     return [path]
 

@@ -61,10 +61,11 @@ def main(directory):
     axis.set_ylabel("diameter [µm]", color=INK, fontsize=9)
     axis.set_ylim(0, None)
     axis.set_xlim(-4, None)
-    axis.legend(frameon=False, fontsize=8.5, loc="center", bbox_to_anchor=(0.6, 0.47))
+    axis.legend(frameon=False, fontsize=8.5, loc="lower left")
     style(axis)
+    figure.text(0.5, 1.0, "A red cell pulled between two tweezers: its shape, and both diameters", fontsize=11, color=INK, ha="center", va="bottom")
     path = os.path.join(directory, "rbc_tweezers.png")
-    figure.savefig(path, dpi=140)
+    figure.savefig(path, dpi=140, bbox_inches="tight", pad_inches=0.08)
     plt.close(figure)
     return [path]
 

@@ -46,8 +46,9 @@ def main(directory):
     axis.set_ylabel("amplitude over the largest", color=INK, fontsize=9)
     axis.legend(frameon=False, fontsize=9, loc="upper right", bbox_to_anchor=(1.0, 0.98))
     style(axis)
+    figure.text(0.5, 1.0, "A filled shell that rings: radial speed over time, and its spectrum", fontsize=11, color=INK, ha="center", va="bottom")
     path = os.path.join(directory, "shell_oscillation.png")
-    figure.savefig(path, dpi=150)
+    figure.savefig(path, dpi=150, bbox_inches="tight", pad_inches=0.08)
     plt.close(figure)
     return [path]
 

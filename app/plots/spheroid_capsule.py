@@ -78,6 +78,7 @@ def draw(runs, path):
         named = [(handle, label) for handle, label in zip(*axis.get_legend_handles_labels()) if axis is axes[0] or label not in curves]  # curves are named once
         if named:
             axis.legend(*zip(*named), frameon=False, fontsize=8, loc="upper left")
+    figure.suptitle("A spheroid that grows against the wall of its capsule", fontsize=11, color=INK)
     figure.savefig(path, dpi=130)
     plt.close(figure)
     return path

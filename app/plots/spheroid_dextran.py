@@ -59,6 +59,7 @@ def draw(runs, path, regime_change=9.0):
         style(axis)
     for axis in axes[len(lines) + 1:]:
         axis.set_visible(False)
+    figure.suptitle("Growing spheroids under osmotic pressure" if len(runs) > 1 else f"A growing spheroid: {runs[0][0]}", fontsize=11, color=INK)
     figure.savefig(path, dpi=110)
     plt.close(figure)
     return path

@@ -17,13 +17,18 @@ def main(directory):
     draw_data(axis, "time [s]", "gyration_radius [m]", 1 / 3600, 1e6)
     if len(axis.lines) > 1:
         axis.legend(frameon=False, fontsize=8)
+    late = ""
     try:
         with open(os.path.join(directory, "summary.json"), encoding="utf-8") as file:
             found = json.load(file)["results"]["relaxation_time"]["value"] / 3600
         axis.axvline(found, color=INK, linewidth=0.9, linestyle=(0, (4, 3)))
         axis.annotate(f"1/e after {found:.2f} h", (found, radius.min()), xytext=(6, 4), textcoords="offset points", color=INK, fontsize=9)
+        if 0 < found < 0.02 * t[-1]:  # else the curve is an edge at the left
+            axis.set_xlim(-0.2 * found, 12 * found)
+            late = f", shown up to {12 * found:.3g} h of {t[-1]:.3g} h"
     except (OSError, KeyError):
         pass
+    axis.set_title(f"A spheroid that was pressed, let go{late}", fontsize=11, color=INK)
     axis.set_xlabel("time since it was let go [h]", color=INK)
     axis.set_ylabel("radius of gyration [µm]", color=INK)
     style(axis)
