@@ -1,4 +1,5 @@
 #include "coupling/tissue_outputs.h"
+#include "coupling/arc_run.h"
 
 #include "coupling/tissue_bruise.h"
 #include "coupling/tissue_gravity.h"
@@ -235,6 +236,7 @@ Outputs TissueStatics::outputs() const {
   return all.join(block_outputs())
       .join(single.join(cell_displacement_outputs()), "with Loads/Way = at_once")
       .join(static_run_outputs(), "with Loads/Way = steps")
+      .join(arc_run_outputs(), "with Loads/Way = arc_length")
       .join(tissue_field_outputs());
 }
 }  // namespace turgor

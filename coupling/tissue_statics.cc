@@ -71,7 +71,10 @@ void TissueStatics::declare_parameters(InputEntries &prm) {
   prm.add_parameter(
       "Way", way,
       "at_once: all load at once, bit by bit only where Newton's method fails; steps: by load "
-      "steps of the run's own choice, as tools and walls that yield or break need. Units: none.");
+      "steps of the run's own choice, as tools and walls that yield or break need; arc_length: along the "
+      "path "
+      "of equilibria, past the load at which the tissue buckles or breaks, where it carries less. Units: "
+      "none.");
   prm.add_parameter("Time", load_time,
                     "Time in which the loads come on evenly, where no tool moves; cells that fail leak over "
                     "it. Units: s.",
@@ -85,6 +88,7 @@ void TissueStatics::declare_parameters(InputEntries &prm) {
   declare_static_tool(prm, tissue, "Loads", true);
   prm.leave_subsection();
   stepped.declare(prm);
+  arc.declare(prm);
   rve_parameters.add_parameters(prm);
 }
 
@@ -116,6 +120,7 @@ void TissueStatics::check() const {
     StaticRunSettings all = stepped;
     all.tissue = whole;
     all.tissue.body_force = load * direction / direction.norm();  // what matters is where it acts
+    if (way == Way::arc_length) arc.check(all.tissue);
     all.check(rve_parameters);
   }
   try {
@@ -129,23 +134,37 @@ void TissueStatics::check() const {
 }
 
 void TissueStatics::run(RunContext &context) {
-  if (way == Way::steps)
-    by_steps(context);
-  else
-    at_once(context);
+  switch (way) {
+    case Way::at_once:
+      return at_once(context);
+    case Way::steps:
+      return by_steps(context);
+    case Way::arc_length:
+      return by_arc_length(context);
+  }
 }
 
-void TissueStatics::by_steps(RunContext &context) {
-  const std::shared_ptr<const Rve<2>> rve = make_rve(rve_parameters);
+std::shared_ptr<const Rve<2>> TissueStatics::prepare(RunContext &context) {
+  std::shared_ptr<const Rve<2>> rve = make_rve(rve_parameters);
   stepped.tissue = piece(cell_size(rve_parameters, *rve));
   stepped.tissue.body_force = load / (rve->density() * stepped.tissue.size[0]) * direction / direction.norm();
-  stepped.path.end = stepped.end_time(load_time);
   stepped.law.threads = context.threads();
-  stepped.tells_tip = true;
   context.result("width", stepped.tissue.size[0], "m");
   context.result("density", rve->density(), "kg/m^3");
   context.result("body_force", stepped.tissue.body_force.norm(), "m/s^2");
+  return rve;
+}
+
+void TissueStatics::by_steps(RunContext &context) {
+  const std::shared_ptr<const Rve<2>> rve = prepare(context);
+  stepped.path.end = stepped.end_time(load_time);
+  stepped.tells_tip = true;
   run_static(context, stepped, rve);
+}
+
+void TissueStatics::by_arc_length(RunContext &context) {
+  const std::shared_ptr<const Rve<2>> rve = prepare(context);
+  run_arc(context, arc, stepped, rve);
 }
 
 void TissueStatics::at_once(RunContext &context) {

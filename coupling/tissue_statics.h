@@ -7,9 +7,11 @@
 // depends on the mesh only. Against static_lattice it gives the error of homogenisation. The body force may
 // act in any direction, a traction (pull, push, shear) on the side x = W, and a plate or cylinder may press
 // there, against the clamp or a plate: then the way there is followed by load steps (static_run.h), with
-// cells that yield and fail on it. Units SI.
+// cells that yield and fail on it. Loads that buckle or break the tissue are followed past what it can carry
+// by arc length (arc_run.h). Units SI.
 #pragma once
 
+#include "coupling/arc_run.h"
 #include "coupling/static_run.h"
 #include "macro/static_equilibrium.h"
 #include "run/scenario.h"
@@ -28,19 +30,24 @@ class TissueStatics : public Scenario {
  public:
   /// How the loads come on.
   enum class Way {
-    at_once,  ///< all at once, and only where Newton's method fails bit by bit
-    steps     ///< by load steps that are chosen on the way
+    at_once,    ///< all at once, and only where Newton's method fails bit by bit
+    steps,      ///< by load steps that are chosen on the way
+    arc_length  ///< along the path of equilibria, on which they may fall again
   };
-  friend constexpr const char *words_of(Way) { return "at_once|steps"; }
+  friend constexpr const char *words_of(Way) { return "at_once|steps|arc_length"; }
 
  private:
   void at_once(RunContext &context);
   void by_steps(RunContext &context);
+  void by_arc_length(RunContext &context);
+  /// Piece, body force and RVE of those two.
+  std::shared_ptr<const Rve<2>> prepare(RunContext &context);
 
   Way way = Way::at_once;
   double load_time = 1.;  ///< s
   dealii::Tensor<1, 2> direction;
   StaticRunSettings stepped;
+  ArcRunSettings arc;
   TissueParameters<2> tissue;
   StaticSettings newton;
   RveParameters rve_parameters;

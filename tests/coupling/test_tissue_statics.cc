@@ -6,6 +6,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
+#include <map>
 #include <string>
 
 using namespace turgor;
@@ -41,6 +42,94 @@ BOOST_AUTO_TEST_CASE(displacement_is_linear_in_small_loads) {
     else if (load != "1e5")
       BOOST_TEST(std::abs(now / per_load - 1.) < 1e-6 + residual, load << ": " << now / per_load - 1.);
   }
+}
+
+namespace {
+/// A column of yielding cells, pushed and a little sheared, by a run that may be stopped.
+std::map<std::string, double> buckle(Disk &disk, const std::string &way, const bool resume = false,
+                                     const unsigned long stop_at = 0) {
+  TissueStatics scene;
+  InputEntries prm;
+  scene.declare_parameters(prm);
+  prm.read(
+      "subsection Tissue statics\n set Cells = 8\n set Cells across = 4\n set Load = 0\n set Elements = 4\n "
+      "set "
+      "Elements across = 2\n set Degree = 2\nend\n"
+      "subsection Loads\n set Way = " +
+      way +
+      "\n set Traction = -200e3, 1e3\nend\n"
+      "subsection Arc length\n set Furthest = 0.15\n set First share = 0.05\nend\n"
+      "subsection Load steps\n set Largest = 0.02\n set Tolerance = 1e-8\n set Smallest = 1e-3\n set Frames "
+      "= "
+      "2\nend\n"
+      "subsection Wall\n set Yielding = plastic\nend\nsubsection RVE\n set Tolerance = 1e-11\nend\n"
+      "subsection Cell\n set Nodes per side = 4\nend\n");
+  scene.check();
+  MemoryContext context(disk, resume);
+  context.stop_at = stop_at;
+  scene.run(context);
+  return context.results;
+}
+}  // namespace
+
+// Past the load that the column can carry, with energies in balance on the whole way; a run that was stopped
+// comes to the same bits.
+BOOST_AUTO_TEST_CASE(a_column_is_followed_past_its_buckling_load) {
+  Disk whole, parts;
+  const auto results = buckle(whole, "arc_length");
+  const double limit = results.at("load_share_at_limit");
+  BOOST_TEST_MESSAGE(results.at("path_steps")
+                     << " steps: up to " << limit << " of the load, down to "
+                     << results.at("load_share_least_beyond") << ", gap share "
+                     << results.at("path_energy_gap_share") << ", CPU " << results.at("path_cpu_time"));
+  BOOST_TEST(limit < 0.95);
+  BOOST_TEST(results.at("load_share_least_beyond") < 0.98 * limit);
+  BOOST_TEST(std::abs(results.at("path_energy_gap_share")) < 2e-3);
+  BOOST_TEST(results.at("path_residual_max") < 1e-8);
+  const auto &rows = whole.series["path"];
+  BOOST_TEST(rows.size() == results.at("path_steps") + 1.);
+
+  for (const unsigned long stop_at : {30ul, 60ul})
+    BOOST_CHECK_THROW(buckle(parts, "arc_length", stop_at != 30, stop_at), RunStopped);
+  const auto resumed = buckle(parts, "arc_length", true);
+  BOOST_TEST((whole.series["path"] == parts.series["path"]));
+  BOOST_TEST(resumed.at("load_share_at_limit") == limit);
+}
+
+// By load steps the same tissue stands below that load.
+BOOST_AUTO_TEST_CASE(load_steps_end_where_the_path_turns) {
+  Disk disk, steps;
+  const double limit = buckle(disk, "arc_length").at("load_share_at_limit");
+  double carried = 0.;
+  try {
+    buckle(steps, "steps");
+  } catch (const RunFailed &) {
+  }
+  for (const auto &row : steps.series["steps"])
+    if (std::hypot(row[5], row[6]) < 0.1 * 8e-4) carried = std::max(carried, row[1]);
+  BOOST_TEST_MESSAGE("limit along the path " << limit << ", by load steps " << carried);
+  BOOST_TEST(std::abs(carried - limit) < 0.01);
+}
+
+BOOST_AUTO_TEST_CASE(what_no_arc_length_follows_is_refused) {
+  const auto refusal = [](const std::string &loads) {
+    TissueStatics scene;
+    InputEntries prm;
+    scene.declare_parameters(prm);
+    prm.read("subsection Tissue statics\n set Load = 0\nend\nsubsection Loads\n set Way = arc_length\n" +
+             loads + "end\n");
+    try {
+      scene.check();
+    } catch (const std::exception &e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  BOOST_TEST(refusal(" set Traction = -1e3, 0\n") == "");
+  BOOST_TEST(refusal("").find("needs a load to follow") != std::string::npos);
+  for (const char *way : {" set Tool = plate\n", " set Tool = plate\n set Support = plate\n"})
+    BOOST_TEST(refusal(way + std::string(" set Traction = -1e3, 0\n")).find("take 'Way = steps'") !=
+               std::string::npos);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
