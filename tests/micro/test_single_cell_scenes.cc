@@ -302,6 +302,26 @@ BOOST_AUTO_TEST_CASE(squeezed_and_resumed_is_squeezed) {
   BOOST_TEST((second.results == straight.results));
 }
 
+BOOST_AUTO_TEST_CASE(a_shell_stopped_in_its_swing_goes_on) {
+  const Entries entries = {{"Periods", "6"},         {"Samples per period", "40"},
+                           {"Harmonics", "6"},       {"Modes", "1"},
+                           {"Filled", "false"},      {"Checkpoints", "0"},
+                           {"Cell/Radius", "30e-6"}, {"Cell/Wall thickness", "1e-6"},
+                           {"Cell/Frequency", "4"}};
+  Disk whole;
+  MemoryContext straight(whole, false);
+  run(*make_shell_oscillation(), straight, entries);
+  BOOST_TEST(whole.series.at("radius").size() == 241u);
+  Disk disk;
+  MemoryContext first(disk, false);
+  first.stop_while = "oscillations";
+  BOOST_CHECK_THROW(run(*make_shell_oscillation(), first, entries), RunStopped);
+  MemoryContext second(disk, true);
+  run(*make_shell_oscillation(), second, entries);
+  BOOST_TEST((disk.series.at("radius") == whole.series.at("radius")));
+  BOOST_TEST((second.results == straight.results));
+}
+
 // A body falls on a cell of one pressure and bounces off: what it lost is the work done on the cell, and what
 // the cell gave back is in its speed. Pressed on by a force it comes to rest where the driven plate needs the
 // same force.

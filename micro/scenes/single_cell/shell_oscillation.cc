@@ -1,11 +1,8 @@
 #include "micro/scenes/single_cell/shell_oscillation.h"
 
-#include "micro/processes/bring_to_turgor.h"
-#include "micro/engine/kick_drift_kick.h"
-#include "run/end_in_sight.h"
+#include "micro/scenes/single_cell/shell_run.h"
 #include "run/input_entries.h"
 #include "run/number_text.h"
-#include "run/run_failed_by.h"
 #include "run/judged.h"
 #include "micro/scenes/shared_entries.h"
 
@@ -29,26 +26,6 @@ double amplitude(const std::vector<double> &time, const std::vector<double> &sig
     sum += window * (signal[k] - mean) * std::polar(1., -omega * time[k]);
   }
   return 4. * std::abs(sum) / double(signal.size());
-}
-/// Radial velocity inwards, of the wall's nodes or of all in proportion to the radius R (m).
-void strike(ParticleSystem<3> &system, const std::uint32_t nodes, const double R, const double speed,
-            const bool all) {
-  Particles<3> &particles = system.particles;
-  for (std::uint32_t i = 0; i < (all ? particles.size() : nodes); ++i) {
-    const Vector<3> x = particles.position(i), out = i < nodes ? Vector<3>(x.normalized()) : Vector<3>(x / R);
-    for (int d = 0; d < 3; ++d) particles.v[d][i] = -speed * out[d];
-  }
-}
-
-/// R sum m v.x/sum m x.x: the wall's radial speed where all moves in proportion to the radius.
-double radial_speed(const Particles<3> &particles, const double R) {
-  double along = 0., squares = 0.;
-  for (std::uint32_t i = 0; i < particles.size(); ++i)
-    for (int d = 0; d < 3; ++d) {
-      along += particles.v[d][i] * particles.x[d][i] / particles.inverse_mass[i];
-      squares += particles.x[d][i] * particles.x[d][i] / particles.inverse_mass[i];
-    }
-  return R * along / squares;
 }
 
 /// Spectrum on a grid four times as fine as the window's resolution, for the picture. last_mode: rad/s.
@@ -93,6 +70,7 @@ void ShellOscillation::declare_parameters(InputEntries &prm) {
                     "Largest number of decaying cosines that are fitted to the radial speed. Units: none.",
                     Integer(1, 60));
   declare_step_fraction(prm, step_fraction);
+  declare_checkpoints(prm, checkpoints);
   prm.enter_subsection("Cell");
   cell.add_parameters(prm);
   prm.leave_subsection();
@@ -142,48 +120,6 @@ std::vector<double> ShellOscillation::closed_form(const RoundCellParameters &p, 
   return roots;
 }
 
-ShellOscillation::Motion ShellOscillation::oscillate(RunContext &context, RoundCell<3> &round, const double R,
-                                                     const double lowest) const {
-  ParticleSystem<3> &system = round.system;
-  const double period = 2. * pi / lowest, sampling = period / samples_per_period;
-  const double limit = step_fraction * system.stable_time_step();
-  const unsigned int per_sample = unsigned(std::ceil(sampling / limit));
-  const double dt = sampling / per_sample;
-  const auto count = std::size_t(periods * samples_per_period);
-  const auto table = context.series(
-      "radius",
-      {{"time", "s"}, {"radius_change", "m"}, {"radial_speed", "m/s"}, {"pressure", "Pa"}, {"energy", "J"}});
-  KickDriftKick<3> integrator(system);
-  system.compute_forces();
-  Motion motion;
-  motion.sampling = sampling;
-  std::vector<double> &time = motion.time, radius;
-  const double energy_start = system.potential_energy() + system.kinetic_energy();
-  double energy = energy_start;
-  EndInSight sight;
-  for (std::size_t k = 0; k <= count; ++k) {
-    if (k > 0)
-      for (unsigned int s = 0; s < per_sample; ++s) integrator.step(dt);
-    time.push_back(double(k) * sampling);
-    radius.push_back(round.mean_radius() - R);
-    motion.speed.push_back(radial_speed(system.particles, R));
-    energy = system.potential_energy() + system.kinetic_energy();
-    if (!std::isfinite(radius.back()) || std::abs(radius.back()) > 0.5 * R)
-      throw RunFailed("the shell diverged before t = " + number_text(1e6 * time.back()) +
-                      " us: use a smaller Step fraction or Inward speed.");
-    table->add_row({time.back(), radius.back(), motion.speed.back(), round.pressure(), energy});
-    if (round.fluid) motion.crossed = std::max(motion.crossed, double(round.fluid->crossed()));
-    context.progress(0.3 + 0.7 * double(k) / double(count), "oscillations");
-    if (const std::string far = sight.after_step(double(k) / double(count)); !far.empty())
-      remarked(context, "no_end_in_sight",
-               "at t = " + number_text(1e6 * time.back()) + " us " + far +
-                   ". Fewer Periods, a coarser shell (Cell/Frequency) or fewer Cell/Fluid particles help.");
-    if (context.stop_requested()) throw RunStopped("stopped in the middle of the oscillation");
-  }
-  motion.energy_drift = energy / energy_start - 1.;
-  return motion;
-}
-
 void ShellOscillation::compare(RunContext &context, const std::vector<Harmonic> &parts,
                                const std::vector<double> &theory, const double R) const {
   const auto lines = context.series("modes", {{"closed_form", "Hz"}, {"found", "Hz"}, {"deviation", "%"}});
@@ -217,20 +153,18 @@ void ShellOscillation::compare(RunContext &context, const std::vector<Harmonic> 
 
 void ShellOscillation::run(RunContext &context) {
   const RoundCellParameters p = shell();
-  const auto made = make_round_cell<3>(p, false);
-  RoundCell<3> &round = *made;
-  ParticleSystem<3> &system = round.system;
-  context.active(system.term_names(), system.particles.field_names());
-  run_failed_by([&] {
-    return bring_to_turgor<3>(round, [&](const unsigned int step, const unsigned int steps, double) {
-      if (step % 64 == 0) context.progress(0.3 * step / steps, "the liquid comes to rest");
-      if (context.stop_requested()) throw RunStopped("stopped before the shell was struck");
-    });
+  ShellRun shell_run(p, {.speed = speed,
+                         .all_struck = all_struck,
+                         .periods = periods,
+                         .step_fraction = step_fraction,
+                         .samples_per_period = samples_per_period,
+                         .checkpoints = checkpoints});
+  std::vector<double> theory;
+  const ShellMotion &motion = shell_run.go(context, [&](const double radius) {
+    theory = closed_form(p, radius, sound_speed, modes);
+    return theory.front();
   });
-  const double R = round.mean_radius();
-  const std::vector<double> theory = closed_form(p, R, sound_speed, modes);
-  strike(system, round.group().wall_count(), R, speed, all_struck);
-  const Motion motion = oscillate(context, round, R, theory.front());
+  const double R = motion.rest_radius;
   write_spectrum(context, motion.time, motion.speed, theory.back());
   const std::vector<Harmonic> parts = harmonics(motion.speed, motion.sampling, fitted);
   const auto found =
@@ -238,9 +172,9 @@ void ShellOscillation::run(RunContext &context) {
   for (const Harmonic &part : parts) found->add_row({part.omega / (2. * pi), part.decay, part.amplitude});
   context.result("radius", R, "m");
   context.result("energy_drift", motion.energy_drift, "1");
-  if (round.fluid) context.result("most_crossed", motion.crossed, "");
+  if (filled) context.result("most_crossed", motion.crossed, "");
   compare(context, parts, theory, R);
-  judge_outside(context, motion.crossed, round.group().fluid_count(),
+  judge_outside(context, motion.crossed, shell_run.fluid_particles(),
                 "more Cell/Fluid particles or a smaller Inward speed makes them fewer");
 }
 

@@ -32,20 +32,13 @@ class ShellOscillation final : public Scenario {
                                          unsigned int count);
 
  private:
-  struct Motion {
-    double sampling = 0., energy_drift = 0., crossed = 0.;  ///< s; relative; most particles outside at once
-    std::vector<double> time, speed;                        ///< s, m/s (radial)
-  };
-
   RoundCellParameters shell() const;  ///< cell with K from c and no turgor
-  /// Writes radius.csv. R: m; lowest: rad/s, of the closed form.
-  Motion oscillate(RunContext &context, RoundCell<3> &round, double R, double lowest) const;
   /// What of the closed form is found among the harmonics.
   void compare(RunContext &context, const std::vector<Harmonic> &parts, const std::vector<double> &theory,
                double R) const;
 
   double sound_speed = 50., speed = 0.01, periods = 20., step_fraction = 0.5;
-  unsigned int samples_per_period = 400, modes = 4, fitted = 12;
+  unsigned int samples_per_period = 400, modes = 4, fitted = 12, checkpoints = 4;
   bool filled = true;
   bool all_struck = true;  ///< else the wall alone
   RoundCellParameters cell;

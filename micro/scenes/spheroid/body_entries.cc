@@ -68,7 +68,9 @@ void BodyEntries::declare(InputEntries &prm) {
       "Torque over angular velocity of the body alone in the medium, with Motion = drag (Stokes: 8 "
       "pi viscosity times radius cubed); 0: it does not turn. Units: N m s.",
       Double(0., 1e15));
-  prm.add_parameter("Modulus", modulus, "Young's modulus of the body where cells press on it. Units: Pa.",
+  prm.add_parameter("Modulus", modulus,
+                    "Young's modulus of the body where cells press on it: by Hertz, and without adhesion "
+                    "whatever holds the cells together. Units: Pa.",
                     Double(1e-3, 1e15));
   prm.add_parameter("Poisson ratio", poisson,
                     "Poisson ratio of the body where cells press on it. Units: none.", Double(0., 0.5));
