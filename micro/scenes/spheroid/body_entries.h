@@ -3,7 +3,7 @@
 // or moved: without inertia, as the cells, drag v = load + what the cells do to it, and the same about its
 // centre. Without a file there is none, and nothing of it is made.
 //
-//   body.declare(prm);  body.check({centres, radius, modulus, duration});
+//   body.declare(prm);  body.check({centres, radius, duration});
 //   if (body.is_there()) around = body.surroundings(stiffness);
 //
 // Columns of growth.csv: see body_outputs(). The body moves where a step of the
@@ -36,7 +36,6 @@ class BodyEntries {
   struct FirstCells {
     std::vector<Vector<3>> centres;  ///< m
     double radius;                   ///< m, of the largest
-    double modulus;                  ///< Pa, E/(1 - nu^2)
     double duration;                 ///< s, until End time
   };
   /// Throws InputError.

@@ -34,9 +34,7 @@ SpheroidFree::SpheroidFree() {
 }
 
 void SpheroidFree::check_more() const {
-  const CellLifeParameters &life = entries.numbers.life;
-  body.check({compact_cluster(first_cells, first_spacing(), flat), largest_first_radius(),
-              life.modulus / (1. - life.poisson * life.poisson), duration});
+  body.check({compact_cluster(first_cells, first_spacing(), flat), largest_first_radius(), duration});
 }
 
 Surroundings SpheroidFree::make_surroundings() const {
