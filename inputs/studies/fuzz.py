@@ -66,6 +66,7 @@ SCENES = {
     "cell_failure": dict(SMALL_ROUND, Speed=(20, 50), Deformation=0.1),
     "rbc_tweezers": {"Forces": "1e-11", "Cell/Frequency": (2, 4)},
     "optical_stretcher": {"Cell/Frequency": (2, 4), "Powers": [1.1, 0.3]},
+    "network_shear": {"Pore sizes": "2e-6", "Side": 2e-5, "Stiffnesses": [1e-3, 10.0], "Kept bonds": [1.0, 0.9], "Seeds": (1, 2), "Steps": (1, 5)},
     "tissue_bruise": {"Impact/Depth": 1e-5, "Tissue/Elements x": (1, 3), "Tissue/Elements y": (2, 3), "Tissue/Degree": 1},
     "texture_test": {"Test/Depth": 1e-5, "Tissue/Elements x": (1, 3), "Tissue/Elements y": (2, 3), "Tissue/Degree": 1,
                      "Load steps/Smallest": 1e-3, "Load steps/First": 0.05, "Load steps/Largest": 0.1},

@@ -137,6 +137,8 @@ BY_SCENE = {
                 ("Cell/Turgor", "7e6", ["below 2 G t0/Radius"]), ("Cell/Fluid", "none", ["an empty shell holds no pressure"]),
                 ("Cell/Wall thickness", "1e-5", ["thinner than a fifth of the radius"])],
     "optical_stretcher": [("Elements", "maxwel", ["one of kelvin_voigt, modified_maxwell, both"]), ("Powers", "-1", ["a finite number from 0"]), ("Powers", "0.9, 0.9", ["0.9 W twice"])],
+    "network_shear": [("Side", "1e-5", ["4 to 30 are allowed"]), ("Kept bonds", "0.2", ["a finite number from 0.3"]), ("Layer height", "1e-6", ["give Anchors = true"]),
+                      ("Nodes", "sixfould", ["Did you mean 'sixfold'?"]), ("Largest strain", "0", ["Frames = 1 draws the network at rest"])],
     "rbc_tweezers": [("Forces", "2e-11, 1e-11", ["positive and rising", "number 2 is 1e-11 N"]), ("Experiment", "nowhere.csv", ["nowhere.csv"])],
     "shell_oscillation": [("Inward speed", "9", ["at most a fiftieth of Sound speed"])],
     "cell_compression": [("Critical stretch", "1.0001", ["larger than the stretch of the turgid wall"]),

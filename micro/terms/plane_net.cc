@@ -1,0 +1,80 @@
+#include "micro/terms/plane_net.h"
+
+#include "micro/geometry/laguerre_tiling.h"
+#include "micro/laws/counter_random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace turgor {
+Vector<2> PlaneNet::along(const Bond &bond) const {
+  return nodes[bond.b] + Vector<2>(bond.shift[0] * periods[0], bond.shift[1] * periods[1]) - nodes[bond.a];
+}
+
+double PlaneNet::mean_length() const {
+  double sum = 0.;
+  for (const Bond &bond : bonds) sum += along(bond).norm();
+  return sum / double(bonds.size());
+}
+
+namespace {
+void check_size(const unsigned int columns, const unsigned int rows) {
+  if (columns < 4 || rows < 4 || rows % 2 != 0)
+    throw std::invalid_argument(
+        "a periodic net needs at least 4 columns and 4 rows, and an even number of "
+        "rows");
+}
+}  // namespace
+
+PlaneNet sixfold_net(const double length, const unsigned int columns, const unsigned int rows) {
+  check_size(columns, rows);
+  const double height = 0.5 * std::sqrt(3.) * length;
+  PlaneNet net;
+  net.periods = {columns * length, rows * height};
+  const auto number = [&](const int column, const int row) {
+    const int n = int(columns), m = int(rows);
+    return std::uint32_t((row + m) % m * n + (column + n) % n);
+  };
+  for (int row = 0; row < int(rows); ++row)
+    for (int column = 0; column < int(columns); ++column) {
+      net.nodes.push_back({(column + 0.5 * (row % 2)) * length, row * height});
+      // to the right, and to both above
+      const int left = column - (row % 2 == 0);
+      for (const auto &[c, r] : {std::array{column + 1, row}, {left, row + 1}, {left + 1, row + 1}})
+        net.bonds.push_back(
+            {number(column, row), number(c, r), {c < 0 ? -1 : c >= int(columns), r >= int(rows)}});
+    }
+  return net;
+}
+
+PlaneNet random_net(const double length, const unsigned int columns, const unsigned int rows,
+                    const std::uint64_t seed) {
+  check_size(columns, rows);
+  constexpr unsigned int rounds = 2;
+  const Vector<2> periods(columns, 0.5 * std::sqrt(3.) * rows);
+  const std::size_t n = std::size_t(columns) * rows;
+  std::vector<Vector<2>> seeds;
+  for (std::size_t i = 0; i < n; ++i)
+    seeds.push_back({periods[0] * random_uniform(seed, 2 * i), periods[1] * random_uniform(seed, 2 * i + 1)});
+  const Tiling cells = laguerre_tiling(periods, seeds, std::vector<double>(n, 1.), rounds);
+  PlaneNet net;
+  net.periods = periods;
+  for (std::size_t i = 0; i < n; ++i) net.nodes.push_back(polygon_centroid(cells.outline(i)));
+  const auto facing = cells.facing();
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (const FacingSide &side : facing[i])
+      if (side.exists() && i < side.cell) net.bonds.push_back({i, side.cell, side.shift});
+  const double scale = length / net.mean_length();
+  net.periods *= scale;
+  for (Vector<2> &node : net.nodes) node *= scale;
+  return net;
+}
+
+void remove_bonds(PlaneNet &net, const double kept, const std::uint64_t seed) {
+  std::vector<PlaneNet::Bond> left;
+  for (std::size_t k = 0; k < net.bonds.size(); ++k)
+    if (random_uniform(mix_bits(seed ^ 0x6b6f6e64ull), k) < kept) left.push_back(net.bonds[k]);
+  net.bonds = std::move(left);
+}
+}  // namespace turgor
