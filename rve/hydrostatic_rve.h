@@ -30,6 +30,9 @@
 //
 // In: F (no unit), F_dot (1/s). Out: see rve.h. State: node positions (m), x and y interleaved; history:
 // WallHistory::pack().
+//
+// Its methods are in three files: how equilibrium is sought in hydrostatic_equilibrium.cc, walls that break
+// in hydrostatic_breaking.cc, all else in hydrostatic_rve.cc.
 #pragma once
 
 #include "micro/cells/network_equilibrium.h"

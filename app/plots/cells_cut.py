@@ -82,8 +82,7 @@ def draw_cut(directory, flat=False, time=None, wall=None):
     low, high = np.percentile(pressure[place[3]], [2, 98])
     most = max(abs(low), abs(high), 1e-9)
     for axis, values, label, colours, norm in (
-            (panels[0], pressure, "pressure [Pa]", "RdBu_r" if low < -0.2 * high else "viridis",
-             Normalize(-most, most) if low < -0.2 * high else Normalize(low, high)),
+            (panels[0], pressure, "pressure [Pa]", "RdBu_r", Normalize(-most, most)),  # white is 0 in every run
             (panels[1], volume, "volume [µm³]", "cividis", Normalize(*np.percentile(volume[place[3]], [2, 98])))):
         bar = figure.colorbar(draw_cells(axis, place, values, colours, norm, wall, body), ax=axis, shrink=0.85, extend=beyond(norm, values[place[3]]))
         bar.ax.set_title(label, fontsize=9, color=INK)  # beside the bar it would stand at the next panel
@@ -94,7 +93,7 @@ def draw_cut(directory, flat=False, time=None, wall=None):
     for axis in panels:
         axis.set_xlabel("x [µm]", color=INK)
         axis.set_ylabel("y [µm]", color=INK)
-    figure.suptitle(f"{'From above' if flat else 'Cut through the middle'} at {frame.time / 3600:.0f} h, {len(volume)} cells" + (f"; ring: the capsule's inner wall, radius {wall:.1f} µm" if wall is not None else "; line: the rigid body's surface" if len(body) else ""),
+    figure.suptitle(f"{'From above' if flat else 'Cut through the middle'} at {frame.time / 3600:.0f} h, {len(volume)} cells" + (f"; ring: the capsule's inner wall, radius {wall:.1f} µm" if wall is not None else "; line: the rigid body's surface" if len(body) else "") + "; cells overlap where they touch",
                     color=INK, fontsize=11)
     path = os.path.join(directory, "cells_cut.png")
     figure.savefig(path, dpi=110)

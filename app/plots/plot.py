@@ -18,11 +18,12 @@ from units import bare, unit_of  # noqa: E402
 
 MOST = 8  # lines in a panel: more are not told apart
 QUANTITIES = {"Pa": "stress, pressure", "N": "force", "N/m": "force over length", "J": "energy", "J/m": "energy over length", "m": "length",
-              "s": "time", "m/s": "speed", "m^3": "volume", "1": "ratio", "": "number"}
+              "s": "time", "m/s": "speed", "m^3": "volume", "1": "ratios, each of its own", "": "counts, each of its own"}
+WORDS = {"lent": "lent by the error of the steps"}  # a column whose name alone says too little
 
 
 def words_of(column):
-    return bare(column).replace("_", " ")
+    return WORDS.get(bare(column), bare(column).replace("_", " "))
 
 
 def quantity_of(columns):
@@ -96,10 +97,14 @@ def plot_series(path, of=""):
     shown, remarks = panels_of(table)
     if not shown:
         return None
-    figure, panels = plt.subplots(len(shown), 1, figsize=(7.5, 1.4 + 2.6 * len(shown)), sharex=True, squeeze=False,
-                                  layout="constrained")
+    across = 1 if len(shown) <= 6 else 2  # no strip that a screen shows a fifth of
+    down = -(-len(shown) // across)
+    figure, grid = plt.subplots(down, across, figsize=(7.5 * across, 1.4 + 2.6 * down), sharex=True, squeeze=False, layout="constrained")
+    panels = grid.T.ravel()  # down the first column, then the second
+    for unused in panels[len(shown):]:
+        unused.axis("off")
     along, unit_along = in_prefix(unit_of(names[0]), [table[names[0]]])
-    for panel, (unit, columns) in zip(panels[:, 0], shown):
+    for panel, (unit, columns) in zip(panels, shown):
         factor, prefixed = in_prefix(unit, [table[name] for name in columns])
         covers = covering({name: table[name] for name in columns})
         for k, (name, (colour, dash)) in enumerate(zip(columns, line_styles(len(columns)))):
@@ -112,7 +117,9 @@ def plot_series(path, of=""):
         panel.grid(alpha=0.3)
         if len(panel.lines) > 1:  # one line is named beside its axis
             panel.legend(fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False)
-    panels[-1, 0].set_xlabel(words_of(names[0]) + (f" [{unit_along}]" if unit_along not in ("", "1") else ""))
+    for foot in {down - 1, len(shown) - 1}:
+        panels[foot].tick_params(labelbottom=True)
+        panels[foot].set_xlabel(words_of(names[0]) + (f" [{unit_along}]" if unit_along not in ("", "1") else ""))
     figure.suptitle(f"{os.path.basename(path)}{of}", fontsize=10)
     if remarks:
         figure.text(0.5, 0.0, "\n".join(line for remark in remarks for line in textwrap.wrap(remark, 90)), fontsize=8, ha="center", va="top")

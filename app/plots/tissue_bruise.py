@@ -92,7 +92,7 @@ def picture(directory):
     draw_tool(axis, setup, np.interp(main_frame.time, t, travel), low, high)
     axis.set_xlim(min(low[0], where[:, 0].min()) - 0.1, max(high[0], where[:, 0].max()) + 0.1)
     axis.set_ylim(low[1] - 0.1, max(high[1], where[:, 1].max()) + 0.15)
-    left = axis.get_xlim()[0]
+    left = axis.get_xlim()[0] + 0.3 * (high[0] - low[0])  # clear of the lines to the cells at the sides
     scale_bar(axis, left, low[1] - 0.09, 0.6 * (high[0] - low[0]), gap=0.02)
     axis.set_title(f"Plant tissue hit at {float(setup.get(('Impact', 'Speed'), 5)):g} m/s, t = {main_frame.time * 1e3:.2f} ms "
                    f"(true scale): {100 * share:.0f} % of its cells have failed", color=INK, fontsize=13, pad=6)
@@ -124,6 +124,8 @@ def picture(directory):
             axis.plot(*at, "s", markersize=7, markerfacecolor="none", markeredgecolor=INK, markeredgewidth=1.5, zorder=6)
             figure.add_artist(ConnectionPatch((1.0, 0.5) if side < 0.5 else (0.0, 0.5), at, coordsA=inset.transAxes,
                                               coordsB=axis.transData, color=INK, linewidth=0.8, zorder=5))
+    if rves:
+        figure.text(0.015, foot - 0.012, "fluid pressure: over that outside of the tissue", fontsize=8, color=INK, va="top")
     colour_bar(figure, [0.24, 0.355, 0.24, 0.014], stretch_norm, LEAF, "permanent stretch of the walls of whole cells")
     colour_bar(figure, [0.54, 0.355, 0.20, 0.014], matplotlib.colors.Normalize(0, 1), BRUISE, "share of failed cells")
 

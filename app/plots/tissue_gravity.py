@@ -146,6 +146,7 @@ def picture(directory):
         axis.plot(*points[side].T * 1e3, color=INK, linewidth=1.4, zorder=4)
     ghost = np.array([low, [high[0], low[1]], high, [low[0], high[1]], low])
     axis.plot(*ghost.T, color="#8795a1", linewidth=1.0, linestyle=(0, (4, 3)), zorder=1)
+    axis.annotate("without load", (high[0], high[1]), (-2, 3), textcoords="offset points", color="#8795a1", fontsize=9, ha="right", va="bottom")
     hatch = np.linspace(low[1] + 0.03 * width, high[1], 25)
     axis.add_collection(
         LineCollection([[(low[0], y), (low[0] - 0.03 * width, y - 0.03 * width)] for y in hatch], colors=INK, linewidths=0.8)
@@ -182,7 +183,7 @@ def picture(directory):
             draw_rve(inset, rve, colours(norm(abs(rve["shear_stress"]) / 1e3)), reach)
             turned, sheared = turn_and_shear(rve["F"])
             inset.set_title(f"turned {turned:+.1f}°, sheared {sheared:+.1f}°\n"
-                            f"shear stress {abs(rve['shear_stress']) / 1e3:.1f}, fluid {rve['pressure'] / 1e3:.0f} kPa", fontsize=8, color=INK, pad=3)
+                            f"shear stress {abs(rve['shear_stress']) / 1e3:.1f} kPa, fluid {rve['pressure'] / 1e3:.0f} kPa", fontsize=8, color=INK, pad=3)
             at = rve["at"] * 1e3
             axis.plot(*at, "s", markersize=6, markerfacecolor="white", markeredgecolor=INK, markeredgewidth=1.3, zorder=6)
             edge = (1.0, 0.5) if left < 0.5 else (0.0, 0.5)

@@ -13,7 +13,7 @@
 namespace turgor {
 using ContactLaw = std::variant<HertzContact, ExtendedHertzContact, JkrContact>;
 
-std::string contact_law_names();  ///< "hertz|extended_hertz|jkr"
+std::string contact_law_names();  ///< as the entry takes them: "hertz|..."
 std::string contact_law_text();   ///< "hertz: without adhesion, Eq. 2.5; ..."
 
 /// W: energy of adhesion, J/m^2, of the laws that have one. The name must be one of those above.

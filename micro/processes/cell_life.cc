@@ -11,8 +11,10 @@
 #include <algorithm>
 
 namespace turgor {
-// The order is that of a cell's day: who dies now begins to drain in the next interval, and remains count as
-// neighbours of those that divide.
+// Two passes (process.h), each in this order. In the first, change: who dies now begins to drain in the next
+// interval, and Proliferation, last, notes who is due. In the second, rearrange: Division, which has no part
+// in the first, divides those, and then Lysis takes remains away: they count as neighbours of those that
+// divide.
 CellLife::CellLife(const CellLifeParameters &parameters_) : parameters(parameters_) {
   add(std::make_unique<ViableRim>(parameters));
   add(std::make_unique<StrainRelaxation>(parameters));

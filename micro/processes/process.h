@@ -1,9 +1,10 @@
 // What happens to the cells of a population between steps of the engine: the face of all processes, which
-// CellLife goes through in the order of its list (cell_life.cc). A process is one file and its line there.
+// CellLife goes through in the order of its list (cell_life.cc). A process is one file and its line there;
+// only Polarity needs what the scene has and is added where that is (cell_culture.cc).
 //
 //   change      at the start of an interval: states, strains, volumes of cells, each cell by itself. Radii
 //               follow when all have changed
-//   rearrange   then: who divides, is born or goes
+//   rearrange   when all have changed, in a second pass through the list: who divides, is born or goes
 //   after_step  after each step of the interval
 //
 // Whatever is random is a function of a cell's id, and sums are in the order of cells: same bits on any

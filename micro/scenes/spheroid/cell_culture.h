@@ -67,7 +67,7 @@ class CellCulture {
   const SphereContacts &contact() const { return contacts; }
   std::uint64_t rejected() const { return stepper.rejected(); }
   double next_step() const { return stepper.next_step(); }
-  /// Mean radii; by no more than which any cell moved between two looks at its life, so far. Beyond 100 the
+  /// The longest way that any cell has gone within one interval, so far, in mean radii. Beyond 100 the
   /// interval fails: pressures, neighbours and rims of cells would belong to another place.
   double farthest() const { return most; }
 
