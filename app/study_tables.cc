@@ -25,7 +25,7 @@ std::string error_text(const StudyMeasure &measure, const std::optional<Measured
   if (!measured || !measured->error) return "";
   if (measure.size != 0.) return number(*measured->error);
   char digits[40];
-  std::snprintf(digits, sizeof(digits), "%.4g %%", 100. * *measured->error);
+  std::snprintf(digits, sizeof(digits), "%.4g %%", 100. * *measured->error + 0.);  // no "-0 %"
   return digits;
 }
 

@@ -169,7 +169,7 @@ class Pictures(unittest.TestCase):
 
     def test_a_panel_is_named_by_what_its_lines_have_in_common(self):
         for columns, name in ((["sigma_xx [Pa]", "sigma_xy [Pa]"], "sigma"), (["gyration_radius [m]", "radius [m]"], "radius"), (["radius [m]"], "radius"),
-                              (["pressure [Pa]", "stress [Pa]"], "stress, pressure"), (["cells", "dead"], "number"), (["a [kg]", "b [kg]"], "value")):
+                              (["pressure [Pa]", "stress [Pa]"], "stress, pressure"), (["cells", "dead"], "counts, each of its own"), (["a [kg]", "b [kg]"], "value")):
             self.assertEqual(plot.quantity_of(columns), name)
 
     def test_a_panel_holds_no_more_lines_than_are_told_apart(self):
