@@ -18,6 +18,17 @@ add_custom_target(turgor DEPENDS made)
 INSTALLED = 'for package in "$@"; do [[ "$package" == -* || "$package" == *Status* ]] || echo "installed $package"; done'
 
 
+class Help(unittest.TestCase):
+    def test_options_of_the_tests_are_told_before_anything_is_built(self):
+        with tempfile.TemporaryDirectory() as directory:
+            build = os.path.join(directory, "build")
+            told = subprocess.run([os.path.join(SOURCE, "turgor"), "test", "--fast", "--help"], capture_output=True, text=True,
+                                  env={**os.environ, "TURGOR_BUILD": build})
+            self.assertEqual(told.returncode, 0, told.stderr)
+            self.assertIn("--fast", told.stdout)
+            self.assertFalse(os.path.exists(build))
+
+
 class Launcher(unittest.TestCase):
     def setUp(self):
         temporary = tempfile.TemporaryDirectory()
