@@ -74,7 +74,8 @@ MotionMatrix::Power SystemMotion<dim>::friction_power(const Particles<dim> &part
 
 template <int dim>
 double SystemMotion<dim>::dissipation(Particles<dim> &particles) {
-  return friction_power(particles).lost;
+  dissipated = friction_power(particles).lost;
+  return dissipated;
 }
 
 template <int dim>

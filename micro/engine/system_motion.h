@@ -38,6 +38,8 @@ class SystemMotion final : public Motion<dim> {
   double length(const Particles<dim> &particles) const override;
 
   const MotionMatrix &solver() const { return matrix; }
+  /// W, of the last dissipation(): of a step that checks its energy and has ended, what it turned into heat.
+  double last_dissipation() const { return dissipated; }
 
  private:
   /// f and v of the particles and of the bodies behind them, and their medium.
@@ -53,6 +55,7 @@ class SystemMotion final : public Motion<dim> {
   WithBodies all;  ///< empty where there are none
   MotionMatrix matrix;
   MotionMatrix friction;            ///< without h K, where a step checks its energy
+  double dissipated = 0.;           ///< W
   bool friction_collected = false;  ///< at the positions of the last forces()
 };
 

@@ -210,18 +210,4 @@ void SurfaceContacts::collect(MotionMatrix &matrix, const Particles<3> &, const 
       }
     }
 }
-
-double SurfaceContacts::gap_at(const Vector<3> &x, std::span<const std::uint32_t> facets) const {
-  std::vector<Near> found;
-  double lowest = HUGE_VAL;
-  while (!facets.empty()) {
-    const auto of_cell = first_cell_of(facets);
-    facets = facets.subspan(of_cell.size());
-    const double sign = near_of(x, of_cell, found);
-    double least = HUGE_VAL;
-    for (const Near &one : found) least = std::min(least, one.square);
-    if (!found.empty()) lowest = std::min(lowest, sign * std::sqrt(least));
-  }
-  return lowest;
-}
 }  // namespace turgor

@@ -52,9 +52,9 @@ class SurfaceContacts final : public Term<3> {
   const std::vector<Touch> &touches(const std::size_t cell) const { return touching[cell]; }
   const SurfacePoints &where() const { return points; }
   const FacetLists &near() const { return lists; }
-  /// Signed gap (m) of a place to the nearest of some facets, in their order, or to the cell that it is
-  /// deepest in; HUGE_VAL beyond reach.
-  double gap_at(const Vector<3> &x, std::span<const std::uint32_t> facets) const;
+  /// m, lowest signed gap to another cell at 16 places of each facet, where forces were last asked: what
+  /// points leave unseen. HUGE_VAL where nothing is within reach.
+  double lowest_gap() const;
 
  private:
   struct Near  ///< a facet within reach of a place
@@ -67,6 +67,8 @@ class SurfaceContacts final : public Term<3> {
   std::span<const std::uint32_t> first_cell_of(std::span<const std::uint32_t> facets) const;
   /// The facets, of one cell, within reach of x; the sign of their gaps. None: 0.
   double near_of(const Vector<3> &x, std::span<const std::uint32_t> facets, std::vector<Near> &found) const;
+  /// Signed gap (m) of a place to the cell that it is deepest in or nearest to, by facets in their order.
+  double gap_at(const Vector<3> &x, std::span<const std::uint32_t> facets) const;
   void touch(std::uint32_t point, std::vector<Near> &found, std::vector<Touch> &to);
   void touch_cell(std::uint32_t point, std::span<const std::uint32_t> facets, std::vector<Near> &found,
                   std::vector<Touch> &to);

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 
 namespace turgor {
@@ -121,19 +122,27 @@ void SurfaceObstacles::advance(const Particles<3> &particles, const double dt) {
       rubs_of(particles, b, rubs);
       bodies[b]->balance(rubs);
     }
-    done += bodies[b]->advance(dt);
+    bodies[b]->advance(dt);
   }
   if (dt > 0.) settle(dt);
 }
 
-double SurfaceObstacles::work() const {
-  double total = done;
-  for (const auto &body : bodies) total += body->work_of_last_step();
+double SurfaceObstacles::power() const {
+  double total = 0.;
+  for (const auto &body : bodies)
+    total +=
+        body->pressing() * body->growth - body->force().dot(body->velocity) - body->moment().dot(body->spin);
   return total;
+}
+
+bool SurfaceObstacles::moves() const {
+  return std::any_of(bodies.begin(), bodies.end(), [](const auto &body) {
+    return body->growth != 0. || body->velocity != Vector<3>::Zero() || body->spin != Vector<3>::Zero() ||
+           body->drag > 0. || body->mass > 0.;
+  });
 }
 
 void SurfaceObstacles::archive(Archive &a, Particles<3> &) {
   for (const auto &body : bodies) body->archive(a);
-  a(done);
 }
 }  // namespace turgor

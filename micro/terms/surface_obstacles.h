@@ -49,7 +49,9 @@ class SurfaceObstacles final : public Term<3> {
   Obstacle<3> &operator[](const std::size_t k) { return *bodies[k]; }
   const Obstacle<3> &operator[](const std::size_t k) const { return *bodies[k]; }
 
-  double work() const;  ///< J, done on the cells by all bodies since the start, the last step included
+  /// W, what the bodies do on the cells by their velocities, where forces were last asked.
+  double power() const;
+  bool moves() const;  ///< whether any body does
 
   struct Touch {
     std::uint32_t body, point;
@@ -73,6 +75,5 @@ class SurfaceObstacles final : public Term<3> {
   std::vector<std::unique_ptr<Obstacle<3>>> bodies;
   std::vector<std::size_t> number;           ///< of this term with each body
   std::vector<std::vector<Touch>> touching;  ///< by cells
-  double done = 0.;  ///< J, all but the half of the last step that its force is still to come for
 };
 }  // namespace turgor

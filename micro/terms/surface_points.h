@@ -38,9 +38,12 @@ class SurfacePoints {
   std::vector<double> area;         ///< m^2, A_q
   std::vector<Vector<3>> normal;    ///< of each triangle, outwards
 
-  /// Of a node of a cell.
+  /// Of a node of a cell: its number among the points, its place.
+  std::uint32_t point_of(const std::size_t cell, const std::uint32_t node) const {
+    return first[cell] + node - first_node[cell];
+  }
   const Vector<3> &of_node(const std::size_t cell, const std::uint32_t node) const {
-    return position[first[cell] + node - first_node[cell]];
+    return position[point_of(cell, node)];
   }
 
   struct Nodes {

@@ -10,7 +10,7 @@ void DeformableMaterial::declare_steps(InputEntries &prm, const std::string &len
                         "; decides the length of steps. Units: none.",
                     Double(1e-8, 1.));
   prm.add_parameter("Longest step", longest_step, "Largest step in time that is taken. Units: s.",
-                    Double(1e-9, 1e6));
+                    Double(1e-9, 1e12));
 }
 
 void DeformableMaterial::declare_cell(InputEntries &prm, const std::string &radius) {

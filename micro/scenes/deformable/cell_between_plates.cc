@@ -1,0 +1,145 @@
+#include "micro/scenes/deformable/cell_between_plates.h"
+
+#include "micro/geometry/plane.h"
+#include "micro/scenes/deformable/random_turn.h"
+#include "micro/scenes/reference/squeezed_drop.h"
+#include "run/input_entries.h"
+#include "run/judged.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace turgor {
+namespace {
+/// m, of the nodes from the vertical axis through their middle.
+double widest_of(const Particles<3> &p) {
+  Vector<3> middle = Vector<3>::Zero();
+  for (std::size_t i = 0; i < p.size(); ++i) middle += p.position(i) / double(p.size());
+  double most = 0.;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    most = std::max(most, std::hypot(p.x[0][i] - middle[0], p.x[1][i] - middle[1]));
+  return most;
+}
+}  // namespace
+
+void CellBetweenPlates::declare_parameters(InputEntries &prm) {
+  using namespace Patterns;
+  prm.add_parameter("Plate distance", distance,
+                    "Distance of the plates at the end; at the start they just touch the cell. Units: m.",
+                    Double(1e-8, 1e-2));
+  prm.add_parameter("Compression time", compression,
+                    "Time in which the upper plate comes down, with one speed. Units: s.", Double(1e-3, 1e9));
+  prm.add_parameter("Hold time", hold,
+                    "Time for which it stands still then, before the force is measured. Units: s.",
+                    Double(0., 1e9));
+  prm.add_parameter("Seed", seed, "Number of the net's random orientation. Units: none.", Integer(0, 100000));
+  material.declare_steps(prm, "the radius");
+  output.declare(prm);
+  prm.enter_subsection("Cell");
+  material.declare_cortex(prm);
+  prm.leave_subsection();
+  prm.enter_subsection("Contact");
+  material.declare_contact(prm);
+  prm.leave_subsection();
+}
+
+void CellBetweenPlates::check() const {
+  material.check_contact();
+  const double first = 2. * (material.radius + material.rest);
+  if (!(distance < first))
+    throw InputError("Plate distance (" + number_text(1e6 * distance) + " um) has to be less than the " +
+                     number_text(1e6 * first) + " um at which the plates just touch the cell.");
+  if (!(distance > 0.3 * first))
+    throw InputError("Plate distance (" + number_text(1e6 * distance) +
+                     " um) squeezes the cell flatter than 0.3 of its height, " + number_text(0.3e6 * first) +
+                     " um: its net would be torn to slivers.");
+}
+
+Outputs CellBetweenPlates::outputs() const {
+  const std::vector<OutputDefinition> state{
+      {"distance", "m", "Distance of the plates."},
+      {"force", "N", "Force of the cell on the upper plate, positive where it pushes."},
+      {"widest_radius", "m",
+       "Largest distance of a node from the vertical axis through the middle of all nodes."},
+      {"pressure", "Pa", "Pressure inside the cell over that outside, of its content."},
+      {"volume", "m^3", "Volume that the surface encloses."}};
+  const char *tense = "with a Cell/Cortex tension above 0";
+  Outputs all =
+      outputs_of_cells("One row at the start, then spread evenly over time, and one at the end.", state);
+  all.results(state);
+  all.results({{"tension_by_laplace", "N/m",
+                "Surface tension of the liquid drop with this distance (less the gaps at rest), widest "
+                "radius and force."},
+               {"pressure_by_laplace", "Pa", "Pressure inside that drop."},
+               {"pressure_deviation", "1", "pressure_by_laplace over pressure, less 1."},
+               {"tension_put_in", "N/m", "Cell/Cortex tension, which the cortex makes by itself.", tense},
+               {"tension_deviation", "1", "tension_by_laplace over tension_put_in, less 1.", tense},
+               {"stress_of_net", "N/m",
+                "In-plane stress of the net of edges, mean over the nodes: what is elastic of the tension."},
+               {"plate_work", "J", "Work of the plates on the cell, by the trapezoidal rule."},
+               {"mesh_ratio", "1",
+                "Mean edge over the length sqrt(D/W) in which adhesion bends the cortex; above 1.5 the net "
+                "does not resolve how contacts peel."}});
+  return all;
+}
+
+void CellBetweenPlates::run(RunContext &context) {
+  const double half = material.radius + material.rest;
+  DeformableCells cells(
+      material,
+      {placed(sphere_shape(material.nu, material.radius), random_turn(seed, 0), Vector<3>(0., 0., half))},
+      context.threads());
+  auto lid = std::make_unique<Plane<3>>(Vector<3>(0., 0., 2. * half), -Vector<3>::UnitZ());
+  Plane<3> &upper = *lid;
+  upper.velocity[2] = -(2. * half - distance) / compression;
+  cells.add_bodies("plates", std::make_unique<Plane<3>>(Vector<3>::Zero(), Vector<3>::UnitZ()),
+                   std::move(lid));
+  const double first_step = 1e-4 * compression;
+  cells.begin(first_step);
+  const Particles<3> &p = cells.system.particles;
+  const auto state = [&] {
+    return std::vector<double>{upper.centre[2], upper.force()[2], widest_of(p), cells.inside->pressure(p, 0),
+                               cells.volume()};
+  };
+  std::vector<double> stops{compression};
+  if (hold > 0.) stops.push_back(compression + hold);
+  const std::vector<Column> columns{
+      {"distance", "m"}, {"force", "N"}, {"widest_radius", "m"}, {"pressure", "Pa"}, {"volume", "m^3"}};
+  CellsRun run(context, cells,
+               {.stops = stops,
+                .output = output,
+                .columns = columns,
+                .row = state,
+                .doing = "squeezing",
+                .advice = "A larger Longest step or Tolerance lengthens them.",
+                .reach = 1e3 * material.radius});
+  run.at_stop = [&](const std::size_t stop) {
+    if (stop > 0 || hold == 0.) return;
+    upper.velocity = Vector<3>::Zero();
+    cells.begin_anew(first_step);
+  };
+  run.go();
+  report_steps(context, cells, run.steps());
+  const std::vector<double> at_end = state();
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    context.result(columns[k].name, at_end[k], columns[k].unit);
+  const double force = at_end[1], inside = at_end[3], half_height = 0.5 * at_end[0] - material.rest;
+  if (!(half_height < at_end[2]))
+    throw RunFailed("the cell is not flattened by the plates: no drop has its shape.");
+  const SqueezedDrop drop(half_height, at_end[2]);
+  context.result("tension_by_laplace", drop.tension(force), "N/m");
+  context.result("pressure_by_laplace", drop.pressure(force), "Pa");
+  context.result("pressure_deviation", drop.pressure(force) / inside - 1., "1");
+  if (material.tension > 0.) {
+    context.result("tension_put_in", material.tension, "N/m");
+    context.result("tension_deviation", drop.tension(force) / material.tension - 1., "1");
+  }
+  double stress = 0.;
+  for (const double one : in_plane_stress(*cells.surfaces, *cells.edges, p)) stress += one / double(p.size());
+  context.result("stress_of_net", stress, "N/m");
+  context.result("plate_work", cells.work(), "J");
+  judge_mesh(context, material);
+}
+
+std::unique_ptr<Scenario> make_cell_between_plates() { return std::make_unique<CellBetweenPlates>(); }
+}  // namespace turgor

@@ -1,0 +1,64 @@
+// A run of deformable cells from its start over some times at which what acts on them changes to its end:
+// steps, rows of history.csv, frames of surface.xdmf, checkpoints.
+//
+//   CellsRun run(context, cells, {.stops = {1800., 2400.}, .columns = {{"radius", "m"}}, .row = [&] { ...
+//   }}); run.at_stop = [&](std::size_t k) { ... };        cells.time() has reached stops[k] run.go();
+#pragma once
+
+#include "micro/scenes/deformable/deformable_cells.h"
+#include "run/output_list.h"
+#include "run/run_context.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace turgor {
+class InputEntries;
+
+/// Entries that all these scenes have.
+struct CellsOutput {
+  unsigned int samples = 200, checkpoints = 10;
+  bool fields = true;
+  void declare(InputEntries &prm);
+};
+
+struct CellsPlan {
+  std::vector<double> stops;  ///< s, rising; the last one is the end
+  CellsOutput output{};
+  double first_sample =
+      0.;  ///< s; rows are spread evenly over the logarithm of time from there; 0: over time
+  std::vector<Column> columns;  ///< of history.csv, behind the time
+  std::function<std::vector<double>()> row;
+  std::string doing, advice;  ///< at the terminal; a sentence of what makes steps longer or fewer
+  double reach = 1.;          ///< m; nodes farther from the origin have left the scene
+};
+
+class CellsRun {
+ public:
+  CellsRun(RunContext &context, DeformableCells &cells, CellsPlan plan);
+  CellsRun(const CellsRun &) = delete;
+
+  std::function<void(std::size_t)> at_stop = [](std::size_t) {};
+  void go();
+  std::uint64_t steps() const { return at.step; }
+
+ private:
+  struct At {
+    std::uint64_t step = 0, sample = 1, saved = 1, stop = 0;
+  };
+  void advance();
+  void require_sound() const;
+  double due(std::uint64_t sample) const;
+
+  RunContext &context;
+  DeformableCells &cells;
+  CellsPlan plan;
+  At at;
+};
+
+/// What all of them leave: results of the net and the steps, fields of the surfaces, columns of history.csv
+/// that come before and behind a scene's own.
+Outputs outputs_of_cells(const std::string &row, std::vector<OutputDefinition> columns);
+void report_steps(RunContext &context, const DeformableCells &cells, std::uint64_t steps);
+}  // namespace turgor

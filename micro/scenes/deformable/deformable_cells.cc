@@ -1,0 +1,147 @@
+#include "micro/scenes/deformable/deformable_cells.h"
+
+#include "run/archive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace turgor {
+DeformableShape placed(DeformableShape shape, const Tensor2<3> &turn, const Vector<3> &centre) {
+  for (Vector<3> &node : shape.nodes) node = centre + turn * node;
+  return shape;
+}
+
+DeformableCells::DeformableCells(const TouchingMaterial &material_,
+                                 const std::vector<DeformableShape> &shapes, const unsigned int threads)
+    : motion(system, {.tolerance = 1e-3, .max_iterations = 20000}), material(material_) {
+  system.threads = threads;
+  for (const DeformableShape &shape : shapes) surfaces->add(system.particles, shape.mesh, shape.nodes);
+  motion.own_length = material.radius;
+  motion.correct_clusters = true;
+  edges = &system.add(std::make_unique<CortexEdges<LinearSpring>>(surfaces, LinearSpring{material.spring()},
+                                                                  material.dashpots));
+  system.add(std::make_unique<CortexHinges>(surfaces, material.hinge()));
+  if (material.area_modulus > 0. || material.tension > 0.)
+    system.add(std::make_unique<CortexArea>(
+        surfaces, AreaStiffness{.local = material.area_modulus, .tension = material.tension}));
+  inside = &system.add(std::make_unique<Cytoplasm>(surfaces, material.bulk_modulus));
+  if (shapes.size() > 1)
+    touching = &system.add(std::make_unique<SurfaceContacts>(surfaces, material.law(), material.friction,
+                                                             material.blend, 0.4e-6));
+  for (const Group &group : system.particles.groups)
+    motion.medium.insert(
+        motion.medium.end(), group.wall_count(),
+        6. * std::numbers::pi * material.viscosity * material.radius / double(group.wall_count()));
+}
+
+void DeformableCells::begin_anew(const double first_step) {
+  stepper.emplace(OverdampedParameters{.method = OverdampedMethod::implicit,
+                                       .tolerance = material.tolerance,
+                                       .first_step = std::min(first_step, material.longest_step),
+                                       .least_step = 1e-12,
+                                       .longest_step = material.longest_step,
+                                       .energy = {.on = true, .longest_move = material.longest_move}},
+                  motion, system.threads);
+  power = walls != nullptr ? walls->power() : 0.;
+}
+
+void DeformableCells::begin(const double first_step) {
+  system.compute_forces();
+  begin_anew(first_step);
+}
+
+double DeformableCells::step(const double limit) {
+  const double h = stepper->step(system.particles, limit);
+  at = h < limit ? at + h : at + limit;
+  lost += h * motion.last_dissipation();
+  if (walls == nullptr || !walls->moves()) return h;
+  system.advance(h);
+  system.compute_forces();
+  const double before = power;
+  power = walls->power();
+  done += 0.5 * h * (before + power);
+  return h;
+}
+
+double DeformableCells::volume() const {
+  double total = 0.;
+  for (std::size_t cell = 0; cell < surfaces->size(); ++cell)
+    total += surfaces->volume(system.particles, cell);
+  return total;
+}
+
+namespace {
+double largest(const Particles<3>::Components &a) {
+  double square = 0.;
+  for (std::size_t i = 0; i < a[0].size(); ++i)
+    square = std::max(square, a[0][i] * a[0][i] + a[1][i] * a[1][i] + a[2][i] * a[2][i]);
+  return std::sqrt(square);
+}
+}  // namespace
+
+double DeformableCells::largest_force() const { return largest(system.particles.f); }
+double DeformableCells::largest_speed() const { return largest(system.particles.v); }
+
+double DeformableCells::contact_area() const {
+  double total = 0.;
+  if (walls == nullptr) return total;
+  const SurfaceAdhesion law = material.law();
+  for (std::size_t cell = 0; cell < surfaces->size(); ++cell)
+    for (const SurfaceObstacles::Touch &t : walls->touches(cell))
+      total += walls->where().area[t.point] * law.closeness(t.contact.distance);
+  return total;
+}
+
+double DeformableCells::least_angle() const {
+  double largest_cosine = -1.;
+  for (const CellSurfaces::Triangle &triangle : surfaces->triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector<3> at_corner = system.particles.position(triangle[k]),
+                      u = system.particles.position(triangle[(k + 1) % 3]) - at_corner,
+                      v = system.particles.position(triangle[(k + 2) % 3]) - at_corner;
+      largest_cosine = std::max(largest_cosine, u.dot(v) / std::sqrt(u.squaredNorm() * v.squaredNorm()));
+    }
+  return std::acos(std::min(1., largest_cosine));
+}
+
+FieldFrame DeformableCells::frame() const {
+  const Particles<3> &p = system.particles;
+  FieldFrame frame;
+  frame.time = at;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (int d = 0; d < 3; ++d) frame.points.push_back(p.x[d][i]);
+  frame.nodes_per_cell = 3;
+  for (const CellSurfaces::Triangle &triangle : surfaces->triangles)
+    frame.cells.insert(frame.cells.end(), triangle.begin(), triangle.end());
+  std::vector<double> pressure(p.size()), contact(p.size(), 0.), number(p.size());
+  for (std::size_t cell = 0; cell < surfaces->size(); ++cell) {
+    const Group &group = p.groups[cell];
+    for (std::uint32_t i = group.begin; i < group.end; ++i) {
+      pressure[i] = inside->pressure(p, cell);
+      number[i] = double(cell);
+    }
+    const auto at_node = [&](const SurfacePoints &points, const std::uint32_t point) {
+      const std::uint32_t k = point - points.of_cell(cell)[0];
+      return k < group.wall_count() ? &contact[group.begin + k] : nullptr;
+    };
+    if (walls != nullptr)
+      for (const SurfaceObstacles::Touch &t : walls->touches(cell))
+        if (double *const to = at_node(walls->where(), t.point)) *to -= t.does.slope;
+    if (touching != nullptr)
+      for (const SurfaceContacts::Touch &t : touching->touches(cell))
+        if (double *const to = at_node(touching->where(), t.point))
+          *to -= 2. * t.pull / touching->where().area[t.point];
+  }
+  frame.fields = {{"in_plane_stress [N/m]", 1, in_plane_stress(*surfaces, *edges, p), false},
+                  {"contact_pressure [Pa]", 1, contact, false},
+                  {"pressure [Pa]", 1, pressure, false},
+                  {"cell", 1, number, false}};
+  return frame;
+}
+
+void DeformableCells::archive(Archive &a) {
+  a.section("deformable_cells");
+  a(at, lost, done, power, system, *surfaces, *stepper);
+}
+}  // namespace turgor

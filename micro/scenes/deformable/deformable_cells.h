@@ -1,0 +1,82 @@
+// Deformable cells that touch bodies and each other, as a scene moves them: surfaces, terms, over-damped
+// steps (linearly implicit, checked against making energy), and what became heat.
+//
+//   DeformableCells cells(material, {shape}, threads);
+//   auto &walls = cells.add_bodies("plate", std::make_unique<Plane<3>>(...));
+//   cells.begin();   cells.step(limit);
+//
+// Cells feel each other where there are several. Bodies move after each step by their velocities.
+#pragma once
+
+#include "micro/cells/deformable_shapes.h"
+#include "micro/engine/overdamped.h"
+#include "micro/engine/system_motion.h"
+#include "micro/scenes/deformable/touching_material.h"
+#include "micro/terms/cortex_area.h"
+#include "micro/terms/cortex_edges.h"
+#include "micro/terms/cortex_hinges.h"
+#include "micro/terms/cytoplasm.h"
+#include "micro/terms/surface_contacts.h"
+#include "micro/terms/surface_obstacles.h"
+#include "run/field_file.h"
+
+#include <optional>
+
+namespace turgor {
+class DeformableCells {
+ public:
+  /// shapes: one a cell, where it begins, free of stress; threads: of the run.
+  DeformableCells(const TouchingMaterial &material, const std::vector<DeformableShape> &shapes,
+                  unsigned int threads);
+  DeformableCells(const DeformableCells &) = delete;
+  DeformableCells &operator=(const DeformableCells &) = delete;
+
+  /// Bodies that the cells meet, with the material's law of contact; before begin().
+  template <class... Body>
+  SurfaceObstacles &add_bodies(const std::string &name, std::unique_ptr<Body>... body) {
+    walls = &system.add(std::make_unique<SurfaceObstacles>(name, surfaces, material.law(), material.friction,
+                                                           std::move(body)...));
+    return *walls;
+  }
+  void begin(double first_step);
+  /// The length of the coming steps may be another: where walls begin to move or stop.
+  void begin_anew(double first_step);
+
+  /// One step of at most `limit` (s), then bodies move, and forces are those of where they are; its length.
+  /// Throws std::runtime_error where the step would become too short.
+  double step(double limit);
+
+  double time() const { return at; }
+  double next_step() const { return stepper->next_step(); }
+  std::uint64_t rejected() const { return stepper->rejected(); }
+  double energy() const { return system.potential_energy(); }  ///< J
+  double heat() const { return lost; }                         ///< J, by all friction since the start
+  double work() const { return done; }                         ///< J, of the bodies on the cells
+  double volume() const;                                       ///< m^3, of all cells
+  double largest_force() const;                                ///< N, of any node
+  double largest_speed() const;                                ///< m/s
+  /// m^2, of the surfaces of all cells on bodies, by the contact's closeness.
+  double contact_area() const;
+  double least_angle() const;  ///< rad, of any triangle
+  /// Triangles with in-plane stress, contact pressure and the cell's pressure at the nodes.
+  FieldFrame frame() const;
+
+  void archive(Archive &a);
+
+  ParticleSystem<3> system;
+  std::shared_ptr<CellSurfaces> surfaces = std::make_shared<CellSurfaces>();
+  CortexEdges<LinearSpring> *edges = nullptr;
+  Cytoplasm *inside = nullptr;
+  SurfaceContacts *touching = nullptr;  ///< none of a single cell
+  SurfaceObstacles *walls = nullptr;    ///< none without bodies
+  SystemMotion<3> motion;
+
+ private:
+  TouchingMaterial material;
+  std::optional<Overdamped<3>> stepper;
+  double at = 0., lost = 0., done = 0., power = 0.;  ///< s, J, J, W
+};
+
+/// A cell's shape turned and moved; m.
+DeformableShape placed(DeformableShape shape, const Tensor2<3> &turn, const Vector<3> &centre);
+}  // namespace turgor
