@@ -23,8 +23,28 @@ def stress_scale(frames):
     return Normalize(-reach, reach)
 
 
-def draw_surface(axis, frame, norm, right, up, at=(0.0, 0.0)):
-    """Lengths in um. right, up: directions of the picture; at: where the cell's middle is drawn."""
+def section(frame, height, values):
+    """Lines in which surfaces meet the plane at a height (m): their ends in um (n x 2 x 2) and the values (of nodes) in their middles."""
+    corners = frame.points[frame.cells]
+    z = corners[:, :, 2] - height
+    crossed = (z.min(axis=1) < 0) & (z.max(axis=1) >= 0)
+    ends, middles = [], []
+    for x, d, v in zip(corners[crossed], z[crossed], values[frame.cells][crossed]):
+        points, at = [], []
+        for k in range(3):
+            n = (k + 1) % 3
+            if (d[k] < 0) != (d[n] < 0):
+                share = d[k] / (d[k] - d[n])
+                points.append((x[k] + share * (x[n] - x[k]))[:2] * 1e6)
+                at.append(v[k] + share * (v[n] - v[k]))
+        ends.append(points)
+        middles.append(np.mean(at))
+    return np.array(ends), np.array(middles)
+
+
+def draw_surface(axis, frame, norm, right, up, at=(0.0, 0.0), values=None, colours=COLOURS):
+    """Lengths in um. right, up: directions of the picture; at: where the cell's middle is drawn; values: of the nodes, in-plane stress (uN/m) where none are given."""
+    values = stress(frame) if values is None else values
     right, up = (np.array(v, dtype=float) / np.linalg.norm(v) for v in (right, up))
     view = np.cross(right, up)  # towards the viewer
     x = frame.points * 1e6
@@ -34,7 +54,7 @@ def draw_surface(axis, frame, norm, right, up, at=(0.0, 0.0)):
     normal /= np.linalg.norm(normal, axis=1)[:, None] + 1e-300
     front = normal @ view > 0
     order = np.argsort(corners[front].mean(axis=1) @ view)
-    colour = COLOURS(norm(stress(frame)[frame.cells][front].mean(axis=1)))
+    colour = colours(norm(values[frame.cells][front].mean(axis=1)))
     colour[:, :3] *= (0.72 + 0.28 * np.clip(normal[front] @ (0.8 * view + 0.5 * up - 0.33 * right), 0, 1))[:, None]
     flat = np.stack([corners[front] @ right, corners[front] @ up], axis=-1) + np.array(at)
     axis.add_collection(PolyCollection(flat[order], facecolors=colour[order], edgecolors=(0, 0, 0, 0.12), linewidths=0.15))

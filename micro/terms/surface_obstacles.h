@@ -61,6 +61,7 @@ class SurfaceObstacles final : public Term<3> {
   /// Of a cell, where forces were last asked: body by body, in the order of points.
   const std::vector<Touch> &touches(const std::size_t cell) const { return touching[cell]; }
   const SurfacePoints &where() const { return points; }
+  const SurfaceAdhesion &law_of_contact() const { return law; }
 
  private:
   /// Bodies whose shape answers, into balance with what presses on them; dt (s): 0 at once.

@@ -77,6 +77,9 @@ Outputs CellBetweenPlates::outputs() const {
                {"stress_of_net", "N/m",
                 "In-plane stress of the net of edges, mean over the nodes: what is elastic of the tension."},
                {"plate_work", "J", "Work of the plates on the cell, by the trapezoidal rule."},
+               {"energy_lost", "1",
+                "Work less what is stored and what friction turned into heat, over the larger of work and "
+                "heat: what steps of finite length lose."},
                {"mesh_ratio", "1",
                 "Mean edge over the length sqrt(D/W) in which adhesion bends the cortex; above 1.5 the net "
                 "does not resolve how contacts peel."}});
@@ -92,8 +95,8 @@ void CellBetweenPlates::run(RunContext &context) {
   auto lid = std::make_unique<Plane<3>>(Vector<3>(0., 0., 2. * half), -Vector<3>::UnitZ());
   Plane<3> &upper = *lid;
   upper.velocity[2] = -(2. * half - distance) / compression;
-  cells.add_bodies("plates", std::make_unique<Plane<3>>(Vector<3>::Zero(), Vector<3>::UnitZ()),
-                   std::move(lid));
+  cells.add_bodies("plates", material.law(),
+                   std::make_unique<Plane<3>>(Vector<3>::Zero(), Vector<3>::UnitZ()), std::move(lid));
   const double first_step = 1e-4 * compression;
   cells.begin(first_step);
   const Particles<3> &p = cells.system.particles;
@@ -138,6 +141,7 @@ void CellBetweenPlates::run(RunContext &context) {
   for (const double one : in_plane_stress(*cells.surfaces, *cells.edges, p)) stress += one / double(p.size());
   context.result("stress_of_net", stress, "N/m");
   context.result("plate_work", cells.work(), "J");
+  context.result("energy_lost", cells.energy_lost(), "1");
   judge_mesh(context, material);
 }
 

@@ -48,6 +48,7 @@ void DeformableCells::begin_anew(const double first_step) {
 
 void DeformableCells::begin(const double first_step) {
   system.compute_forces();
+  first = energy();
   begin_anew(first_step);
 }
 
@@ -62,6 +63,11 @@ double DeformableCells::step(const double limit) {
   power = walls->power();
   done += 0.5 * h * (before + power);
   return h;
+}
+
+double DeformableCells::energy_lost() const {
+  const double size = std::max(std::abs(done), lost);
+  return size > 0. ? (done - lost - (energy() - first)) / size : 0.;
 }
 
 double DeformableCells::volume() const {
@@ -86,7 +92,7 @@ double DeformableCells::largest_speed() const { return largest(system.particles.
 double DeformableCells::contact_area() const {
   double total = 0.;
   if (walls == nullptr) return total;
-  const SurfaceAdhesion law = material.law();
+  const SurfaceAdhesion &law = walls->law_of_contact();
   for (std::size_t cell = 0; cell < surfaces->size(); ++cell)
     for (const SurfaceObstacles::Touch &t : walls->touches(cell))
       total += walls->where().area[t.point] * law.closeness(t.contact.distance);
@@ -142,6 +148,6 @@ FieldFrame DeformableCells::frame() const {
 
 void DeformableCells::archive(Archive &a) {
   a.section("deformable_cells");
-  a(at, lost, done, power, system, *surfaces, *stepper);
+  a(at, lost, done, power, first, system, *surfaces, *stepper);
 }
 }  // namespace turgor

@@ -2,7 +2,7 @@
 // steps (linearly implicit, checked against making energy), and what became heat.
 //
 //   DeformableCells cells(material, {shape}, threads);
-//   auto &walls = cells.add_bodies("plate", std::make_unique<Plane<3>>(...));
+//   auto &walls = cells.add_bodies("plate", material.law(), std::make_unique<Plane<3>>(...));
 //   cells.begin();   cells.step(limit);
 //
 // Cells feel each other where there are several. Bodies move after each step by their velocities.
@@ -31,11 +31,12 @@ class DeformableCells {
   DeformableCells(const DeformableCells &) = delete;
   DeformableCells &operator=(const DeformableCells &) = delete;
 
-  /// Bodies that the cells meet, with the material's law of contact; before begin().
+  /// Bodies that the cells meet by a law of contact; before begin().
   template <class... Body>
-  SurfaceObstacles &add_bodies(const std::string &name, std::unique_ptr<Body>... body) {
-    walls = &system.add(std::make_unique<SurfaceObstacles>(name, surfaces, material.law(), material.friction,
-                                                           std::move(body)...));
+  SurfaceObstacles &add_bodies(const std::string &name, const SurfaceAdhesion &law,
+                               std::unique_ptr<Body>... body) {
+    walls = &system.add(
+        std::make_unique<SurfaceObstacles>(name, surfaces, law, material.friction, std::move(body)...));
     return *walls;
   }
   void begin(double first_step);
@@ -51,10 +52,13 @@ class DeformableCells {
   std::uint64_t rejected() const { return stepper->rejected(); }
   double energy() const { return system.potential_energy(); }  ///< J
   double heat() const { return lost; }                         ///< J, by all friction since the start
-  double work() const { return done; }                         ///< J, of the bodies on the cells
-  double volume() const;                                       ///< m^3, of all cells
-  double largest_force() const;                                ///< N, of any node
-  double largest_speed() const;                                ///< m/s
+  /// What of work and energies is neither stored nor became heat, over the larger of work and heat since the
+  /// start: what steps of finite length lose.
+  double energy_lost() const;
+  double work() const { return done; }  ///< J, of the bodies on the cells
+  double volume() const;                ///< m^3, of all cells
+  double largest_force() const;         ///< N, of any node
+  double largest_speed() const;         ///< m/s
   /// m^2, of the surfaces of all cells on bodies, by the contact's closeness.
   double contact_area() const;
   double least_angle() const;  ///< rad, of any triangle
@@ -74,7 +78,7 @@ class DeformableCells {
  private:
   TouchingMaterial material;
   std::optional<Overdamped<3>> stepper;
-  double at = 0., lost = 0., done = 0., power = 0.;  ///< s, J, J, W
+  double at = 0., lost = 0., done = 0., power = 0., first = 0.;  ///< s, J, J, W, J
 };
 
 /// A cell's shape turned and moved; m.

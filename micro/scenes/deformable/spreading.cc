@@ -75,7 +75,8 @@ void Spreading::run(RunContext &context) {
                         {placed(sphere_shape(material.nu, material.radius), random_turn(seed, 0),
                                 Vector<3>(0., 0., material.radius + material.rest))},
                         context.threads());
-  cells.add_bodies("plate", std::make_unique<Plane<3>>(Vector<3>::Zero(), Vector<3>::UnitZ()));
+  cells.add_bodies("plate", material.law(),
+                   std::make_unique<Plane<3>>(Vector<3>::Zero(), Vector<3>::UnitZ()));
   cells.begin(first_step);
   const auto contact_radius = [&] { return std::sqrt(cells.contact_area() / std::numbers::pi); };
   const auto height = [&] {
