@@ -24,23 +24,23 @@ def main(directory):
     shapes = frames(directory, "surface")
     figure = plt.figure(figsize=(11.5, 4.6), facecolor="white")
     last = shapes[-1].field("contact_pressure").ravel()
-    norm = Normalize(0.0, max(np.percentile(last, 99), 1e-9))
-    axis = figure.add_axes([0.0, 0.2, 0.52, 0.78])
+    norm = Normalize(0.0, max(np.percentile(last, 95), 1e-9))
+    axis = figure.add_axes([0.0, 0.2, 0.54, 0.8])
     radii = table["radius [m]"] * 1e6
     at = 0.0
     for k, (shape, radius, title) in enumerate(((shapes[0], radii[0], "at the start"), (shapes[-1], radii[-1], "at the end"))):
-        ends, values = section(shape, 0.0, shape.field("contact_pressure").ravel())
+        ends, values = section(shape, 2e-6, shape.field("contact_pressure").ravel())
         if len(ends):
             axis.add_collection(LineCollection(ends + np.array([at, 0.0]), colors=PRESSURE(norm(values)), linewidths=1.6))
         axis.add_patch(plt.Circle((at, 0.0), radius, fill=False, edgecolor=INK, linewidth=2.2))
         axis.text(at, radii[0] + 2, title, color=INK, fontsize=9, ha="center", va="bottom")
         at += radii[0] + radii[-1] + 8
     axis.set_xlim(-radii[0] - 3, at - 8 + 3 + 0.2 * radii[0])
-    axis.set_ylim(-radii[0] - 7, radii[0] + 7)
+    axis.set_ylim(-radii[0] - 9, radii[0] + 7)
     axis.set_aspect("equal")
-    scale_bar(axis, -radii[0], -radii[0] - 4, 10, "µm")
+    scale_bar(axis, -radii[0], -radii[0] - 5, 40, "µm")
     axis.axis("off")
-    colour_bar(figure, [0.12, 0.14, 0.26, 0.022], norm, PRESSURE, "pressure of contacts [Pa], on a cut through the middle", last)
+    colour_bar(figure, [0.12, 0.14, 0.26, 0.022], norm, PRESSURE, "pressure of contacts [Pa], on a cut 2 µm above the middle", last)
     axis = figure.add_axes([0.59, 0.14, 0.39, 0.8])
     for column, colour, dashes, label in (("pressure [Pa]", ACCENT, "-", "inside the cells (mean)"), ("wall_pressure [Pa]", ALONG, "--", "on the sphere")):
         axis.plot(table["time [s]"], table[column], color=colour, linestyle=dashes, linewidth=1.8, label=label)

@@ -23,15 +23,17 @@ def draw_cells(figure, shapes, table):
     for k, (shape, height, title) in enumerate(((shapes[0], table["distance [m]"][0] * 1e6, "untouched"), (shapes[-1], table["distance [m]"][-1] * 1e6, "squeezed"))):
         at = (k - 0.5) * 1.3 * width
         z = shape.points[:, 2] * 1e6
-        draw_surface(axis, shape, norm, (1, 0, 0), (0, 0.25, 1), (at, 0.5 * (z.min() + z.max())), shape.field("contact_pressure").ravel(), PRESSURE)
-        for plate in (0.0, height):
-            axis.plot([at - 0.6 * width, at + 0.6 * width], [plate, plate], color=INK, linewidth=1.5)
+        draw_surface(axis, shape, norm, (1, 0, 0), (0, 0.25, 1), (at, 0.5 * (z.min() + z.max()) / np.hypot(1, 0.25)), shape.field("contact_pressure").ravel(), PRESSURE)
+        for plate, order in ((0.0, 0), (height, 2)):
+            half, depth, up = 0.62 * width, 0.24 * 0.62 * width, plate / np.hypot(1, 0.25)
+            axis.add_patch(plt.Polygon([(at - half, up - depth), (at + half, up - depth), (at + half, up + depth), (at - half, up + depth)],
+                                       facecolor=(0.24, 0.43, 0.6, 0.13), edgecolor=INK, linewidth=0.8, zorder=order))
         axis.text(at, 26, title, color=INK, fontsize=9, ha="center")
     axis.set_xlim(-1.35 * width, 1.35 * width)
     axis.set_ylim(-9, 29)
-    scale_bar(axis, -1.25 * width, -6.5, 10, "µm")
+    scale_bar(axis, -1.25 * width, -7.5, 40, "µm")
     axis.axis("off")
-    colour_bar(figure, [0.1, 0.14, 0.26, 0.022], norm, PRESSURE, "pressure on the plates [Pa], seen a little from above", last)
+    colour_bar(figure, [0.1, 0.14, 0.26, 0.022], norm, PRESSURE, "pressure on the plates [Pa]; the cell is seen a little from above", last)
 
 
 def main(directory):
@@ -56,7 +58,7 @@ def main(directory):
         lines = []
         for what, own, laplace, factor, unit in (("cortical tension", "tension_put_in", "tension_by_laplace", 1e3, "mN/m"), ("pressure inside", "pressure", "pressure_by_laplace", 1, "Pa")):
             if own in results and laplace in results:
-                lines.append(f"{what}: {results[laplace]['value'] * factor:.3g} {unit} by Laplace from the force, {results[own]['value'] * factor:.3g} {unit} put in")
+                lines.append(f"{what}:\n{results[laplace]['value'] * factor:.3g} {unit} by Laplace from the force\n{results[own]['value'] * factor:.3g} {unit} put in")
         axis.text(0.98, 0.06, "\n".join(lines), color=ALONG, fontsize=9, ha="right", va="bottom", transform=axis.transAxes)
     path = os.path.join(directory, "cell_between_plates.png")
     figure.savefig(path, dpi=140)

@@ -24,7 +24,7 @@ def draw_cells(figure, shapes):
     axis.text(1.3 * width, -1.6, "adhesive plane", color=INK, fontsize=8, ha="right", va="top")
     axis.set_xlim(-1.35 * width, 1.35 * width)
     axis.set_ylim(-7, 26)
-    scale_bar(axis, -1.25 * width, -4.5, 10, "µm")
+    scale_bar(axis, -1.25 * width, -4.8, 40, "µm")
     axis.axis("off")
     colour_bar(figure, [0.08, 0.14, 0.26, 0.022], norm, COLOURS, "in-plane stress of the net [µN/m]: blue compressed, red stretched", stress(shapes[-1]))
 

@@ -28,7 +28,7 @@ void CapsuleCompression::declare_parameters(InputEntries &prm) {
                     Double(0., 1e9));
   prm.add_parameter("Seed", seed, "Number of the nets' random orientations. Units: none.",
                     Integer(0, 100000));
-  material.declare_steps(prm, "the radius");
+  material.declare_motion(prm);
   output.declare(prm);
   prm.enter_subsection("Cell");
   material.declare_cortex(prm);

@@ -33,7 +33,7 @@ void CellBetweenPlates::declare_parameters(InputEntries &prm) {
                     "Time for which it stands still then, before the force is measured. Units: s.",
                     Double(0., 1e9));
   prm.add_parameter("Seed", seed, "Number of the net's random orientation. Units: none.", Integer(0, 100000));
-  material.declare_steps(prm, "the radius");
+  material.declare_motion(prm);
   output.declare(prm);
   prm.enter_subsection("Cell");
   material.declare_cortex(prm);

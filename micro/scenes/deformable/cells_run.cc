@@ -128,7 +128,8 @@ Outputs outputs_of_cells(const std::string &row, std::vector<OutputDefinition> c
                 "In-plane stress of the net of edges at each node, without active tension, positive where it "
                 "is stretched (B.5).",
                 written},
-               {"contact_pressure", "Pa", "Pressure of contacts at each node, negative where adhesion pulls.",
+               {"contact_pressure", "Pa",
+                "Pressure of contacts on each node's share of the surface, negative where adhesion pulls.",
                 written},
                {"pressure", "Pa", "Pressure inside the cell over that outside.", written},
                {"cell", "", "Number of the cell, from 0.", written}});

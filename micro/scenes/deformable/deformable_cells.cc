@@ -14,7 +14,7 @@ DeformableShape placed(DeformableShape shape, const Tensor2<3> &turn, const Vect
 
 DeformableCells::DeformableCells(const TouchingMaterial &material_,
                                  const std::vector<DeformableShape> &shapes, const unsigned int threads)
-    : motion(system, {.tolerance = 1e-3, .max_iterations = 20000}), material(material_) {
+    : motion(system, {.tolerance = material_.residual, .max_iterations = 20000}), material(material_) {
   system.threads = threads;
   for (const DeformableShape &shape : shapes) surfaces->add(system.particles, shape.mesh, shape.nodes);
   motion.own_length = material.radius;
@@ -120,25 +120,32 @@ FieldFrame DeformableCells::frame() const {
   frame.nodes_per_cell = 3;
   for (const CellSurfaces::Triangle &triangle : surfaces->triangles)
     frame.cells.insert(frame.cells.end(), triangle.begin(), triangle.end());
-  std::vector<double> pressure(p.size()), contact(p.size(), 0.), number(p.size());
+  std::vector<double> pressure(p.size()), contact(p.size(), 0.), number(p.size()), area(p.size(), 0.);
   for (std::size_t cell = 0; cell < surfaces->size(); ++cell) {
     const Group &group = p.groups[cell];
     for (std::uint32_t i = group.begin; i < group.end; ++i) {
       pressure[i] = inside->pressure(p, cell);
       number[i] = double(cell);
     }
-    const auto at_node = [&](const SurfacePoints &points, const std::uint32_t point) {
-      const std::uint32_t k = point - points.of_cell(cell)[0];
-      return k < group.wall_count() ? &contact[group.begin + k] : nullptr;
+    // N, of points, shared by their nodes as their areas are
+    const auto share = [&](const SurfacePoints &points, const std::uint32_t point, const double force) {
+      const SurfacePoints::Nodes of = points.nodes_of(cell, point);
+      for (const std::uint32_t node : of.all()) contact[node] += of.share * force;
     };
     if (walls != nullptr)
       for (const SurfaceObstacles::Touch &t : walls->touches(cell))
-        if (double *const to = at_node(walls->where(), t.point)) *to -= t.does.slope;
+        share(walls->where(), t.point, -walls->where().area[t.point] * t.does.slope);
     if (touching != nullptr)
       for (const SurfaceContacts::Touch &t : touching->touches(cell))
-        if (double *const to = at_node(touching->where(), t.point))
-          *to -= 2. * t.pull / touching->where().area[t.point];
+        share(touching->where(), t.point, -2. * t.pull);
+    const auto [begin, end] = surfaces->triangles_of(cell);
+    for (std::uint32_t k = begin; k < end; ++k) {
+      const auto &[i, j, l] = surfaces->triangles[k];
+      const double a = 0.5 * twice_area(p.position(i), p.position(j), p.position(l)).norm();
+      for (const std::uint32_t node : surfaces->triangles[k]) area[node] += a / 3.;
+    }
   }
+  for (std::size_t i = 0; i < p.size(); ++i) contact[i] /= area[i];
   frame.fields = {{"in_plane_stress [N/m]", 1, in_plane_stress(*surfaces, *edges, p), false},
                   {"contact_pressure [Pa]", 1, contact, false},
                   {"pressure [Pa]", 1, pressure, false},

@@ -18,7 +18,7 @@ void Spreading::declare_parameters(InputEntries &prm) {
                     "rows are spread over the logarithm of time. Units: s.",
                     Double(1e-9, 1e3));
   prm.add_parameter("Seed", seed, "Number of the net's random orientation. Units: none.", Integer(0, 100000));
-  material.declare_steps(prm, "the radius");
+  material.declare_motion(prm);
   output.declare(prm);
   prm.enter_subsection("Cell");
   material.declare_cortex(prm);

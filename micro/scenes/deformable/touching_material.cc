@@ -6,6 +6,14 @@
 #include <numbers>
 
 namespace turgor {
+void TouchingMaterial::declare_motion(InputEntries &prm) {
+  declare_steps(prm, "the radius");
+  prm.add_parameter("Residual", residual,
+                    "Allowed residual of the equations for the velocities of a step, over the forces; net "
+                    "force and torque of cells that touch are exact whatever it is. Units: none.",
+                    Patterns::Double(1e-9, 0.1));
+}
+
 void TouchingMaterial::declare_cortex(InputEntries &prm) {
   using namespace Patterns;
   declare_cell(prm, "");

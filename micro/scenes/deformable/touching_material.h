@@ -2,7 +2,7 @@
 // contact of their surfaces with walls and with each other. Entries are declared once, here.
 //
 //   TouchingMaterial material;
-//   material.declare_steps(prm, "the radius");
+//   material.declare_motion(prm);
 //   prm.enter_subsection("Cell");  material.declare_cortex(prm);  ...   "Contact":
 //   material.declare_contact(prm)
 #pragma once
@@ -31,7 +31,10 @@ struct TouchingMaterial : DeformableMaterial {
   double friction = 5e10;      ///< N s/m^3, gamma
   double blend = 0.1e-6;       ///< m, eps; of cells with each other
   double longest_move = 0.05;  ///< of a node in a step, over the radius
+  double residual = 1e-3;      ///< of the velocities' equations, over the forces
 
+  /// declare_steps() with the radius, and Residual.
+  void declare_motion(InputEntries &prm);
   void declare_cortex(InputEntries &prm);   ///< Radius, Cortex ..., in the current subsection
   void declare_contact(InputEntries &prm);  ///< Adhesion ..., in the current subsection
 
