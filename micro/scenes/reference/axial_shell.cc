@@ -64,6 +64,33 @@ void AxialShell::add(const SecondOrder<N> &part, const std::array<int, N> &numbe
   }
 }
 
+double AxialShell::bending(const Numbers &at, Numbers *gradient, Matrix *second) {
+  double sum = 0.;
+  for (unsigned int i = 0; i <= M; ++i) {
+    // a pole's piece on the other side is the mirror image of its own
+    const auto [rb, zb] = numbers(i);
+    std::array<int, 6> number{-1, -1, rb, zb, -1, -1};
+    if (i > 0) std::tie(number[0], number[1]) = std::pair(numbers(i - 1)[0], numbers(i - 1)[1]);
+    if (i < M) std::tie(number[4], number[5]) = std::pair(numbers(i + 1)[0], numbers(i + 1)[1]);
+    using Node = SecondOrder<6>;
+    const auto value = [&](const int k) { return value_of<6>(at, number, k); };
+    const bool bottom = i == 0, top = i == M;
+    const Node r = value(2), z = value(3);
+    const Node dr1 = bottom ? value(4) - r : r - value(0), dz1 = bottom ? z - value(5) : z - value(1);
+    const Node dr2 = top ? value(0) - r : value(4) - r, dz2 = top ? value(1) - z : value(5) - z;
+    const Node l1 = sqrt(dr1 * dr1 + dz1 * dz1), l2 = sqrt(dr2 * dr2 + dz2 * dz2);
+    const Node turned = atan2(dr1 * dz2 - dz1 * dr2, dr1 * dr2 + dz1 * dz2);
+    const Node k1 = (1. / l0) * (turned - Node(angle0[i]));
+    const Node k2 = bottom || top ? k1 : (1. / r0[i]) * (0.5 * (dz1 / l1 + dz2 / l2) - Node(slope0[i]));
+    const double D = 0.5 * std::sqrt(3.) * p.bending / scale_energy,
+                 area = bottom || top ? 0.25 * pi * l0 * l0 : 2. * pi * r0[i] * l0;
+    const Node part = (0.5 * D * area) * (k1 * k1 + k2 * k2 + (2. / 3.) * (k1 * k2));
+    sum += part.value;
+    add<6>(part, number, gradient, second);
+  }
+  return sum;
+}
+
 double AxialShell::evaluate(const Numbers &at, Numbers *gradient, Matrix *second) {
   using Piece = SecondOrder<4>;
   const double unit = scale_energy / (p.radius * p.radius);  // N/m
@@ -108,28 +135,7 @@ double AxialShell::evaluate(const Numbers &at, Numbers *gradient, Matrix *second
     volumes.push_back((pi / 3.) * (dz * (r1 * r1 + r1 * r2 + r2 * r2)));
     volume += volumes.back().value;
   }
-  for (unsigned int i = 0; i <= M; ++i) {
-    // a pole's piece on the other side is the mirror image of its own
-    const auto [rb, zb] = numbers(i);
-    std::array<int, 6> number{-1, -1, rb, zb, -1, -1};
-    if (i > 0) std::tie(number[0], number[1]) = std::pair(numbers(i - 1)[0], numbers(i - 1)[1]);
-    if (i < M) std::tie(number[4], number[5]) = std::pair(numbers(i + 1)[0], numbers(i + 1)[1]);
-    using Node = SecondOrder<6>;
-    const auto value = [&](const int k) { return value_of<6>(at, number, k); };
-    const bool bottom = i == 0, top = i == M;
-    const Node r = value(2), z = value(3);
-    const Node dr1 = bottom ? value(4) - r : r - value(0), dz1 = bottom ? z - value(5) : z - value(1);
-    const Node dr2 = top ? value(0) - r : value(4) - r, dz2 = top ? value(1) - z : value(5) - z;
-    const Node l1 = sqrt(dr1 * dr1 + dz1 * dz1), l2 = sqrt(dr2 * dr2 + dz2 * dz2);
-    const Node turned = atan2(dr1 * dz2 - dz1 * dr2, dr1 * dr2 + dz1 * dz2);
-    const Node k1 = (1. / l0) * (turned - Node(angle0[i]));
-    const Node k2 = bottom || top ? k1 : (1. / r0[i]) * (0.5 * (dz1 / l1 + dz2 / l2) - Node(slope0[i]));
-    const double D = 0.5 * std::sqrt(3.) * p.bending / scale_energy,
-                 area = bottom || top ? 0.25 * pi * l0 * l0 : 2. * pi * r0[i] * l0;
-    const Node part = (0.5 * D * area) * (k1 * k1 + k2 * k2 + (2. / 3.) * (k1 * k2));
-    sum += part.value;
-    add<6>(part, number, gradient, second);
-  }
+  sum += bending(at, gradient, second);
   const double v = volume / rest_volume, bulk = p.bulk * p.radius / unit;
   if (!(v > 0.)) return HUGE_VAL;
   v_now = v;

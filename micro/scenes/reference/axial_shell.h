@@ -58,6 +58,7 @@ class AxialShell {
   using Numbers = Eigen::VectorXd;
   using Matrix = Eigen::MatrixXd;
   double evaluate(const Numbers &at, Numbers *gradient, Matrix *second);
+  double bending(const Numbers &at, Numbers *gradient, Matrix *second);
   template <int N>
   void add(const SecondOrder<N> &part, const std::array<int, N> &number, Numbers *gradient, Matrix *second);
   template <int N>
