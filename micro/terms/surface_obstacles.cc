@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace turgor {
 void SurfaceObstacles::declare(Particles<3> &particles) {
@@ -101,28 +102,10 @@ void SurfaceObstacles::collect(MotionMatrix &matrix, const Particles<3> &, const
     }
 }
 
-void SurfaceObstacles::rubs_of(const Particles<3> &particles, const std::uint32_t body,
-                               std::vector<Obstacle<3>::Rub> &rubs) const {
-  for (std::size_t cell = 0; cell < touching.size(); ++cell)
-    for (const Touch &t : touching[cell]) {
-      const double rub = friction * points.area[t.point] * law.closeness(t.contact.distance);
-      if (t.body != body || !(rub > 0.)) continue;
-      const SurfacePoints::Nodes of = points.nodes_of(cell, t.point);
-      Vector<3> v = Vector<3>::Zero();
-      for (const std::uint32_t node : of.all())
-        for (int d = 0; d < 3; ++d) v[d] += of.share * particles.v[d][node];
-      rubs.push_back({points.position[t.point] - t.contact.distance * t.contact.normal, rub, v});
-    }
-}
-
-void SurfaceObstacles::advance(const Particles<3> &particles, const double dt) {
-  for (std::uint32_t b = 0; b < bodies.size(); ++b) {
-    if (bodies[b]->drag > 0.) {
-      std::vector<Obstacle<3>::Rub> rubs;
-      rubs_of(particles, b, rubs);
-      bodies[b]->balance(rubs);
-    }
-    bodies[b]->advance(dt);
+void SurfaceObstacles::advance(const Particles<3> &, const double dt) {
+  for (const auto &body : bodies) {
+    if (body->drag > 0.) throw std::logic_error("surfaces do not move a body with a drag of its own");
+    body->advance(dt);
   }
   if (dt > 0.) settle(dt);
 }
@@ -138,7 +121,7 @@ double SurfaceObstacles::power() const {
 bool SurfaceObstacles::moves() const {
   return std::any_of(bodies.begin(), bodies.end(), [](const auto &body) {
     return body->growth != 0. || body->velocity != Vector<3>::Zero() || body->spin != Vector<3>::Zero() ||
-           body->drag > 0. || body->mass > 0.;
+           body->mass > 0.;
   });
 }
 

@@ -9,6 +9,8 @@
 // along the normal (the magnitude: where adhesion softens, less would overshoot); what is left out are w
 // times the second derivatives of area and distance, and their products.
 //
+// Bodies are driven or have mass: one that forces move against a drag of its own is not among them yet.
+//
 //   auto &bodies = system.add(std::make_unique<SurfaceObstacles>("plates", surfaces, law, gamma, floor,
 //   lid)); bodies[1].velocity[2] = -1e-7;   bodies[0].pressing()          floor, lid:
 //   std::unique_ptr<Plane<3>>
@@ -66,7 +68,6 @@ class SurfaceObstacles final : public Term<3> {
  private:
   /// Bodies whose shape answers, into balance with what presses on them; dt (s): 0 at once.
   void settle(double dt);
-  void rubs_of(const Particles<3> &particles, std::uint32_t body, std::vector<Obstacle<3>::Rub> &rubs) const;
 
   std::string own_name;
   std::shared_ptr<const CellSurfaces> surfaces;
