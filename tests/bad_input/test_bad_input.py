@@ -141,7 +141,7 @@ BY_SCENE = {
                       ("Nodes", "sixfould", ["Did you mean 'sixfold'?"]), ("Largest strain", "0", ["Frames = 1 draws the network at rest"])],
     "rbc_tweezers": [("Forces", "2e-11, 1e-11", ["positive and rising", "number 2 is 1e-11 N"]), ("Experiment", "nowhere.csv", ["nowhere.csv"])],
     "spreading": [("Contact/Adhesion", "0", ["does not adhere"]), ("Contact/Range", "3e-6", ["more than a quarter of Cell/Radius", "make Contact/Range shorter"]),
-                  ("Contact/Gap at rest", "1e-9", ["deviate from the sphere", "finer net (Cell/Frequency)"]), ("First step", "100", ["End time"])],
+                  ("Contact/Gap at rest", "1e-9", ["deviate from the sphere", "finer net (Cell/Frequency)"]), ("First step", "2e3", ["a finite number from"])],
     "capsule_compression": [("Last radius", "4e-5", ["just encloses the cells"]), ("Last radius", "1e-5", ["less than half of their volume"])],
     "cell_between_plates": [("Plate distance", "3e-5", ["just touch the cell"]), ("Plate distance", "4e-6", ["torn to slivers"])],
     "shell_oscillation": [("Inward speed", "9", ["at most a fiftieth of Sound speed"])],
