@@ -18,7 +18,8 @@ void require_fans(const TriangleMesh &mesh, const std::string &what) {
     first_edge[mesh.edges[k].a] = first_edge[mesh.edges[k].b] = k;
   for (std::uint32_t node = 0; node < mesh.nodes; ++node) {
     if (faces_at[node] == 0)
-      throw std::invalid_argument("node " + number_text(node) + " of " + what + " is in no triangle.");
+      throw std::invalid_argument("node " + number_text(node) + " (counted from 0) of " + what +
+                                  " is in no triangle: take it out.");
     std::uint32_t face = mesh.edges[first_edge[node]].left, edge = first_edge[node], reached = 0;
     do {  // over the other edge of this triangle at the node
       ++reached;
@@ -30,7 +31,8 @@ void require_fans(const TriangleMesh &mesh, const std::string &what) {
       face = mesh.edges[edge].left == face ? mesh.edges[edge].right : mesh.edges[edge].left;
     } while (edge != first_edge[node] && reached <= faces_at[node]);
     if (reached != faces_at[node])
-      throw std::invalid_argument("two sheets of " + what + " meet at node " + number_text(node) + " alone.");
+      throw std::invalid_argument("two sheets of " + what + " meet at node " + number_text(node) +
+                                  " (counted from 0) alone: give each a node of its own there.");
   }
 }
 }  // namespace
@@ -49,12 +51,14 @@ void complete_closed_surface(TriangleMesh &mesh, const std::vector<Vector<3>> &n
     const Vector<3> twice_area = ab.cross(ac);
     if (!(twice_area.norm() >
           1e-12 * std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()})))
-      throw std::invalid_argument("triangle " + number_text(f) + " of " + what + " has no area.");
+      throw std::invalid_argument("triangle " + number_text(f) + " (counted from 0) of " + what +
+                                  " has no area: take it out and join its corners.");
     volume += (a - nodes[0]).dot(twice_area) / 6.;
   }
   if (!(volume > 0.))
-    throw std::invalid_argument("the triangles of " + what +
-                                " have to be counter-clockwise seen from outside: its volume is " +
-                                number_text(volume) + " m^3.");
+    throw std::invalid_argument(
+        "the triangles of " + what +
+        " have to be counter-clockwise seen from outside; these are clockwise (volume " +
+        number_text(volume) + " m^3): turn the order of their corners round.");
 }
 }  // namespace turgor

@@ -2,6 +2,7 @@
 
 #include "micro/geometry/closed_surface.h"
 #include "micro/geometry/surface_crossing.h"
+#include "micro/geometry/surface_nesting.h"
 #include "run/number_text.h"
 #include "run/run_context.h"
 #include "run/user_text.h"
@@ -10,6 +11,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -63,15 +65,22 @@ class Surface {
   SurfaceOfTriangles finished(const double unit) {
     if (read.mesh.faces.empty()) fail("there are no triangles in it.");
     for (Vector<3> &x : read.nodes) x *= unit;
-    const std::string what = "the surface in " + file.string();
     try {
-      complete_closed_surface(read.mesh, read.nodes, what);
+      complete_closed_surface(read.mesh, read.nodes, "the surface");
     } catch (const std::invalid_argument &wrong) {
       fail(wrong.what());
     }
     if (const auto crossing = find_crossing(read.mesh, read.nodes))
       fail("the surface goes through itself: triangles " + number_text(crossing->first) + " and " +
-           number_text(crossing->second) + " (counted from 0) cross.");
+           number_text(crossing->second) + " (counted from 0) cross. Mend it where it was drawn.");
+    if (const auto wrong = find_wrong_nesting(read.mesh, read.nodes))
+      fail("it has " + number_text(wrong->parts) + " closed surfaces, and that of triangle " +
+           number_text(wrong->triangle) + " (counted from 0) lies " +
+           (wrong->outwards
+                ? "inside another that faces outwards as it does: a hollow has to face inwards, a "
+                  "body has to lie beside the others."
+                : "in none that it could hollow out, but faces inwards: turn the order of its "
+                  "corners round."));
     return std::move(read);
   }
 
@@ -102,11 +111,20 @@ class Lines {
   std::istringstream text;
 };
 
+/// A number but for its size: read_number() takes none that is not finite.
+bool is_out_of_range(const std::string &word) {
+  char *end = nullptr;
+  const double value = std::strtod(word.c_str(), &end);
+  return *end == '\0' && std::isinf(value) && word.find_first_of("0123456789") != std::string::npos;
+}
+
 Vector<3> place_in(const std::vector<std::string> &words, const std::size_t from, const Surface &surface,
                    const std::size_t line) {
   Vector<3> x;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto value = from + k < words.size() ? read_number(words[from + k]) : std::nullopt;
+    if (!value && from + k < words.size() && is_out_of_range(words[from + k]))
+      surface.fail("'" + shortened(words[from + k]) + "' is out of the range of numbers.", line);
     if (!value) surface.fail("three coordinates are wanted here.", line);
     x[Eigen::Index(k)] = *value;
   }
@@ -157,6 +175,10 @@ void read_off(const std::string &text, Surface &surface) {
   if (words.size() < 2) surface.fail("the numbers of nodes, faces and edges are wanted here.", lines.number);
   const long nodes = whole_in(words[0], surface, lines.number),
              faces = whole_in(words[1], surface, lines.number);
+  if (nodes < 0 || faces < 0)
+    surface.fail("the numbers of nodes and faces cannot be negative (" + number_text(nodes) + " and " +
+                     number_text(faces) + ").",
+                 lines.number);
   for (long k = 0; k < nodes; ++k) {
     if (!lines.next(words))
       surface.fail("it ends after " + number_text(k) + " of " + number_text(nodes) + " nodes.");

@@ -19,8 +19,10 @@ void TriangleMesh::complete() {
       const std::uint16_t a = faces[f][k], b = faces[f][(k + 1) % 3], c = faces[f][(k + 2) % 3];
       nodes = std::max(nodes, std::uint32_t(a) + 1);
       if (!half.insert({{a, b}, {f, c}}).second)
-        throw std::invalid_argument("the triangles do not form an oriented surface at nodes " +
-                                    number_text(a) + ", " + number_text(b));
+        throw std::invalid_argument(
+            "two triangles go along the edge from node " + number_text(a) + " to node " + number_text(b) +
+            " (counted from 0) the same way: one of them is turned over or there twice. "
+            "All have to be counter-clockwise seen from outside.");
     }
   edges.clear();
   edges_of_face.assign(faces.size(), {});
@@ -29,8 +31,10 @@ void TriangleMesh::complete() {
       const std::uint16_t a = faces[f][k], b = faces[f][(k + 1) % 3];
       const auto other = half.find({b, a});
       if (other == half.end())
-        throw std::invalid_argument("the triangles are not closed at nodes " + number_text(a) + ", " +
-                                    number_text(b));
+        throw std::invalid_argument("the surface is open at the edge from node " + number_text(a) +
+                                    " to node " + number_text(b) +
+                                    " (counted from 0), which has one triangle: a closed surface has two at "
+                                    "every edge. Close the hole, or join nodes that lie on each other.");
       const std::uint32_t g = other->second.first;
       if (g < f) continue;  // named by the face before
       const std::uint32_t e = std::uint32_t(edges.size());

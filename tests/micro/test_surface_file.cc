@@ -107,7 +107,10 @@ BOOST_AUTO_TEST_CASE(the_same_cube_in_every_format) {
 
 BOOST_AUTO_TEST_CASE(what_is_no_body_is_refused) {
   const Files files;
-  files.refused("open.off", replaced(replaced(off(), "8 12 0", "8 11 0"), "3 3 7 5\n", ""), "not closed");
+  files.refused("open.off", replaced(replaced(off(), "8 12 0", "8 11 0"), "3 3 7 5\n", ""),
+                "the surface is open at the edge from node 3 to node 7 (counted from 0)");
+  files.refused("turned.off", replaced(off(), "3 3 7 5", "3 3 5 7"),
+                "one of them is turned over or there twice.");
   files.refused("inwards.off", off([](const int k) { return Vector<3>(-node(k)); }), "counter-clockwise");
   files.refused("flat.off",
                 off([](const int k) { return k == 0 ? Vector<3>(0.5 * (node(1) + node(2))) : node(k); }),
@@ -118,12 +121,37 @@ BOOST_AUTO_TEST_CASE(what_is_no_body_is_refused) {
   files.refused("lost.off", replaced(off(), "3 3 7 5", "3 3 7 8"), "names a node that is not there");
   files.refused("short.off", replaced(off(), "8 12 0", "8 13 0"), "ends after 12 of 13 faces");
   files.refused("word.obj", "v 0 zero 0\n", "three coordinates");
+  files.refused("far.obj", "v 0 1e400 0\n", "'1e400' is out of the range of numbers.");
+  files.refused("minus.off", replaced(off(), "8 12 0", "-8 12 0"), "cannot be negative (-8 and 12).");
   files.refused("cut.stl", binary_stl().substr(0, 600), "may be cut off");
   files.refused("cut_text.stl", ascii_stl().substr(0, 120), "");
   files.refused("none.stl", "solid\nendsolid\n", "no triangles");
   files.refused("body.ply", "ply\n", ".stl, .off or .obj");
   BOOST_CHECK_THROW(read_surface(files.directory / "absent.stl"), InputError);
   BOOST_CHECK_THROW(read_surface(files.write("e.off", off()), 0.), InputError);
+}
+
+// A small cube beside a large one, in it facing outwards (no body), in it facing inwards (a hollow), and
+// beside it facing inwards (nothing that it could hollow out).
+BOOST_AUTO_TEST_CASE(bodies_lie_side_by_side_and_hollows_inside) {
+  const Files files;
+  const auto two = [&](const double shift, const bool inwards) {
+    std::string text = "OFF\n16 24 0\n";
+    for (int k = 0; k < 8; ++k) text += text_of(Vector<3>(4. * node(k))) + "\n";
+    for (int k = 0; k < 8; ++k) text += text_of(Vector<3>(node(k) + Vector<3>(shift, 0.1, 0.2))) + "\n";
+    for (const int from : {0, 8})
+      for (const auto &[a, b, c] : cube) {
+        const bool turned = from == 8 && inwards;
+        text += "3 " + std::to_string(a + from) + " " + std::to_string((turned ? c : b) + from) + " " +
+                std::to_string((turned ? b : c) + from) + "\n";
+      }
+    return text;
+  };
+  BOOST_TEST(read_surface(files.write("beside.off", two(5., false))).nodes.size() == 16u);
+  BOOST_TEST(read_surface(files.write("hollow.off", two(0.3, true))).nodes.size() == 16u);
+  files.refused("nested.off", two(0.3, false),
+                "2 closed surfaces, and that of triangle 12 (counted from 0) lies inside another");
+  files.refused("inside_out.off", two(5., true), "in none that it could hollow out, but faces inwards");
 }
 
 // Two tetrahedra, one mesh: apart, one through the other.
