@@ -6,24 +6,25 @@
 
 namespace turgor {
 Outputs TwoCells::outputs() const {
-  const char *sticky = "with a Law that has adhesion";
+  const char *sticky = "with a Law that has adhesion",
+             *rows = "where the cells do not let go between two rows of approach.csv";
   Outputs all;
-  all.results(
-         {{"largest_force", "N", "Largest size of the force between the cells on the way in and out."},
-          {"momentum_imbalance", "1",
-           "Largest sum of the forces on both cells over the largest force; 0: action equals reaction."},
-          {"hysteresis_work", "J",
-           "Work that bringing the cells together and drawing them apart takes in all."},
-          {"hertz_force_error", "1", "Largest distance of the force from Hertz's closed form, relative.",
-           "with Law = hertz"},
-          {"largest_pull_of_the_curve", "N", "Largest pull between the cells on the way in and out.", sticky},
-          {"pull_off", "N",
-           "Largest force with which the moving pair can be pulled without coming apart, by bisection.",
-           sticky},
-          {"pull_off_closed_form", "N",
-           "Pull-off force by the closed form: 3/2 pi W R for JKR, pi W R else, R half a cell's radius.",
-           sticky},
-          {"pull_off_error", "1", "Pull-off force over its closed form, minus one.", sticky}})
+  all.results({{"largest_force", "N", "Largest size of the force between the cells on the way in and out."},
+               {"momentum_imbalance", "1",
+                "Largest sum of the forces on both cells over the largest force; 0: action equals reaction."},
+               {"hysteresis_work", "J",
+                "Work that bringing the cells together and drawing them apart takes in all.", rows},
+               {"hertz_force_error", "1", "Largest distance of the force from Hertz's closed form, relative.",
+                "with Law = hertz"},
+               {"largest_pull_of_the_curve", "N", "Largest pull between the cells on the way in and out.",
+                "with a Law that has adhesion and rows of approach.csv between touching and letting go"},
+               {"pull_off", "N",
+                "Largest force with which the moving pair can be pulled without coming apart, by bisection.",
+                sticky},
+               {"pull_off_closed_form", "N",
+                "Pull-off force by the closed form: 3/2 pi W R for JKR, pi W R else, R half a cell's radius.",
+                sticky},
+               {"pull_off_error", "1", "Pull-off force over its closed form, minus one.", sticky}})
       .table("approach", "The way in and the way out, Samples + 1 and Samples rows.",
              {{"overlap", "m", "Sum of the radii minus the distance of the centres."},
               {"force", "N", "Force between the cells, positive apart."},

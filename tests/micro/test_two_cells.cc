@@ -85,4 +85,64 @@ BOOST_AUTO_TEST_CASE(adhesion_has_to_suit_the_law) {
   BOOST_CHECK_THROW(result("set Adhesion = 1", "pull_off"), InputError);
 }
 
+// The least adhesion that the message names is enough, whatever the cells.
+BOOST_AUTO_TEST_CASE(adhesion_that_drowns_in_round_off_is_refused) {
+  for (const std::string cells :
+       {"", "set Law = extended_hertz\n", "set Modulus = 1e12\n", "set Radius = 1e-3\nset Accuracy = 1e-9\n",
+        "set Radius = 1e-9\nset Modulus = 1e-3\n"}) {
+    std::string least;
+    for (const std::string none : {"5e-324", "1e-100", "1e-25"})
+      BOOST_CHECK_EXCEPTION(result(cells + "set Adhesion = " + none, "pull_off"), InputError,
+                            [&](const InputError &e) {
+                              const std::string text = e.what(), before = "Use at least ";
+                              const std::size_t at = text.find(before);
+                              if (at == std::string::npos) return false;
+                              least = text.substr(at + before.size());
+                              least = least.substr(0, least.find(','));
+                              return text.find("Adhesion is ") == 0;
+                            });
+    const double error = result(cells + "set Adhesion = " + least, "pull_off_error");
+    BOOST_TEST_MESSAGE(cells << "least adhesion " << least << ": error " << error);
+    BOOST_CHECK_SMALL(error, 1e-6);
+  }
+}
+
+// Where the cells let go between two rows of the curve, results of the curve mean nothing and are left out;
+// between a few rows they are rough, and the advice makes them good.
+BOOST_AUTO_TEST_CASE(a_curve_too_coarse_for_its_results_says_so) {
+  const auto outcome = [](const std::string &text) {
+    TwoCells scene;
+    InputEntries prm;
+    scene.declare_parameters(prm);
+    prm.read(text);
+    scene.check();
+    test::Disk disk;
+    test::MemoryContext context(disk, false);
+    scene.run(context);
+    return std::pair(context.results, context.notes);
+  };
+  const auto advised = [](const std::string &note) {
+    const std::string before = "Use Samples = ";
+    const std::size_t at = note.find(before);
+    return at == std::string::npos
+               ? "none"
+               : note.substr(at + before.size(), note.find(" or more") - at - before.size());
+  };
+  const auto [fine, no_note] = outcome("");
+  BOOST_TEST(fine.contains("hysteresis_work"));
+  BOOST_TEST(!no_note.contains("hysteresis_work"));
+  for (const auto &[few, told] : {std::pair("Adhesion = 1e-7", true), {"Adhesion = 1e-9", false}}) {
+    const std::string entry = "set " + std::string(few) + "\n";
+    const auto [results, notes] = outcome(entry);
+    BOOST_TEST(results.contains("hysteresis_work") == told, few);
+    BOOST_TEST(results.contains("largest_pull_of_the_curve") == told, few);
+    BOOST_REQUIRE(notes.contains("hysteresis_work"));
+    const auto [better, silent] = outcome(entry + "set Samples = " + advised(notes.at("hysteresis_work")));
+    BOOST_TEST(!silent.contains("hysteresis_work"));
+    BOOST_TEST(better.at("largest_pull_of_the_curve") == better.at("pull_off"),
+               boost::test_tools::tolerance(0.01));
+    BOOST_TEST(better.at("hysteresis_work") > 0.);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

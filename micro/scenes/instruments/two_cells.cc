@@ -3,6 +3,7 @@
 #include "micro/solve/bisection.h"
 #include "micro/terms/external_force.h"
 #include "run/input_entries.h"
+#include "run/judged.h"
 #include "run/number_text.h"
 #include "run/run_failed_by.h"
 #include "run/stop_flag.h"
@@ -10,8 +11,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace turgor {
+namespace {
+constexpr long most_samples = 1000000;
+constexpr double least_deepest = 1e-6,  // over a radius
+    rows_enough = 10.;                  // of approach.csv, between touching and letting go
+}  // namespace
+
 void TwoCells::declare_parameters(InputEntries &prm) {
   using namespace Patterns;
   prm.add_parameter("Law", law, "Contact law of the cells. " + contact_law_text() + ". Units: none.",
@@ -34,10 +42,10 @@ void TwoCells::declare_parameters(InputEntries &prm) {
   prm.add_parameter("Deepest overlap", deepest,
                     "Overlap at which the approach turns: sum of the radii minus the distance of the "
                     "centres, over Radius. Units: none.",
-                    Double(1e-6, 1.));
+                    Double(least_deepest, 1.));
   prm.add_parameter("Samples", samples,
                     "Rows of approach.csv on the way in, and as many on the way out. Units: none.",
-                    Integer(10, 1000000));
+                    Integer(10, most_samples));
   prm.add_parameter("Accuracy", accuracy,
                     "Relative accuracy to which the pull-off force is searched by bisection. Units: none.",
                     Double(1e-12, 0.1));
@@ -49,6 +57,27 @@ void TwoCells::check() const {
   if (is_adhesive(contact_law()) && !(adhesion > 0.))
     throw InputError(
         "Adhesion is 0, so these cells never hold on to each other: give it in J/m^2, or Law = hertz.");
+  if (const double least = least_adhesion(); is_adhesive(contact_law()) && adhesion < least)
+    throw InputError(
+        "Adhesion is " + number_text(adhesion) +
+        " J/m^2: with this Radius, Modulus and Accuracy the overlap of cells that hold on to each "
+        "other, or their forces, drown in round-off. Use at least " +
+        number_text(1.01 * least, 3) + ", softer cells or a larger Accuracy.");
+}
+
+/// Places are known to a few units of the last place of a distance. At the pull-off force the force depends
+/// on the overlap by its square where the law has a largest pull (JKR), else by its power 3/2 (Hertz's own).
+/// Both rest at overlaps of about the depth below. Forces a thousandth of a millionth of those at play have
+/// to be within single precision.
+double TwoCells::least_adhesion() const {
+  const bool has_largest = hold_of(make_contact_law(law, 1.), 1., 1.) > 0.;
+  const double place = 8. * radius * std::numeric_limits<double>::epsilon(),
+               depth =
+                   place * std::pow(accuracy, has_largest ? -1. / 2. : -2. / 3.),  // 3/4 cbrt((pi W/E)^2 R)
+      R = 0.5 * radius, E = 0.5 * modulus / (1. - poisson * poisson),
+               of_places = E / std::numbers::pi * std::sqrt(std::pow(depth / 0.75, 3) / R),
+               of_forces = 1e-33 / (accuracy * std::numbers::pi * R);
+  return std::max(of_places, of_forces);
 }
 
 ContactLaw TwoCells::contact_law() const { return make_contact_law(law, adhesion); }
@@ -96,7 +125,15 @@ bool TwoCells::holds(const double force) const {
   constexpr int most_steps = 100000;  // hundreds are enough
   double relaxation = HUGE_VAL;
   for (int k = 0; k < most_steps; ++k) {
-    stepper.step(p, 0.5 * relaxation);
+    try {
+      stepper.step(p, 0.5 * relaxation);
+    } catch (const RunStopped &) {
+      throw;
+    } catch (const std::runtime_error &) {  // in terms of a solver and of steps that nobody chose
+      throw RunFailed("the search for the pull-off force: a pair drawn apart by " + number_text(force) +
+                      " N moves too fast for any step. Use a larger Medium friction (" + number_text(gamma) +
+                      " N s/m); approach.csv is whole.");
+    }
     stop_here("during the search for the pull-off force");
     motion.forces(p, true);
     if (contacts.contacts().empty() || !(contacts.contacts()[0].area > 0.)) return false;
@@ -110,6 +147,17 @@ bool TwoCells::holds(const double force) const {
                   " N neither came to rest nor let go within " + number_text(most_steps) +
                   " steps. Use a larger Medium friction (" + number_text(gamma) +
                   " N s/m) or a larger Accuracy (" + number_text(accuracy) + "); approach.csv is whole.");
+}
+
+std::string TwoCells::more_rows(const double hold, const double way) const {
+  const double needed = std::ceil(1.01 * rows_enough * way / hold),
+               shallow = hold * (double(most_samples) / rows_enough - 1.2) / radius;
+  if (needed <= double(most_samples))
+    return "Use Samples = " + number_text(std::uint64_t(needed)) + " or more.";
+  if (shallow >= least_deepest)
+    return "Use Samples = " + number_text(most_samples) + " with a Deepest overlap of at most " +
+           number_text(0.9 * shallow, 2) + ".";
+  return "Use more Adhesion, or softer cells.";
 }
 
 void TwoCells::run(RunContext &context) {
@@ -146,13 +194,26 @@ void TwoCells::run(RunContext &context) {
 
   context.result("largest_force", largest, "N");
   context.result("momentum_imbalance", imbalance / largest, "1");
-  context.result("hysteresis_work", work, "J");
+  // m, of the way on which the cells hold on to each other: to where JKR lets go, or to Hertz's rest
+  const double reach = hold > 0. || !is_adhesive(contact_law())
+                           ? hold
+                           : std::pow(0.75 * pull_off_closed_form() / (E * std::sqrt(R)), 2. / 3.),
+               rows = reach * samples / (top - bottom);
+  constexpr double fewest = 1., enough = rows_enough;
+  const bool told = reach == 0. || rows >= fewest;
+  if (reach > 0. && rows < enough)
+    remarked(context, "hysteresis_work",
+             "the cells hold on to each other over " + number_text(reach, 3) + " m of their way, which " +
+                 (rows < fewest ? "lies between two rows" : "has " + number_text(rows, 2) + " rows") +
+                 " of approach.csv: hysteresis_work and largest_pull_of_the_curve are " +
+                 (told ? "rough" : "left out") + ". " + more_rows(reach, top - bottom));
+  if (told) context.result("hysteresis_work", work, "J");
   if (!is_adhesive(contact_law())) {
     if (is_hertz) context.result("hertz_force_error", hertz_error, "1");
     return;
   }
   const double expected = pull_off_closed_form();
-  context.result("largest_pull_of_the_curve", -least, "N");
+  if (told) context.result("largest_pull_of_the_curve", -least, "N");
   const int halvings = std::max(1, int(std::ceil(std::log2(1. / accuracy))));
   int asked = 0;
   const double pull_off = run_failed_by([&] {

@@ -28,6 +28,10 @@ class TwoCells final : public Scenario {
   Particles<3> pair(double overlap) const;
   ContactLaw contact_law() const;
   double pull_off_closed_form() const;  ///< N; 0 without adhesion
+  /// What lays more rows where the cells hold on to each other, over a distance hold (m) of the way (m).
+  std::string more_rows(double hold, double way) const;
+  /// J/m^2, with which the pull-off force is still found to Accuracy.
+  double least_adhesion() const;
   /// Does a pair drawn apart by this force (N) stay together?
   bool holds(double force) const;
 
