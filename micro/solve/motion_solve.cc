@@ -79,15 +79,15 @@ void MotionMatrix::correct(const double target, const double start, const double
   squares.resize(chunks.count());
   while (!(residual * start <= target)) {
     if (!std::isfinite(residual * start))
+      throw NoNumbers("the forces on the bodies or what ties them together are no numbers any more.");
+    if (last_iterations >= parameters.max_iterations) {
+      // Less than what is aimed at may be enough: the exact residual decides.
+      if (residual * start <= allowed) break;
       throw NotSolved(
-          "the forces on the cells are no numbers any more: stiffer cells (Cell/Bulk modulus, Cell/Modulus), "
-          "or less that drives them.");
-    if (last_iterations >= parameters.max_iterations)
-      throw NotSolved("the friction matrix was not solved within " + number_text(parameters.max_iterations) +
-                      " iterations (residual " +
-                      number_text(std::sqrt(residual * start / allowed) * parameters.tolerance) +
-                      " of the forces, allowed " + number_text(parameters.tolerance) +
-                      "): more friction with the medium, or less between the bodies.");
+          "the friction matrix was not solved within " + number_text(parameters.max_iterations) +
+          " iterations: " + number_text(std::sqrt(residual * start / allowed) * parameters.tolerance, 3) +
+          " of the forces are left over, allowed are " + number_text(parameters.tolerance) + ".");
+    }
     for (OwnProduct *one : products) one->begin(p.data(), threads);
     const double pAp = sum_chunks(threads, chunks, parts,
                                   [&](std::size_t begin, std::size_t last) { return product(begin, last); });
@@ -138,7 +138,9 @@ void MotionMatrix::finish(const double forces, double residual,
     for (auto &values : velocity) std::fill(values.begin(), values.end(), 0.);
     return;
   }
-  const double allowed = parameters.tolerance * parameters.tolerance * forces;
+  // N: below it numbers leave the range of single precision, and nothing is left to be solved.
+  constexpr double nothing = 1e-36;
+  const double allowed = std::max(parameters.tolerance * parameters.tolerance * forces, nothing * nothing);
   if (find_clusters) residual = correct_as_rigid();
   // A correction is worth six digits at most: single precision has no more.
   for (; !(residual <= allowed); residual = find_clusters ? correct_as_rigid() : exact_residual())

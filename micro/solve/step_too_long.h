@@ -16,4 +16,9 @@ struct StepTooLong : std::runtime_error {
 struct NotSolved : StepTooLong {
   using StepTooLong::StepTooLong;
 };
+
+/// Nor will it be by a shorter step: forces or friction are no finite numbers.
+struct NoNumbers : NotSolved {
+  using NotSolved::NotSolved;
+};
 }  // namespace turgor

@@ -5,6 +5,8 @@
 #include "run/run_context.h"
 #include "micro/engine/space_order.h"
 #include "micro/processes/polarity.h"
+#include "micro/scenes/spheroid/friction_advice.h"
+#include "micro/solve/step_too_long.h"
 #include "micro/terms/cell_motility.h"
 
 #include <algorithm>
@@ -115,6 +117,22 @@ std::string CellCulture::drivers() const {
   return names.empty() ? "" : " (" + names + ")";
 }
 
+double CellCulture::step(const double limit) {
+  try {
+    return stepper.step(cells.particles, limit);
+  } catch (const RunStopped &) {
+    throw;
+  } catch (const std::runtime_error &error) {
+    std::string cause = friction_advice(parameters, dynamic_cast<const NotSolved *>(&error) != nullptr, h);
+    if (cause.empty() && dynamic_cast<const NoNumbers *>(&error) != nullptr)
+      cause = std::string(error.what()) +
+              " Use stiffer cells (Cell/Bulk modulus, Cell/Modulus), or less that drives them" + drivers() +
+              ".";
+    if (cause.empty()) throw;
+    throw std::runtime_error(cause);
+  }
+}
+
 void CellCulture::follow_ways() {
   way += stepper.last_move();
   constexpr double far = 10., too_far = 100.;  // radii
@@ -144,7 +162,7 @@ bool CellCulture::advance(const double end, const std::function<bool()> &stop) {
   }
   const double longest = longest_step();
   while (t < until) {
-    const double dt = stepper.step(cells.particles, std::min(until - t, longest));
+    const double dt = step(std::min(until - t, longest));
     life.after_step(cells, dt, steps);
     cells.advance(dt);
     t = until - t > dt ? t + dt : until;

@@ -79,6 +79,9 @@ class CellCulture {
   /// After a step; throws std::runtime_error where a cell has gone too far.
   void follow_ways();
   std::string drivers() const;  ///< what drives the cells, entries in brackets; may be none
+  /// s, of at most `limit`. Throws std::runtime_error; where it is for the cells' friction it names the
+  /// entries.
+  double step(double limit);
   double longest_step() const;  ///< s, in which neither polarity nor random forces carry a cell too far
   /// Cells near in space near in memory; now and then, as the population grows.
   void sort();
