@@ -38,6 +38,7 @@ void TextureTest::check() const {
 
 void TextureTest::run(RunContext &context) {
   const std::shared_ptr<const Rve<2>> rve = make_rve(rve_parameters);
+  remark_on_walls(context, rve_parameters);
   settings.path.end = settings.end_time(1.);
   settings.law.threads = context.threads();
   settings.law.skipping = settings.law.skipping.with(rve_parameters);

@@ -36,6 +36,7 @@ void TissueBruise::check() const { settings.check(rve_parameters); }
 
 void TissueBruise::run(RunContext &context) {
   const std::shared_ptr<const Rve<2>> rve = make_rve(rve_parameters);
+  remark_on_walls(context, rve_parameters);
   settings.law.threads = context.threads();
   settings.law.skipping = settings.law.skipping.with(rve_parameters);
   context.result("density", rve->density(), "kg/m^3");

@@ -40,6 +40,7 @@ void TissueGravity::check() const {
 
 void TissueGravity::run(RunContext &context) {
   const std::shared_ptr<const Rve<2>> rve = make_rve(rve_parameters);
+  remark_on_walls(context, rve_parameters);
   settings.cell_size = cell_size(rve_parameters, *rve);
   const double width = settings.cells * settings.cell_size[0];
   settings.tissue.size = {{width, settings.cells * settings.cell_size[1]}};

@@ -12,6 +12,7 @@
 namespace turgor {
 namespace {
 constexpr const char *names[4] = {"xx", "xy", "yx", "yy"};
+constexpr double crushed = 0.5;   // of the size along one direction: there walls are slack
 constexpr double longest = 0.05;  // of a step of Newton's method, in a component of F
 constexpr double farthest = 0.1;  // from one balance to the next: beyond it is another one, not reached so
 }  // namespace
@@ -137,17 +138,28 @@ void MixedControl::explain(RveAnswer<2> &answer, const LoadingPath::Load &last,
     had +=
         (had.empty() ? "" : ", ") + std::string("F_") + names[k] + " = " + number_text(last.F(k / 2, k % 2));
   }
-  std::string text = "no F is found that carries " + asked + " (" + answer.diagnostics.message +
-                     "). The last found is at time " + number_text(last.time) + " s, " + had + ". ";
+  std::string reason = answer.diagnostics.message;
+  if (reason.ends_with('.')) reason.pop_back();
+  std::string text = "no F is found that carries " + asked + " (" + reason + "). The last found is at time " +
+                     number_text(last.time) + " s, " + had + ". ";
   if (any && smallest < 0.1 * at_first)
     text += "There the tissue's stiffness along these components has fallen to " + number_text(smallest) +
             " Pa, from " + number_text(at_first) +
             " Pa: it can hardly carry more (a limit point). Give the largest of them as F, in "
             "Path/Keyframes, to go on beyond it.";
+  else if (const double flat = std::sqrt(
+               Eigen::SelfAdjointEigenSolver<Tensor2<2>>(last.F.transpose() * last.F).eigenvalues()[0]);
+           flat < crushed)
+    text +=
+        "There the tissue is pressed to " + number_text(100. * flat, 3) +
+        " % of its size: walls so slack fold in many ways, and steps down to 1/2048 of a point's have led "
+        "to none that lies near. More Path/Points hardly lead on; end the path before, at an F of that "
+        "size.";
   else
     text +=
-        "Take more Path/Points or less of a change; where it then ends at the same stress, that is the most "
-        "the walls carry: they break there, or stretch without end.";
+        "Steps down to 1/2048 of a point's have not led on, so that more Path/Points hardly will. It may be "
+        "the most the walls carry: they break there, or stretch without end. End the path at less of a "
+        "change.";
   answer.diagnostics.message = text;
 }
 

@@ -253,6 +253,7 @@ void RveResponse::finish(RunContext &context, const Walk &walk) const {
 void RveResponse::run(RunContext &context) {
   const LoadingPath path(loading);
   const std::unique_ptr<Rve<2>> cells = make_rve(rve);
+  remark_on_walls(context, rve);
   context.active({"neo_hookean_wall", "wall_bending", "lamella_tie",
                   rve.fluid == RveFluid::hydrostatic              ? "hydrostatic_pressure"
                   : rve.sph.formulation == SphFormulation::thesis ? "thesis_fluid+lennard_jones_wall"

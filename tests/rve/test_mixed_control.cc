@@ -234,6 +234,25 @@ BOOST_AUTO_TEST_CASE(where_no_F_carries_the_stress_it_says_so) {
   BOOST_TEST(most == w.load.P(0, 0), boost::test_tools::tolerance(0.01));
 }
 
+// Pressed flat with free sides: walls fold, and it is not tension that they do not carry.
+BOOST_AUTO_TEST_CASE(tissue_pressed_flat_is_told_apart_from_torn) {
+  RveParameters p = small();
+  p.cell.nodes_per_side = 4;
+  p.max_iterations = 40;
+  const Walked w = walk(*make_rve(p), loading("xx", "", "0 : 1, 0; 0, 1 | 1 : 1, 0; 0, 0.01", 20));
+  BOOST_TEST_MESSAGE(w.message);
+  BOOST_REQUIRE(!w.message.empty());
+  BOOST_TEST(w.load.F(1, 1) < 0.5);
+  BOOST_TEST(w.message.find("There the tissue is pressed to ") != std::string::npos);
+  BOOST_TEST(w.message.find("Take more Path/Points") == std::string::npos);
+  BOOST_TEST(w.message.find(".)") == std::string::npos);
+  // The advice: at less of it the path is walked to its end.
+  const Walked less =
+      walk(*make_rve(p),
+           loading("xx", "", "0 : 1, 0; 0, 1 | 1 : 1, 0; 0, " + number_text(1.05 * w.load.F(1, 1)), 20));
+  BOOST_TEST(less.message == "");
+}
+
 BOOST_AUTO_TEST_CASE(wrong_components_are_named) {
   const auto refused = [](const LoadingEntries &e, const std::string &words) {
     BOOST_CHECK_EXCEPTION(LoadingPath{e}, InputError, [&](const InputError &error) {

@@ -222,6 +222,22 @@ BOOST_AUTO_TEST_CASE(default_tolerance_suits_the_fluid) {
   }
 }
 
+// 0.2 MPa in walls of a millionth of N/m: defined, and not what anybody means.
+BOOST_AUTO_TEST_CASE(walls_blown_up_by_turgor_are_told_of) {
+  Memory memory;
+  run(memory,
+      "subsection Path\nset F = 1, 0.05; 0, 1\nend\nsubsection Cell\nset Wall stiffness = 1e-6\nset Nodes "
+      "per "
+      "side = 8\nend\n");
+  BOOST_TEST_MESSAGE(memory.notes["wall_stretch"]);
+  BOOST_TEST(memory.notes.at("wall_stretch").find("Turgor alone stretches the walls to ") == 0u);
+  Memory advised;
+  run(advised,
+      "subsection Path\nset F = 1, 0.05; 0, 1\nend\nsubsection Cell\nset Wall stiffness = 1e2\nset Nodes per "
+      "side = 8\nend\n");
+  BOOST_TEST(!advised.notes.contains("wall_stretch"));
+}
+
 BOOST_AUTO_TEST_CASE(scene_agrees_with_the_closed_form) {
   Memory memory;
   run(memory, "subsection Path\nset F = 1, 0.05; 0, 1\nend\n");
