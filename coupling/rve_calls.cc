@@ -7,6 +7,7 @@
 #include <tbb/partitioner.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -36,10 +37,10 @@ void fetch(const std::size_t p, const RveBatch<dim> &batch, const PointStates<di
 }  // namespace
 
 template <int dim>
-RveCalls<dim>::RveCalls(const Rve<dim> &rve_, const unsigned int threads_)
+RveCalls<dim>::RveCalls(const Rve<dim> &rve_, const RveCallSettings &settings_)
     : rve(rve_),
-      threads(threads_),
-      arena(static_cast<int>(std::max(1u, threads_))),
+      settings(settings_),
+      arena(static_cast<int>(std::max(1u, settings_.threads))),
       workspaces([this] { return rve.make_workspace(); }) {}
 
 // One RVE. Returns an empty text, or why it failed.
@@ -71,15 +72,21 @@ std::string RveCalls<dim>::call_one(const std::size_t p, const RveBatch<dim> &ba
 template <int dim>
 void RveCalls<dim>::call(const std::vector<std::size_t> &points, const RveBatch<dim> &batch,
                          const std::function<RveRequest(std::size_t)> &request, PointStates<dim> &states) {
+  std::atomic<bool> one_failed = false;
   const auto one = [&](const std::size_t k) {
     const std::size_t p = points[k];
-    if (stop_was_requested())  // the rest of the batch would be thrown away
-      return batch.table.put_failed(p);
+    if (stop_was_requested() || (settings.first_failure_ends && one_failed))
+      return batch.table.put_failed(p);  // the rest of the batch would be thrown away
     if (k + 1 < points.size()) fetch(points[k + 1], batch, states);
     std::string reason = call_one(p, batch, request(p), states);
-    if (!reason.empty()) batch.reasons[p] = std::move(reason);
+    if (!reason.empty()) {
+      batch.reasons[p] = std::move(reason);
+      one_failed = true;
+    }
+    if (!settings.each_call) return;
+    if (const std::unique_lock<std::mutex> mine(telling, std::try_to_lock); mine) settings.each_call();
   };
-  if (threads <= 1)
+  if (settings.threads <= 1)
     for (std::size_t k = 0; k < points.size(); ++k) one(k);
   else
     arena.execute([&] { tbb::parallel_for(std::size_t{0}, points.size(), one, tbb::simple_partitioner()); });

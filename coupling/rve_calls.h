@@ -21,10 +21,20 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
 namespace turgor {
+/// How the calls of a batch are made. The answers do not depend on it.
+struct RveCallSettings {
+  unsigned int threads = 1;  ///< inside a rank
+  /// Once an RVE has failed those that are not called yet fail without a reason, unasked: for whoever throws
+  /// such a batch away as a whole. A failed call may take minutes.
+  bool first_failure_ends = false;
+  std::function<void()> each_call;  ///< after a call, by one thread at a time: somebody waits for the batch
+};
+
 /// What is asked at all points, and where the answers go.
 template <int dim>
 struct RveBatch {
@@ -37,7 +47,7 @@ struct RveBatch {
 template <int dim>
 class RveCalls {
  public:
-  RveCalls(const Rve<dim> &rve, unsigned int threads);
+  RveCalls(const Rve<dim> &rve, const RveCallSettings &settings);
 
   /// Those of the points that are left when the program is to stop fail without a reason: the batch will be
   /// thrown away.
@@ -49,7 +59,8 @@ class RveCalls {
                        PointStates<dim> &states);
 
   const Rve<dim> &rve;
-  unsigned int threads;
+  const RveCallSettings settings;
+  std::mutex telling;  ///< of each_call
   tbb::task_arena arena;
   tbb::enumerable_thread_specific<std::unique_ptr<typename Rve<dim>::Workspace>> workspaces;
 };

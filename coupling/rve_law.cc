@@ -18,7 +18,7 @@ constexpr double unset = std::numeric_limits<double>::signaling_NaN();
 
 template <int dim>
 RveLaw<dim>::RveLaw(std::shared_ptr<const Rve<dim>> rve_, const RveLawSettings &settings_)
-    : rve(std::move(rve_)), settings(settings_), calls(*rve, settings.threads) {
+    : rve(std::move(rve_)), settings(settings_), calls(*rve, settings) {
   if (settings.skipping.active()) skipped.emplace(*rve, settings.skipping);
 }
 
@@ -174,6 +174,8 @@ void RveLaw<dim>::evaluate(const std::vector<dealii::Tensor<2, dim>> &F,
   {
     share.gather_texts(reasons);
     for (FailedPoint &f : answer.failed) f.reason = reasons[f.point];
+    if (settings.first_failure_ends)  // of those that were not asked nothing is known
+      std::erase_if(answer.failed, [](const FailedPoint &f) { return f.reason.empty(); });
     reasons.assign(n, {});
   }
   counts.wall_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -29,8 +29,7 @@
 #include <vector>
 
 namespace turgor {
-struct RveLawSettings {
-  unsigned int threads = 1;           ///< inside a rank
+struct RveLawSettings : RveCallSettings {
   unsigned int rebalance_every = 50;  ///< commits; 0 = never
   SkippingSettings skipping;
 };

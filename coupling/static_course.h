@@ -49,6 +49,7 @@ class StaticCourse {
   void checkpoint();
   void open_series();
   void follow(bool resumed);
+  void tell();  ///< how far it is, also from inside a step: one may take minutes
   void row();
   void frame();
   void remember(const Place &here);

@@ -91,14 +91,12 @@ void StaticCourse::row() {
   memory.now = s;
   remember(here());
   const dealii::Tensor<1, 2> side = side_displacement();
-  const std::vector<double> &residuals = path.residuals();
-  const double residual = residuals.empty() ? 0. : residuals.back();
-  memory.worst_residual = std::max(memory.worst_residual, residual);
+  memory.worst_residual = std::max(memory.worst_residual, path.residual());
   const double support = settings.tissue.tool.active() ? state.tool.support : path.held()[0];
   const PathCounters &count = path.counters();
   steps->add_row({tissue.time(), path.share(), travel(), state.tool.force, support, side[0], side[1],
                   s.failed, s.permanent, path.last_step(), double(count.iterations - iterations_before),
-                  residual});
+                  path.residual()});
   iterations_before = count.iterations;
   const PathEnergies &e = path.energies();
   energies->add_row(

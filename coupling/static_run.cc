@@ -86,7 +86,12 @@ StaticCourse::StaticCourse(RunContext &context_, const StaticRunSettings &settin
     : context(context_),
       settings(settings_),
       rve(*rve_),
-      law(rve_, settings_.law),
+      law(rve_,
+          [&] {
+            RveLawSettings all = settings_.law;
+            all.each_call = [this] { tell(); };
+            return all;
+          }()),
       tissue(settings_.tissue, law),
       path(tissue, [&] {
         LoadPathSettings all = settings_.path;
@@ -139,13 +144,13 @@ void StaticCourse::follow(const bool resumed) {
   loop.sample_due = [] { return true; };
   loop.frame = [this] { frame(); };
   loop.frame_due = [this, end] { return tissue.time() >= std::min(next_frame(), end); };
-  loop.tell = [this, end] {
-    char what[96];
-    std::snprintf(what, sizeof(what), "%.4g %% of the way, step %.2g %%", 100. * tissue.time() / end,
-                  100. * path.last_step() / end);
-    context.progress(tissue.time() / end, what);
-  };
+  loop.tell = [this] { tell(); };
   loop.tell_every = 1;
+  loop.share = [this] { return path.share(); };
+  loop.advice =
+      "A larger Load steps/Smallest ends the run sooner where nothing leads on; what was reached is then "
+      "saved "
+      "and reported.";
   loop.reached = [this] { return "at t = " + number_text(tissue.time()) + " s"; };
   loop.save = [this] { checkpoint(); };
   loop.checkpoint_due = [this] {  // one clock decides for all ranks
@@ -164,6 +169,14 @@ void StaticCourse::follow(const bool resumed) {
   saved = Clock::now();
   loop.run();
   checkpoint();
+}
+
+void StaticCourse::tell() {
+  const double end = settings.path.end;
+  char what[96];
+  std::snprintf(what, sizeof(what), "%.4g %% of the way, step %.2g %%", 100. * tissue.time() / end,
+                100. * path.last_step() / end);
+  context.progress(tissue.time() / end, what);
 }
 
 void StaticCourse::archive(Archive &a, Memory &m) {

@@ -19,6 +19,41 @@ namespace turgor {
 namespace {
 constexpr double most_share_of_load = 1e-6;  // of the load, that cells may be out of balance
 constexpr double means_nothing = 0.1;        // relative residual, where rounding is all that is left
+constexpr double collapsing = 1. / 16.;      // increments of the load: so short ones take long
+
+/// How far the search for the whole load is, for who waits for it: one RVE that finds no equilibrium may take
+/// minutes.
+struct LoadSearch {
+  RunContext &context;
+  double carried = 0., more = 1.;  ///< shares of the load
+  bool said = false;
+
+  void begin(const double share, const double increment, const double load) {
+    carried = share;
+    more = increment;
+    tell();
+    if (said || increment > collapsing) return;
+    said = true;
+    remarked(context, "load_increments",
+             "no state is found near " +
+                 (share > 0. ? number_text(100. * share, 4) + " % of the load (" +
+                                   number_text(share * load, 4) + " Pa)"
+                             : std::string("the tissue without load")) +
+                 " but by increments of " + number_text(100. * increment, 3) +
+                 " % of it and less, down to 0.4 %: the tissue may not carry more, and the search may take "
+                 "long. A smaller Tissue statics/Load ends sooner.");
+  }
+  void tell() const {
+    context.progress(carried, number_text(100. * carried, 4) + " % of the load is carried, " +
+                                  number_text(100. * more, 3) + " % more are tried");
+  }
+};
+
+std::string what_is_carried(const double share, const double load, const bool pulled) {
+  if (!(share > 0.)) return " Take a smaller Tissue statics/Load.";
+  return " What was carried is a Tissue statics/Load of " + number_text(0.999 * share * load, 4) + " Pa" +
+         (pulled ? ", with as large a share of Loads/Traction." : ".");
+}
 }  // namespace
 
 TissueStatics::TissueStatics() {
@@ -116,6 +151,10 @@ void TissueStatics::check() const {
   if (way == Way::at_once) {
     if (whole.tool.active() || whole.left == LeftSide::plate)
       throw InputError("A tool or a plate below the tissue needs 'Loads/Way = steps' (it is 'at_once').");
+    if (const WallLimits walls = rve_parameters.wall_limits(); walls.history())
+      throw InputError(std::string(walls.failure() ? "Walls that break (Wall/Critical stretch)"
+                                                   : "Walls that keep a stretch (Wall/Yielding = plastic)") +
+                       " remember the way of the load and need 'Loads/Way = steps' (it is 'at_once').");
   } else {
     StaticRunSettings all = stepped;
     all.tissue = whole;
@@ -134,6 +173,7 @@ void TissueStatics::check() const {
 }
 
 void TissueStatics::run(RunContext &context) {
+  remark_on_walls(context, rve_parameters);
   switch (way) {
     case Way::at_once:
       return at_once(context);
@@ -184,28 +224,33 @@ void TissueStatics::at_once(RunContext &context) {
   const double width = cells * cell[0];
   TissueParameters<2> whole = piece(cell);
   whole.body_force = load / (rve->density() * width) * direction / direction.norm();
-  RveLawSettings shares;
-  shares.threads = context.threads();
-  RveLaw<2> law(rve, shares);
+  LoadSearch search{context};
+  RveLawSettings calls;
+  calls.threads = context.threads();
+  calls.first_failure_ends = true;
+  calls.each_call = [&] { search.tell(); };
+  RveLaw<2> law(rve, calls);
   Tissue<2> body(whole, law);
 
   FieldOutput fields(
       context, "tissue", false, [&] { return tissue_frame(body, law); },
       [&] { return failing_tissue_frame(body); });
-  context.progress(0.1, "Newton's method");
   StaticAnswer<2> answer;
   StaticSettings settings = newton;
   settings.each_evaluation = [&] {
     if (context.stop_requested())  // agreed by all ranks, which iterate alike
       throw RunStopped("stopped before the full load was carried");
   };
+  settings.each_search = [&](const double share, const double increment) {
+    search.begin(share, increment, load);
+  };
   try {
     answer = body.settle(settings);
   } catch (const RunStopped &) {
     throw RunStopped(
         "stopped before the full load was carried");  // wherever the wish was heard, in an RVE too
-  } catch (const TissueFailed &e) {
-    throw RunFailed(e.what());
+  } catch (const NoStaticState &why) {
+    throw RunFailed(std::string(why.what()) + what_is_carried(why.share, load, tissue.traction.norm() > 0.));
   } catch (const std::runtime_error &e) {
     throw RunFailed(e.what());
   }

@@ -57,6 +57,7 @@ void LoadPath<dim>::start() {
   accept(tissue.state().u, here, std::nullopt);
   energy = PathEnergies{0., energy.stored, energy.contact, energy.spent, 0.};
   count = PathCounters();
+  forces_most = left_over = 0.;  // at rest there is nothing but round-off
 }
 
 template <int dim>
@@ -183,6 +184,8 @@ void LoadPath<dim>::accept(const std::vector<double> &u, const LoadPlace &at,
   }
   energy.released += dropped.value_or(0.);
   work_most = std::max(work_most, std::abs(energy.work));
+  forces_most = std::max(forces_most, balance.force_norm());
+  left_over = forces_most > 0. ? balance.residual_norm() / forces_most : 0.;
   holding = balance.held();
   taken = at.time - state.time;
   state.time = at.time;
@@ -195,7 +198,7 @@ void LoadPath<dim>::accept(const std::vector<double> &u, const LoadPlace &at,
 template <int dim>
 void LoadPath<dim>::archive(Archive &a) {
   a.section("load path");
-  a(next, taken, energy, count, holding, broken_then, work_most);
+  a(next, taken, energy, count, holding, broken_then, work_most, forces_most, left_over);
   a(tissue);
 }
 

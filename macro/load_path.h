@@ -97,7 +97,9 @@ class LoadPath {
   double last_step() const { return taken; }  ///< s
   const PathEnergies &energies() const { return energy; }
   const PathCounters &counters() const { return count; }
-  const std::vector<double> &residuals() const { return newton.residuals(); }
+  /// Norm of what is out of balance in the last state, over the largest forces so far: where a tool has just
+  /// lifted off, those of the moment are round-off.
+  double residual() const { return left_over; }
   const dealii::Tensor<1, dim> &held() const { return holding; }  ///< N, of the clamp on the tissue
   double dead_share(double time) const { return time / settings.end; }
   const LinearStatistics &linear_statistics() const { return balance.statistics(); }
@@ -129,6 +131,8 @@ class LoadPath {
   dealii::Tensor<1, dim> holding;
   double broken_then = 0.;  ///< at the last commit
   double work_most = 0.;    ///< J
+  double forces_most = 0.;  ///< N, StaticBalance::force_norm()
+  double left_over = 0.;    ///< see residual()
   bool point_failed = false;
 };
 }  // namespace turgor

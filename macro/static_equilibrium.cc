@@ -1,8 +1,8 @@
 #include "macro/static_equilibrium.h"
 
 #include "macro/static_newton.h"
+#include "run/number_text.h"
 
-#include <sstream>
 #include <stdexcept>
 
 namespace turgor {
@@ -25,6 +25,7 @@ StaticAnswer<dim> static_equilibrium(TissueOperator<dim> &op, const std::vector<
   while (part < 1.) {
     std::vector<double> u = answer.u;
     const double next = std::min(1., part + increment);
+    if (settings.each_search) settings.each_search(part, next - part);
     const bool found = newton.solve(u, {0., 0., next}, scale);
     answer.residuals = newton.residuals();
     answer.iterations = static_cast<unsigned int>(newton.iterations());
@@ -37,12 +38,15 @@ StaticAnswer<dim> static_equilibrium(TissueOperator<dim> &op, const std::vector<
     }
     increment *= 0.5;
     if (++halvings > settings.most_halvings) {
-      if (answer.residuals.empty()) throw TissueFailed(op.failure(), 0., increment, halvings - 1);
-      std::ostringstream message;
-      message << "Newton's method found no static state beyond " << 100. * part
-              << " % of the load: relative residual " << answer.residuals.back() << " after "
-              << answer.residuals.size() - 1 << " iterations.";
-      throw std::runtime_error(message.str());
+      std::string why = op.failure().describe() + ".";
+      if (!answer.residuals.empty())
+        why = number_text(100. * answer.residuals.back(), 3) +
+              " % of the forces stayed out of balance after " + number_text(answer.residuals.size() - 1) +
+              " iterations.";
+      throw NoStaticState("No static state was found beyond " + number_text(100. * part, 4) +
+                              " % of the load, with increments down to " + number_text(100. * increment, 2) +
+                              " % of it: " + why,
+                          part);
     }
   }
   return answer;

@@ -10,6 +10,8 @@
 #include "macro/tissue_operator.h"
 
 #include <functional>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace turgor {
@@ -20,6 +22,8 @@ struct StaticSettings {
   LinearSettings linear;
   std::function<void()>
       each_evaluation;  ///< called before each of all points; what it throws ends the search
+  /// Before each search: the share of the load that is carried, and by how much more is searched for.
+  std::function<void(double, double)> each_search;
 };
 
 template <int dim>
@@ -32,8 +36,15 @@ struct StaticAnswer {
       0.;  ///< relative residual that rounding alone can make: below it, what no longer falls is accepted
 };
 
-/// Starts from u (m), e.g. zero. Throws TissueFailed if a point fails in every increment, std::runtime_error
-/// if the law gives no tangents or Newton does not converge, and whatever settings.each_evaluation throws.
+/// No increment of the load led on.
+class NoStaticState : public std::runtime_error {
+ public:
+  NoStaticState(const std::string &sentence, double share_) : std::runtime_error(sentence), share(share_) {}
+  const double share;  ///< of the load, that is carried
+};
+
+/// Starts from u (m), e.g. zero. Throws NoStaticState, std::runtime_error if the law gives no tangents, and
+/// whatever the settings' functions throw.
 template <int dim>
 StaticAnswer<dim> static_equilibrium(TissueOperator<dim> &op, const std::vector<double> &start,
                                      const StaticSettings &settings = StaticSettings());

@@ -146,6 +146,32 @@ BOOST_AUTO_TEST_CASE(failures_are_answers_with_place_and_reason) {
   }
 }
 
+// Who throws a batch away as a whole does not wait for the rest of it, and hears of every call.
+BOOST_AUTO_TEST_CASE(the_first_failure_may_end_a_batch) {
+  const auto rve = std::make_shared<FakeRve<2>>();
+  rve->fails_above = 1.2;
+  Batch<2> batch(6);
+  batch.F[1][0][0] = batch.F[4][0][0] = 1.3;
+  RveLawSettings settings;
+  settings.first_failure_ends = true;
+  int told = 0;
+  settings.each_call = [&] { ++told; };
+  RveLaw<2> law(rve, settings);
+  law.set_points(batch.points);
+  LawAnswer<2> answer;
+  law.evaluate(batch.F, batch.F_dot, {}, answer);
+  BOOST_TEST(rve->calls == 2);
+  BOOST_TEST(told == 2);
+  BOOST_TEST_REQUIRE(answer.failed.size() == 1u);
+  BOOST_TEST(answer.failed[0].point == 1u);
+  BOOST_CHECK_THROW(law.commit(), std::logic_error);
+  batch.F[1][0][0] = batch.F[4][0][0] = 1.;
+  law.evaluate(batch.F, batch.F_dot, {}, answer);
+  BOOST_TEST(answer.failed.empty());
+  BOOST_TEST(told == 8);
+  law.commit();
+}
+
 // Answers that drag has helped to are counted by themselves, and so is what they leave out of balance.
 BOOST_AUTO_TEST_CASE(answers_under_drag_are_counted) {
   auto rve = std::make_shared<FakeRve<2>>();

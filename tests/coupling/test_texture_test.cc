@@ -187,6 +187,21 @@ BOOST_AUTO_TEST_CASE(where_all_breaks_at_once_the_energies_are_the_work) {
   BOOST_TEST(smooth[0] / smooth[1] > 1.8);  // walls begin to yield inside a step: no full order
 }
 
+// Where the tool lifts off nothing is loaded any more: what is out of balance is told against the forces that
+// were, not against the round-off that is left.
+BOOST_AUTO_TEST_CASE(a_tool_that_lifts_off_leaves_no_residual) {
+  StaticRunSettings s = pressed(ToolShape::cylinder);
+  s.tissue.tool.motion = ToolMotion::rebound;
+  s.tissue.tool.depth = 4e-5;
+  s.path.end = s.end_time(1.);
+  Disk disk;
+  const auto results = finish(disk, s);
+  const auto &steps = disk.series["steps"];
+  BOOST_TEST(steps.back()[3] < 1e-6 * results.at("peak_force"));
+  BOOST_TEST(results.at("peak_force") > 0.);
+  BOOST_TEST(results.at("residual_max") < 1e-8);
+}
+
 BOOST_AUTO_TEST_CASE(stop_and_resume_and_threads_give_the_same_bits) {
   const StaticRunSettings s = pressed(ToolShape::cylinder);
   Disk whole, parts, threads;
@@ -245,6 +260,16 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_is_refused_with_a_sentence) {
   BOOST_TEST(statics("") == "");
   BOOST_TEST(statics("subsection Loads\n set Tool = plate\nend\n") ==
              "A tool or a plate below the tissue needs 'Loads/Way = steps' (it is 'at_once').");
+  // what walls remember, one jump to the whole load would leave out; reversible ones remember nothing
+  BOOST_TEST(statics("subsection Wall\n set Yielding = plastic\nend\n") ==
+             "Walls that keep a stretch (Wall/Yielding = plastic) remember the way of the load and need "
+             "'Loads/Way = steps' (it is 'at_once').");
+  BOOST_TEST(statics("subsection Wall\n set Critical stretch = 1.05\nend\n") ==
+             "Walls that break (Wall/Critical stretch) remember the way of the load and need 'Loads/Way = "
+             "steps' (it is 'at_once').");
+  BOOST_TEST(statics("subsection Wall\n set Yielding = reversible\nend\n") == "");
+  BOOST_TEST(statics("subsection Wall\n set Yielding = plastic\n set Critical stretch = 1.05\nend\n"
+                     "subsection Loads\n set Way = steps\nend\n") == "");
   BOOST_TEST(
       statics("subsection Loads\n set Way = steps\n set Support = plate\nend\n").find("choose a Tool") !=
       std::string::npos);

@@ -132,4 +132,36 @@ BOOST_AUTO_TEST_CASE(what_no_arc_length_follows_is_refused) {
                std::string::npos);
 }
 
+// More than the tissue carries: it says so while it searches, and ends with what was carried.
+BOOST_AUTO_TEST_CASE(a_load_that_is_not_carried_is_told_early) {
+  const auto run = [](const std::string &load, std::map<std::string, std::string> &notes) {
+    TissueStatics scene;
+    InputEntries prm;
+    scene.declare_parameters(prm);
+    prm.read(
+        "subsection Tissue statics\n set Cells = 2\n set Load = " + load +
+        "\n set Elements = 1\n set Degree = 1\nend\n"
+        "subsection Cell\n set Nodes per side = 4\nend\nsubsection RVE\n set Most iterations = 30\nend\n");
+    scene.check();
+    Disk disk;
+    MemoryContext context(disk, false);
+    std::string why;
+    try {
+      scene.run(context);
+    } catch (const RunFailed &failed) {
+      why = failed.what();
+    }
+    notes = context.notes;
+    return why;
+  };
+  std::map<std::string, std::string> notes;
+  const std::string why = run("1e8", notes);
+  BOOST_TEST_MESSAGE(why << "\n" << notes["load_increments"]);
+  BOOST_TEST(why.find("No static state was found beyond ") == 0u);
+  BOOST_TEST(notes["load_increments"].find("A smaller Tissue statics/Load ends sooner.") !=
+             std::string::npos);
+  BOOST_TEST(run("1e4", notes) == "");
+  BOOST_TEST(!notes.contains("load_increments"));
+}
+
 BOOST_AUTO_TEST_SUITE_END()
