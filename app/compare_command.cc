@@ -169,6 +169,7 @@ void tell(const ErrorSplit &split, const double history) {
 int compare_command(const CompareOptions &options, const ScenarioRegistry &registry) {
   const Input tissue = load_input(options.file, options.overrides, registry);
   const Counterpart cells = counterpart_of(tissue, registry);
+  if (!cells.remark.empty()) std::cout << cells.remark << std::endl;
   const std::string stem = options.file.stem().string() + "_compared";
   const std::filesystem::path directory =
       options.directory.empty() ? std::filesystem::path("runs") / stem : options.directory;

@@ -4,8 +4,11 @@
 #include "run/number_text.h"
 #include "run/run_context.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 
 namespace turgor {
 namespace {
@@ -62,6 +65,12 @@ void refuse_what_cells_lack(const std::map<std::string, std::string> &values, co
   }
 }
 
+/// The entry that says how many rows the tissue has.
+std::string rows_from(const std::map<std::string, std::string> &values, const Scenes &scenes) {
+  const auto own = values.find("Tissue statics/Cells across");
+  return own != values.end() && own->second != "0" ? own->first : scenes.same.front().first;
+}
+
 bool divides(const int factor, const std::string &whole) {
   return std::fmod(read_number(whole).value_or(1.), factor) == 0.;
 }
@@ -85,6 +94,74 @@ void refuse_other_loads(const std::map<std::string, std::string> &values) {
 }
 
 std::string doubled(const std::string &whole) { return number_text(2. * read_number(whole).value_or(1.)); }
+
+/// The sentence with the names that entries have in the input of the tissue.
+std::string renamed(const std::string &sentence,
+                    const std::vector<std::pair<std::string, std::string>> &names) {
+  const auto joins = [&](const std::size_t place) {
+    return place < sentence.size() &&
+           (std::isalnum(static_cast<unsigned char>(sentence[place])) != 0 || sentence[place] == '/');
+  };
+  std::string text;
+  for (std::size_t at = 0; at < sentence.size();) {
+    const auto name = std::find_if(names.begin(), names.end(), [&](const auto &one) {
+      return sentence.compare(at, one.first.size(), one.first) == 0 && !joins(at + one.first.size()) &&
+             (at == 0 || !joins(at - 1));
+    });
+    text += name == names.end() ? sentence.substr(at, 1) : name->second;
+    at += name == names.end() ? 1 : name->first.size();
+  }
+  return text;
+}
+
+/// Asks the scene of all cells itself, before a file that nobody has written is refused.
+void require_possible(const Counterpart &cells, const ScenarioRegistry &registry,
+                      const std::vector<std::pair<std::string, std::string>> &names) {
+  const std::unique_ptr<Scenario> scene = registry.make(cells.scene);
+  InputEntries prm;
+  scene->declare_parameters(prm);
+  const auto refuse = [&](const std::string &why) {
+    throw InputError("The block of all cells (" + cells.scene + ") cannot be had: " + renamed(why, names));
+  };
+  try {
+    for (const auto &[path, value] : cells.entries) {
+      const std::size_t slash = path.find('/');
+      if (slash != std::string::npos) prm.enter_subsection(path.substr(0, slash));
+      prm.set(path.substr(slash + 1), value);
+      if (slash != std::string::npos) prm.leave_subsection();
+    }
+    scene->check();
+  } catch (const InputError &problem) {
+    refuse(problem.what());
+  } catch (const std::invalid_argument &problem) {
+    refuse(problem.what());
+  }
+}
+
+/// Pa. Below it the cells of a block at rest do not feel their load.
+void refuse_lost_loads(const std::map<std::string, std::string> &values, const std::string &entry) {
+  constexpr double least_share = 1e-7;
+  const double load = std::abs(read_number(values.at(entry)).value_or(0.)),
+               least = least_share * read_number(values.at("Cell/Turgor")).value_or(0.);
+  if (load < least)
+    throw InputError(entry + " is " + values.at(entry) +
+                     " Pa, which drowns in the round-off of all cells' forces: use at least " +
+                     number_text(least) +
+                     " Pa (a ten millionth of Cell/Turgor); what is compared is linear "
+                     "in small loads.");
+}
+
+/// What a block of all cells at rest is balanced to, so that it feels its load; "": what it is by itself.
+std::string tolerance_for(const std::map<std::string, std::string> &values, const std::string &entry,
+                          const InputEntries &of_cells) {
+  constexpr double share_of_load = 1e-6, least = 1e-13;
+  const double load = std::abs(read_number(values.at(entry)).value_or(0.)),
+               turgor = read_number(values.at("Cell/Turgor")).value_or(1.),
+               wanted = std::max(share_of_load * load / turgor, least);
+  for (const InputEntry &one : of_cells.entries())
+    if (one.path() == "Tolerance" && wanted < read_number(one.value).value_or(0.)) return number_text(wanted);
+  return "";
+}
 }  // namespace
 
 Counterpart counterpart_of(const Input &tissue, const ScenarioRegistry &registry) {
@@ -105,7 +182,7 @@ Counterpart counterpart_of(const Input &tissue, const ScenarioRegistry &registry
         "Structure/Rotation is " + number_text(turned) +
         " degrees, but the sides of a block of all cells are upright, and so is its tissue: compare "
         "with 0.");
-  Counterpart cells{scenes.cells, {}, sides == "free", scenes.moves, {}, {}};
+  Counterpart cells{scenes.cells, {}, sides == "free", scenes.moves, {}, {}, {}};
   const std::unique_ptr<Scenario> scene = registry.make(scenes.cells);
   InputEntries prm;
   scene->declare_parameters(prm);
@@ -117,9 +194,8 @@ Counterpart counterpart_of(const Input &tissue, const ScenarioRegistry &registry
     throw InputError(file.entry + ": the tissue of a file is not compared; use a Structure without one.");
   for (const auto &[from, to] : scenes.same) cells.entries.emplace_back(to, values.at(from));
   std::string rows = values.at(scenes.same.front().first);
-  if (const auto across = values.find("Tissue statics/Cells across");
-      across != values.end() && across->second != "0")
-    rows = across->second;
+  const std::string across = rows_from(values, scenes);
+  rows = values.at(across);
   // Nothing depends on y in a slab: one row, or the two that make a period.
   if (sides == "periodic" && scenes.moves) rows = structure == "hexagon" || structure == "brick" ? "2" : "1";
   cells.entries.emplace_back("Rows", rows);
@@ -131,6 +207,21 @@ Counterpart counterpart_of(const Input &tissue, const ScenarioRegistry &registry
     if (scenes.moves) cells.half.emplace_back("End time", halved(values.at("Time/End time")));
   }
   cells.entries.emplace_back("Surfaces", cells.has_sides ? "frozen" : "slab");
+  if (!scenes.moves) {
+    refuse_lost_loads(values, scenes.same[1].first);
+    if (const std::string finer = tolerance_for(values, scenes.same[1].first, prm); !finer.empty())
+      cells.entries.emplace_back("Tolerance", finer);
+  }
+  std::vector<std::pair<std::string, std::string>> names = {{"Rows", across}};
+  for (const auto &[from, to] : scenes.same) names.emplace_back(to, from);
+  require_possible(cells, registry, names);
+
+  if (const auto held = values.find("RVE/Boundary"); held != values.end() && held->second != "periodic")
+    cells.remark = "RVE/Boundary is " + held->second + ": such RVEs are windows cut out of the tissue, " +
+                   (held->second == "uniform_traction" ? "softer" : "stiffer") +
+                   " than it, the more so the fewer cells they have. The error of FE2 is that of its windows "
+                   "first of all; 'RVE size' is the part of it that twice as many cells a side take away. "
+                   "RVE/Boundary = periodic has no such error.";
 
   Counterpart::Entries finer;
   for (const std::string &entry : scenes.elements)

@@ -2,6 +2,7 @@
 
 #include "app/nearest_name.h"
 #include "run/number_advice.h"
+#include "run/number_text.h"
 #include "run/user_text.h"
 
 #include <algorithm>
@@ -158,9 +159,16 @@ std::string with_place(const std::string &sentence, const std::string &file,
                    [&](const auto &one) { return named.contains(one.first); }))
     for (const PrmSetting &setting : overrides)
       if (place_of(setting.name, rest, "_") != std::string::npos) named.insert(setting.path());
+  // A file is refused by what is in it: its own name tells which entry it came by.
+  for (const PrmSetting &setting : overrides)
+    if (setting.value.find('.') != std::string::npos && !read_number(setting.value) &&
+        sentence.find(setting.value) != std::string::npos)
+      named.insert(setting.path());
+  constexpr std::size_t few = 2;  // that are told where none is known to matter
   std::string in_command, everything;
+  if (set_last.size() > few) everything = " with " + number_text(set_last.size()) + " values by --set";
   for (const auto &[path, where] : set_last) {
-    everything += " with " + where;
+    if (set_last.size() <= few) everything += " with " + where;
     if (named.contains(path)) in_command += (in_command.empty() ? "" : " and ") + where;
   }
   std::vector<std::string> lines;

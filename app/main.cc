@@ -20,9 +20,11 @@
 #include <CLI/CLI.hpp>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <iostream>
 
 namespace {
@@ -78,6 +80,16 @@ int run_serial_or_on_ranks(RunOptions run, const bool ranks_given, const bool un
   const int code = run_command(run, registry, &mpi);
   if (joins) mpi.wait_for_all();  // at a code other than 0 mpirun kills those who are still saving
   return under_mpi && code == 130 ? 0 : code;  // see run_ranks
+}
+
+/// What was asked for may be the output alone, of which a full disk has taken nothing. A reader who has read
+/// enough is another matter.
+bool all_was_printed() {
+  const bool whole = std::cout.flush().good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  pollfd reader{STDOUT_FILENO, 0, 0};
+  if (whole || (::poll(&reader, 1, 0) > 0 && (reader.revents & POLLERR) != 0)) return true;
+  std::cerr << "turgor: the output could not be written whole: is its disk full?" << std::endl;
+  return false;
 }
 
 /// What stands on the command line.
@@ -273,7 +285,9 @@ int main(int argc, char **argv) {
   remember_command(argc, argv);
   install_stop_handler();  // before all else: a wish to stop must not find its default action, death
   try {
-    return dispatch(argc, argv);
+    const int code = dispatch(argc, argv);
+    const bool is_run = argc > 1 && std::string(argv[1]) == "run";  // whose results are files
+    return code == 0 && !is_run && !all_was_printed() ? 1 : code;
   } catch (const turgor::InputError &problem) {
     if (*problem.what() != '\0')  // see require_alone
       std::cerr << "turgor: " << problem.what() << std::endl;

@@ -68,13 +68,39 @@ class Compare(unittest.TestCase):
                     ("tissue_statics.prm", ["--set", "Loads/Direction=1,0"],
                      "Loads/Direction is 1,0, but a block of all cells is loaded by a body force downwards, all of it at once: compare with "
                      "0, -1."),
-                    ("tissue_statics.prm", ["--set", "Wall/Yielding=plastic"],
+                    ("tissue_statics.prm", ["--set", "Tissue statics/Load=-1e-3"],
+                     "Tissue statics/Load is -1e-3 Pa, which drowns in the round-off of all cells' forces: use at least 0.02 Pa (a ten "
+                     "millionth of Cell/Turgor); what is compared is linear in small loads."),
+                    ("tissue_statics.prm", ["--set", "Tissue statics/Cells=3", "--set", "Structure/Structure=brick"],
+                     "The block of all cells (static_lattice) cannot be had: Tissue statics/Cells is 3, but rows of Structure/Structure = "
+                     "brick are moved by half a cell, so that a block has an even number of them: use 4."),
+                    ("tissue_statics.prm", ["--set", "Structure/Structure=hexagon", "--set", "Structure/Gap=1e-5"],
+                     "The block of all cells (static_lattice) cannot be had: Structure/Gap is 1e-05 m, but the tissue of a clamped block is "
+                     "dense: use 0."),
+                    ("tissue_statics.prm", ["--set", "Loads/Way=steps", "--set", "Wall/Yielding=plastic"],
                      "Wall/Yielding is plastic, but the scene of all cells (static_lattice) has walls that neither yield nor break: compare "
                      "with none, or 0.")):
                 refused = compare(os.path.join(SOURCE, "inputs", file), "-o", os.path.join(directory, "out"), *words)
                 self.assertEqual(refused.returncode, 2, refused.stdout)
                 self.assertEqual(refused.stderr.strip(), "turgor: " + sentence)
             self.assertEqual(os.listdir(directory), [])
+
+    def test_a_small_load_is_felt_and_windows_are_told_of(self):
+        with tempfile.TemporaryDirectory() as directory:
+            out = os.path.join(directory, "out")
+            small = [*SMALL[:2], "--set", "Tissue statics/Cells=4", "--set", "Tissue statics/Elements=2", "--set", "Cell/Nodes per side=4"][2:]
+            told = {}
+            for load in ("0.02", "2"):
+                done = compare(STATICS, "-o", out, *small, "--set", "Tissue statics/Load=" + load)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertNotIn("RVE/Boundary", done.stdout)
+                with open(os.path.join(out, "split.csv"), newline="", encoding="utf-8") as file:
+                    told[load] = {row["what"]: float(row["tip [%]"] or "nan") for row in csv.DictReader(file)}
+            for part in ("error of FE2", "mesh", "number of cells"):  # all is linear in such loads
+                self.assertAlmostEqual(told["0.02"][part], told["2"][part], delta=1e-2)
+            listed = compare(STATICS, "-o", out, "--list", *small, "--set", "RVE/Boundary=uniform_traction")
+            self.assertEqual(listed.returncode, 0, listed.stderr)
+            self.assertIn("RVE/Boundary is uniform_traction: such RVEs are windows cut out of the tissue, softer than it", listed.stdout)
 
     def test_a_swing_is_listed(self):
         with tempfile.TemporaryDirectory() as directory:

@@ -188,15 +188,20 @@ BOOST_AUTO_TEST_CASE(of_overrides_those_named_without_their_section_are_told) {
   const auto place = [&](const std::string &sentence) {
     return with_place(sentence, "in.prm", {}, overrides, prm.entries());
   };
+  const std::vector<PrmSetting> few(overrides.begin(), overrides.begin() + 2);
+  BOOST_TEST(with_place("Rates do not go together.", "in.prm", {}, few, prm.entries()) ==
+             "in.prm with --set 'Law/Rate=9' with --set 'Steps=3': Rates do not go together.");
+  // A file tells which entry named it.
+  PrmSetting file = parse_override("Mode=decay");
+  file.value = "ball.stl";
+  BOOST_TEST(with_place("/data/ball.stl:3: no number.", "in.prm", {}, {overrides[0], overrides[1], file},
+                        prm.entries()) == "--set 'Mode=decay': /data/ball.stl:3: no number.");
   for (const char *sentence :
        {"Law/Weights are 0.5, but allowed is 2 t0/Rate (1).", "weights are not those of Rate.",
         "Law/Rate is 9; Steps_of and Modes are not it."})
     BOOST_TEST(place(sentence) == std::string("--set 'Law/Rate=9': ") + sentence);
   BOOST_TEST(
-      place("Rates do not go together.")
-          .starts_with(
-              "in.prm with --set 'Law/Rate=9' with --set 'Mode=decay' with --set 'Steps=3': "));  // nobody
-                                                                                                  // knows
+      place("Rates do not go together.").starts_with("in.prm with 3 values by --set: "));  // nobody knows
 }
 
 BOOST_AUTO_TEST_CASE(numbers_in_another_notation_are_told_how_to_write_them) {

@@ -54,6 +54,17 @@ class Product(unittest.TestCase):
         for name in tables:
             self.assertEqual(content(self.directory, one, name), content(self.directory, other, name), name)
 
+    def test_output_that_a_full_disk_does_not_take_is_no_success(self):
+        for command in (["list"], ["parameters", "two_cells"], ["check", os.path.join(SOURCE, "inputs", "two_cells.prm")], ["--help"]):
+            with open("/dev/full", "w", encoding="utf-8") as full:
+                done = subprocess.run(self.command(*command), stdout=full, stderr=subprocess.PIPE, text=True, timeout=60)
+            self.assertEqual(done.returncode, 1, command)
+            self.assertEqual(done.stderr, "turgor: the output could not be written whole: is its disk full?\n")
+        # A reader who has read enough is no mistake.
+        done = subprocess.run(["bash", "-c", 'set -o pipefail; "$0" parameters spheroid_free | head -1 > /dev/null', PROGRAM],
+                              capture_output=True, text=True, timeout=60)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
     def test_same_bits_on_threads_and_ranks(self):
         self.run_program("run", *FE2, "-o", "one", "--threads", "1")
         self.run_program("run", *FE2, "-o", "two", "--threads", "2")
