@@ -74,7 +74,8 @@ std::vector<OutputDefinition> cost_results() {
        "stable state."},
       {"newton_iterations", "", "Number of Newton iterations of the tissue, rejected increments included."},
       {"residual_max", "1",
-       "Largest norm of the unbalanced nodal forces of an accepted step over that of all nodal forces."},
+       "Largest norm of the unbalanced nodal forces of an accepted step over the largest of all nodal forces "
+       "so far."},
       {"rve_points", "", "Number of quadrature points, each with an RVE of its own."},
       {"rve_calls", "", "Number of evaluations of an RVE."},
       {"rve_calls_failed", "", "Number of evaluations of an RVE that gave no stress."},
