@@ -91,16 +91,17 @@ BOOST_AUTO_TEST_CASE(adhesion_that_drowns_in_round_off_is_refused) {
        {"", "set Law = extended_hertz\n", "set Modulus = 1e12\n", "set Radius = 1e-3\nset Accuracy = 1e-9\n",
         "set Radius = 1e-9\nset Modulus = 1e-3\n"}) {
     std::string least;
+    const auto names_it = [&](const InputError &e) {
+      const std::string text = e.what();
+      const std::string before = "Use at least ";
+      const std::size_t at = text.find(before);
+      if (at == std::string::npos) return false;
+      least = text.substr(at + before.size());
+      least = least.substr(0, least.find(','));
+      return text.find("Adhesion is ") == 0;
+    };
     for (const std::string none : {"5e-324", "1e-100", "1e-25"})
-      BOOST_CHECK_EXCEPTION(result(cells + "set Adhesion = " + none, "pull_off"), InputError,
-                            [&](const InputError &e) {
-                              const std::string text = e.what(), before = "Use at least ";
-                              const std::size_t at = text.find(before);
-                              if (at == std::string::npos) return false;
-                              least = text.substr(at + before.size());
-                              least = least.substr(0, least.find(','));
-                              return text.find("Adhesion is ") == 0;
-                            });
+      BOOST_CHECK_EXCEPTION(result(cells + "set Adhesion = " + none, "pull_off"), InputError, names_it);
     const double error = result(cells + "set Adhesion = " + least, "pull_off_error");
     BOOST_TEST_MESSAGE(cells << "least adhesion " << least << ": error " << error);
     BOOST_CHECK_SMALL(error, 1e-6);
