@@ -100,6 +100,7 @@ class LoadPath {
   /// Norm of what is out of balance in the last state, over the largest forces so far: where a tool has just
   /// lifted off, those of the moment are round-off.
   double residual() const { return left_over; }
+  const std::vector<double> &residuals() const { return newton.residuals(); }  ///< of the last search
   const dealii::Tensor<1, dim> &held() const { return holding; }  ///< N, of the clamp on the tissue
   double dead_share(double time) const { return time / settings.end; }
   const LinearStatistics &linear_statistics() const { return balance.statistics(); }
