@@ -10,7 +10,7 @@ using test::run;
 namespace {
 std::string spheroid(const std::string &medium, const std::string &between, const std::string &method) {
   return "set First cells = 6\nset First phases = spread\nset End time = 600\nset Frames = 0\nset Samples = "
-         "1\n"
+         "10\n"
          "set Checkpoints = 0\nsubsection Motion\n set Method = " +
          method + "\nend\nsubsection Contact\n set Medium friction = " + medium +
          "\n set Normal friction = " + between + "\n set Tangential friction = " + between + "\nend\n";
