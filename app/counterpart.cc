@@ -182,7 +182,7 @@ Counterpart counterpart_of(const Input &tissue, const ScenarioRegistry &registry
         "Structure/Rotation is " + number_text(turned) +
         " degrees, but the sides of a block of all cells are upright, and so is its tissue: compare "
         "with 0.");
-  Counterpart cells{scenes.cells, {}, sides == "free", scenes.moves, {}, {}, {}};
+  Counterpart cells{scenes.cells, {}, sides == "free", scenes.moves, {}, {}};
   const std::unique_ptr<Scenario> scene = registry.make(scenes.cells);
   InputEntries prm;
   scene->declare_parameters(prm);

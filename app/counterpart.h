@@ -26,10 +26,10 @@ struct Counterpart {
   /// Half as many cells along either side, half as long: what goes with 1/n is told by it. Empty where the
   /// number cannot be halved.
   Entries half;
-  std::string remark;  ///< on what the error is first of all; empty: nothing
   /// Each with what it is called: changes of the input of finite elements, one at a time, each of which
   /// should change nothing.
   std::vector<std::pair<std::string, Entries>> refinements;
+  std::string remark = {};  ///< on what the error is first of all; empty: nothing
 };
 
 /// Throws InputError with a sentence where there is no such scene, or it cannot have what the input asks for.
