@@ -29,8 +29,10 @@ std::string why(const std::string &text) {
 std::string number_after(const std::string &text, const std::string &words) {
   const std::size_t at = text.find(words);
   BOOST_REQUIRE_MESSAGE(at != std::string::npos, text);
-  const std::string rest = text.substr(at + words.size());
-  return rest.substr(0, rest.find_first_of(", "));
+  std::string number = text.substr(at + words.size());
+  number = number.substr(0, number.find_first_of(", "));
+  if (number.ends_with('.')) number.pop_back();
+  return number;
 }
 }  // namespace
 
