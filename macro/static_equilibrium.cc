@@ -44,7 +44,7 @@ StaticAnswer<dim> static_equilibrium(TissueOperator<dim> &op, const std::vector<
               " % of the forces stayed out of balance after " + number_text(answer.residuals.size() - 1) +
               " iterations.";
       throw NoStaticState("No static state was found beyond " + number_text(100. * part, 4) +
-                              " % of the load, with increments down to " + number_text(100. * increment, 2) +
+                              " % of the load, with increments down to " + number_text(200. * increment, 2) +
                               " % of it: " + why,
                           part);
     }
