@@ -69,7 +69,7 @@ class Compare(unittest.TestCase):
                      "Loads/Direction is 1,0, but a block of all cells is loaded by a body force downwards, all of it at once: compare with "
                      "0, -1."),
                     ("tissue_statics.prm", ["--set", "Tissue statics/Load=-1e-3"],
-                     "Tissue statics/Load is -1e-3 Pa, which drowns in the round-off of all cells' forces: use at least 0.02 Pa (a ten "
+                     "Tissue statics/Load is -0.001 Pa, which drowns in the round-off of all cells' forces: use at least 0.02 Pa (a ten "
                      "millionth of Cell/Turgor); what is compared is linear in small loads."),
                     ("tissue_statics.prm", ["--set", "Tissue statics/Cells=3", "--set", "Structure/Structure=brick"],
                      "The block of all cells (static_lattice) cannot be had: Tissue statics/Cells is 3, but rows of Structure/Structure = "
