@@ -31,7 +31,7 @@ void TriangleMesh::complete() {
       const std::uint16_t a = faces[f][k], b = faces[f][(k + 1) % 3];
       const auto other = half.find({b, a});
       if (other == half.end())
-        throw std::invalid_argument("the surface is open at the edge from node " + number_text(a) +
+        throw std::invalid_argument("the triangles are not closed at the edge from node " + number_text(a) +
                                     " to node " + number_text(b) +
                                     " (counted from 0), which has one triangle: a closed surface has two at "
                                     "every edge. Close the hole, or join nodes that lie on each other.");

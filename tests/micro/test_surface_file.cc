@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(the_same_cube_in_every_format) {
 BOOST_AUTO_TEST_CASE(what_is_no_body_is_refused) {
   const Files files;
   files.refused("open.off", replaced(replaced(off(), "8 12 0", "8 11 0"), "3 3 7 5\n", ""),
-                "the surface is open at the edge from node 5 to node 7 (counted from 0)");
+                "the triangles are not closed at the edge from node 5 to node 7 (counted from 0)");
   files.refused("turned.off", replaced(off(), "3 3 7 5", "3 3 5 7"),
                 "one of them is turned over or there twice.");
   files.refused("inwards.off", off([](const int k) { return Vector<3>(-node(k)); }), "counter-clockwise");
