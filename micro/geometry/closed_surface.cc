@@ -32,7 +32,7 @@ void require_fans(const TriangleMesh &mesh, const std::string &what) {
     } while (edge != first_edge[node] && reached <= faces_at[node]);
     if (reached != faces_at[node])
       throw std::invalid_argument("two sheets of " + what + " meet at node " + number_text(node) +
-                                  " (counted from 0) alone: give each a node of its own there.");
+                                  " alone (counted from 0): give each a node of its own there.");
   }
 }
 }  // namespace

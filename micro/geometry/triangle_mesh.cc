@@ -20,7 +20,8 @@ void TriangleMesh::complete() {
       nodes = std::max(nodes, std::uint32_t(a) + 1);
       if (!half.insert({{a, b}, {f, c}}).second)
         throw std::invalid_argument(
-            "two triangles go along the edge from node " + number_text(a) + " to node " + number_text(b) +
+            "the triangles do not form an oriented surface: two go along the edge from node " +
+            number_text(a) + " to node " + number_text(b) +
             " (counted from 0) the same way: one of them is turned over or there twice. "
             "All have to be counter-clockwise seen from outside.");
     }
