@@ -68,6 +68,8 @@ SCENES = {
     "spreading": {"Cell/Frequency": (2, 4), "End time": (1, 1e4)},
     "capsule_compression": {"Cell/Frequency": (2, 4), "Cells": (2, 5), "Last radius": (15e-6, 19e-6), "Compression time": (10, 600), "Hold time": (0, 60)},
     "cell_between_plates": {"Cell/Frequency": (2, 5), "Compression time": (5, 60), "Hold time": (0, 20), "Plate distance": (12e-6, 20e-6)},
+    "poiseuille": {"Particles across": (4, 8), "Particles along": (4, 6), "End time": 1e-4, "Packing/Settling steps": (0, 20)},
+    "couette": {"Particles across": (4, 8), "Particles along": (4, 6), "End time": 1e-4, "Packing/Settling steps": (0, 20)},
     "optical_stretcher": {"Cell/Frequency": (2, 4), "Powers": [1.1, 0.3]},
     "network_shear": {"Pore sizes": "2e-6", "Side": 2e-5, "Stiffnesses": [1e-3, 10.0], "Kept bonds": [1.0, 0.9], "Seeds": (1, 2), "Steps": (1, 5)},
     "tissue_bruise": {"Impact/Depth": 1e-5, "Tissue/Elements x": (1, 3), "Tissue/Elements y": (2, 3), "Tissue/Degree": 1},

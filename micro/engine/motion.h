@@ -17,6 +17,9 @@ class Motion {
  public:
   virtual ~Motion() = default;
 
+  /// A step begins: v holds the velocities of the one before it, whatever is tried from here on.
+  virtual void begin_step(const Particles<dim> &) {}
+
   /// f = all forces at the present positions. trial: positions that may be taken back; nothing that has a
   /// history follows them. May throw StepTooLong.
   virtual void forces(Particles<dim> &particles, bool trial) = 0;

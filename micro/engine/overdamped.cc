@@ -195,6 +195,7 @@ double Overdamped<dim>::step(Particles<dim> &particles, const double limit) {
   const double allowed = parameters.tolerance * motion.length(particles);
   const bool heun = parameters.method == OverdampedMethod::heun,
              implicit = parameters.method == OverdampedMethod::implicit;
+  motion.begin_step(particles);
   bodies = motion.moved_bodies();
   const auto keep_bodies = [&] {
     for (MovedBodies<dim> *body : bodies) body->keep();

@@ -9,6 +9,15 @@ namespace turgor {
 namespace {
 /// So little is done to a particle here that a few thousand are worth no second thread.
 Chunks particles_of(const std::size_t n) { return Chunks(n, 4096); }
+
+template <int dim>
+void take_mean_out(typename Particles<dim>::Components &values) {
+  for (auto &component : values) {
+    double sum = 0.;
+    for (const double one : component) sum += one;
+    for (double &one : component) one -= sum / double(component.size());
+  }
+}
 }  // namespace
 
 template <int dim>
@@ -43,13 +52,27 @@ void SystemMotion<dim>::solve_with_bodies(Particles<dim> &particles,
 }
 
 template <int dim>
+void SystemMotion<dim>::begin_step(const Particles<dim> &particles) {
+  if (!inertia.empty()) started = particles.v;
+}
+
+template <int dim>
 void SystemMotion<dim>::velocities(Particles<dim> &particles, const double h) {
   all = {};
   if (const auto bodies = moved_bodies(); !bodies.empty()) return solve_with_bodies(particles, bodies, h);
+  if (remove_mean) take_mean_out<dim>(particles.f);
   matrix.clear(medium);
+  if (!inertia.empty()) {
+    if (!(h > 0.)) throw std::logic_error("inertia needs implicit steps");
+    for (std::size_t i = 0; i < inertia.size(); ++i) {
+      matrix.medium[i] += inertia[i] / h;
+      for (int d = 0; d < dim; ++d) particles.f[d][i] += inertia[i] / h * started[d][i];
+    }
+  }
   system.collect(matrix, h);
   if (correct_clusters) matrix.template correct_clusters<dim>(particles.x);
   matrix.template solve<dim>(particles.f, particles.v, system.threads);
+  if (remove_mean) take_mean_out<dim>(particles.v);
 }
 
 template <int dim>

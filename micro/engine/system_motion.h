@@ -24,8 +24,15 @@ class SystemMotion final : public Motion<dim> {
   bool correct_clusters = false;  ///< clusters' net force and torque exactly (motion_matrix.h), where the
                                   ///< medium is much weaker than the links; not beside moved bodies
   double own_length = 0.;         ///< m, of length(); 0: the mean of the field `radius`
+  /// kg, of each particle: m dv/dt is linearly implicit as well, (m/h + Gamma + h K) v = F + m v_before/h.
+  /// Steps of Overdamped's implicit method alone. Empty: no inertia.
+  std::vector<double> inertia;
+  /// Nothing holds all particles in place (a periodic box without walls): the mean force is taken out, and
+  /// the mean velocity is that of none.
+  bool remove_mean = false;
 
   // particles: always those of the system
+  void begin_step(const Particles<dim> &particles) override;
   void forces(Particles<dim> &particles, bool trial) override;
   void velocities(Particles<dim> &particles, double h) override;
   void accept(Particles<dim> &particles) override;
@@ -54,9 +61,10 @@ class SystemMotion final : public Motion<dim> {
   ParticleSystem<dim> &system;
   WithBodies all;  ///< empty where there are none
   MotionMatrix matrix;
-  MotionMatrix friction;            ///< without h K, where a step checks its energy
-  double dissipated = 0.;           ///< W
-  bool friction_collected = false;  ///< at the positions of the last forces()
+  MotionMatrix friction;                        ///< without h K, where a step checks its energy
+  double dissipated = 0.;                       ///< W
+  bool friction_collected = false;              ///< at the positions of the last forces()
+  typename Particles<dim>::Components started;  ///< m/s, velocities at the start of the step; with inertia
 };
 
 extern template class SystemMotion<2>;

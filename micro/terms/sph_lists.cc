@@ -9,8 +9,9 @@
 
 namespace turgor {
 template <int dim>
-void FluidNeighbours::build(const ListOrigin<dim> &origin, const std::uint32_t nw, const double reach) {
-  const std::uint32_t n = std::uint32_t(origin.size()) - nw;
+void FluidNeighbours::build(const ListOrigin<dim> &origin, const std::uint32_t nw, const double reach,
+                            const std::uint32_t ghosts) {
+  const std::uint32_t n = std::uint32_t(origin.size()) - nw, listed = n - ghosts;
   const double reach2 = reach * reach;
   const double *x[dim];
   double lo[dim], hi[dim];
@@ -40,11 +41,11 @@ void FluidNeighbours::build(const ListOrigin<dim> &origin, const std::uint32_t n
     place[order[k]] = k;
   }
   const auto limit = [reach2](std::uint32_t) { return FourNumbers{reach2, reach2, reach2, reach2}; };
-  first_neighbour.resize(n + 1);
+  first_neighbour.resize(listed + 1);
   first_neighbour[0] = 0;
   std::size_t size = 0;
   typename Bins<dim>::Runs near_by;
-  for (std::uint32_t i = 0; i < n; ++i) {
+  for (std::uint32_t i = 0; i < listed; ++i) {
     double at[dim];
     for (int d = 0; d < dim; ++d) at[d] = x[d][i];
     const std::uint32_t runs = bins.near_runs(at, reach, near_by), own = place[i];
@@ -71,6 +72,6 @@ void FluidNeighbours::clear(const std::uint32_t particles) {
   first_neighbour.assign(particles + 1, 0);
 }
 
-template void FluidNeighbours::build<2>(const ListOrigin<2> &, std::uint32_t, double);
-template void FluidNeighbours::build<3>(const ListOrigin<3> &, std::uint32_t, double);
+template void FluidNeighbours::build<2>(const ListOrigin<2> &, std::uint32_t, double, std::uint32_t);
+template void FluidNeighbours::build<3>(const ListOrigin<3> &, std::uint32_t, double, std::uint32_t);
 }  // namespace turgor

@@ -66,9 +66,10 @@ struct FluidNeighbours {
   std::vector<std::uint16_t> neighbours;       ///< fluid indices, padded with the number of fluid particles
   std::vector<std::uint32_t> first_neighbour;  ///< offsets, one more than fluid particles
 
-  /// Particles i = wall_count ... of origin; reach in m.
+  /// Particles i = wall_count ... of origin; reach in m. The last `ghosts` of them are images that are
+  /// neighbours and have none.
   template <int dim>
-  void build(const ListOrigin<dim> &origin, std::uint32_t wall_count, double reach);
+  void build(const ListOrigin<dim> &origin, std::uint32_t wall_count, double reach, std::uint32_t ghosts = 0);
   void clear(std::uint32_t particles);
   std::size_t memory_bytes() const { return neighbours.capacity() * 2 + first_neighbour.capacity() * 4; }
 };

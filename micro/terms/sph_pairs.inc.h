@@ -18,14 +18,21 @@ inline double sum_of(const std::uint32_t n, const Value &value) {
   return ((parts[0] + parts[4]) + (parts[1] + parts[5])) + ((parts[2] + parts[6]) + (parts[3] + parts[7]));
 }
 
-/// Positions, a row a particle, and the row that pads the lists: out of reach.
+/// The row that pads the lists.
+template <int dim>
+inline std::uint32_t padding_row(const CellView<dim> &c) {
+  return c.n + c.ghosts;
+}
+
+/// Positions, a row a particle or image, and the row that pads the lists: out of reach.
 template <int dim>
 void fill_rows(CellView<dim> &c) {
-  for (std::uint32_t i = 0; i < c.n; ++i) {
+  const std::uint32_t all = padding_row(c);
+  for (std::uint32_t i = 0; i < all; ++i) {
     double *row = c.rows + std::size_t(i) * row_doubles;
     for (int d = 0; d < dim; ++d) row[d] = c.x[d][i];
   }
-  double *dummy = c.rows + std::size_t(c.n) * row_doubles;
+  double *dummy = c.rows + std::size_t(all) * row_doubles;
   for (unsigned int k = 0; k < row_doubles; ++k) dummy[k] = k < dim ? c.x[k][0] + 1e3 * c.support : 0.;
 }
 
@@ -58,7 +65,8 @@ void sum_kernels(CellView<dim> &c) {
     V xi[dim];
     for (int d = 0; d < dim; ++d) xi[d] = splat(row[d]);
     V acc = splat(0.);
-    const std::uint32_t next = c.first_neighbour[i + 1], end = list_end(c.neighbours, k, next, c.n);
+    const std::uint32_t next = c.first_neighbour[i + 1],
+                        end = list_end(c.neighbours, k, next, padding_row(c));
     for (; k < end; k += W) {
       V r[4];
       if constexpr (dim == 2)
@@ -132,6 +140,9 @@ void apply_law(CellView<dim> &c) {
     row[Column<dim>::a] = volume * p * scale * ir * ig;
     c.push[i] *= volume * p * ig;
   }
+  for (std::uint32_t g = 0; g < c.ghosts; ++g)
+    c.rows[std::size_t(c.n + g) * row_doubles + Column<dim>::a] =
+        c.rows[std::size_t(c.ghost_of[g]) * row_doubles + Column<dim>::a];
 }
 
 template <int dim, bool fourth_order>
@@ -151,7 +162,8 @@ void force(CellView<dim> &c) {
       total[d] = splat(0.);
     }
     const V ai = splat(row[Is::a]);
-    const std::uint32_t next = c.first_neighbour[i + 1], end = list_end(c.neighbours, k, next, c.n);
+    const std::uint32_t next = c.first_neighbour[i + 1],
+                        end = list_end(c.neighbours, k, next, padding_row(c));
     for (; k < end; k += W) {
       V j[row_doubles];
       load_half_rows<row_doubles>(c.rows, c.neighbours + k, j);

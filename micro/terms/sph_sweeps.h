@@ -62,15 +62,18 @@ struct CellBase {
   std::uint32_t n = 0, n_wall = 0;
   const double *x[dim]{}, *v[dim]{};  ///< fluid positions (m) and velocities (m/s); v: of viscosity() alone
   double *f[dim]{};                   ///< fluid forces (N), accumulated
-  double *rho = nullptr;              ///< out, kg/m^3
-  double *gamma = nullptr;            ///< out
-  double *pressure = nullptr;         ///< out, Pa
+  // A periodic fluid (not viscosity()): images of particles stand behind the n in x and in the lists.
+  std::uint32_t ghosts = 0;
+  const std::uint32_t *ghost_of = nullptr;  ///< whose image each is
+  double *rho = nullptr;                    ///< out, kg/m^3
+  double *gamma = nullptr;                  ///< out
+  double *pressure = nullptr;               ///< out, Pa
   double *push = nullptr;  ///< n scratch: V (p_i - p_mean + s p_0) / gamma, signed as d gamma is, J
-  const std::uint16_t *neighbours = nullptr;       ///< local fluid indices, padded with n
+  const std::uint16_t *neighbours = nullptr;       ///< local fluid indices, padded with n + ghosts
   const std::uint32_t *first_neighbour = nullptr;  ///< n + 1 offsets
-  double *rows = nullptr;                          ///< (n + 1) * row_doubles, 64-byte aligned scratch
-  double support = 0.;                             ///< m
-  double mass = 0.;                                ///< kg, of one fluid particle
+  double *rows = nullptr;          ///< (n + ghosts + 1) * row_doubles, 64-byte aligned scratch
+  double support = 0.;             ///< m
+  double mass = 0.;                ///< kg, of one fluid particle
   double depth = 1.;               ///< m, slab depth: in 2D W is per area, rho per volume; 1 in 3D
   double viscosity = 0.;           ///< Pa s; of viscosity() alone, as the next three
   double particle_volume = 0.;     ///< m^3, the same for all
@@ -117,6 +120,10 @@ struct Doubt {
   std::uint32_t particle = 0, face = 0;
 };
 
+/// 2D: two points of a face that a particle sees, each as its place from the face's own node (0) to the next
+/// (1) and its weight over mu V (sph_viscous_edges.inc.h).
+constexpr unsigned int ray_doubles = 4;
+
 template <int dim>
 struct CellView;
 
@@ -132,6 +139,7 @@ struct CellView<2> : CellBase<2> {
       nullptr;  ///< 4 list_padding * (chunks of list_padding faces that all particles see), 64-byte aligned
   double *arc_ends = nullptr;    ///< 5 * arc_stride scratch
   std::uint32_t arc_stride = 0;  ///< number of arcs, rounded up to list_padding
+  double *ray_points = nullptr;  ///< out, of rays() alone: ray_doubles for each face of the arcs in order
 };
 
 template <>
@@ -167,6 +175,8 @@ struct Sweeps {
   /// Adds Newton's viscosity by the particles' velocity gradients (sph_viscosity.inc.h), of fluid and wall.
   /// After the others: it overwrites the wall's scratch.
   void (*viscosity)(CellView<dim> &) = nullptr;
+  /// 2D: the points of the wall by which viscosity() sees it, for those who multiply by themselves.
+  void (*rays)(CellView<dim> &) = nullptr;
   const char *name = "";  ///< its word in TURGOR_SIMD
 };
 

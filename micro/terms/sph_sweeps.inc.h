@@ -29,5 +29,13 @@ template <int dim>
 void force_any(CellView<dim> &c) {
   c.fourth_order ? force<dim, true>(c) : force<dim, false>(c);
 }
+
+template <int dim>
+constexpr auto rays_of() -> void (*)(CellView<dim> &) {
+  if constexpr (dim == 2)
+    return &wall_rays;
+  else
+    return nullptr;
+}
 }  // namespace
 }  // namespace turgor::sph

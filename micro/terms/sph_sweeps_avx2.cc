@@ -4,7 +4,8 @@
 namespace turgor::sph {
 template <int dim>
 const Sweeps<dim> &sweeps_avx2() {
-  static const Sweeps<dim> chosen{&density_any<dim>, &force_any<dim>, &viscosity<dim>, "avx2"};
+  static const Sweeps<dim> chosen{&density_any<dim>, &force_any<dim>, &viscosity<dim>, rays_of<dim>(),
+                                  "avx2"};
   return chosen;
 }
 

@@ -4,7 +4,8 @@
 namespace turgor::sph {
 template <int dim>
 const Sweeps<dim> &sweeps_avx512() {
-  static const Sweeps<dim> chosen{&density_any<dim>, &force_any<dim>, &viscosity<dim>, "avx512"};
+  static const Sweeps<dim> chosen{&density_any<dim>, &force_any<dim>, &viscosity<dim>, rays_of<dim>(),
+                                  "avx512"};
   return chosen;
 }
 

@@ -5,7 +5,8 @@
 namespace turgor::sph {
 template <int dim>
 const Sweeps<dim> &sweeps_portable() {
-  static const Sweeps<dim> chosen{&density_any<dim>, &force_any<dim>, &viscosity<dim>, "portable"};
+  static const Sweeps<dim> chosen{&density_any<dim>, &force_any<dim>, &viscosity<dim>, rays_of<dim>(),
+                                  "portable"};
   return chosen;
 }
 

@@ -25,7 +25,9 @@ struct Rays {
   V own, both, next;
 };
 
-inline Rays rays_to_face(const CellView<2> &c, const V a[2], const V b[2], const V live) {
+/// Its two points: where they are, from a to b, and their weights.
+inline void points_of_face(const CellView<2> &c, const V a[2], const V b[2], const V live, V place[2],
+                           V weight[2]) {
   const double R = c.support;
   const V zero = splat(0.), one = splat(1.), iR = splat(1. / R), tiny = splat(1e-24 * R * R);
   const V ex = b[0] - a[0], ey = b[1] - a[1], cross = a[0] * b[1] - a[1] * b[0],
@@ -36,19 +38,48 @@ inline Rays rays_to_face(const CellView<2> &c, const V a[2], const V b[2], const
   // 140/(pi R^2) for half of the angle
   const V scale = live * splat(140. / (pi * R * R)) * angle(cross, a[0] * b[0] + a[1] * b[1]) *
                   lesser(one, positive(z) * splat(1. / (viscous_reach * R)));
-  const V place[2] = {middle * la * reciprocal(la + lm),
-                      middle + (one - middle) * lm * reciprocal(lm + lb)};  // from a to b
-  Rays rays{zero, zero, zero};
-  for (const V t : place) {
-    const V rx = a[0] + t * ex, ry = a[1] + t * ey, u = root(rx * rx + ry * ry + tiny) * iR,
+  place[0] = middle * la * reciprocal(la + lm);
+  place[1] = middle + (one - middle) * lm * reciprocal(lm + lb);
+  for (int q = 0; q < 2; ++q) {
+    const V t = place[q], rx = a[0] + t * ex, ry = a[1] + t * ey, u = root(rx * rx + ry * ry + tiny) * iR,
             v = positive(one - u), v2 = v * v;
     const V profile = v2 * v2 * (splat(1. / 4.) - v * (splat(2. / 5.) - v * splat(1. / 6.)));
-    const V weight = select_less(zero, z, scale * profile * reciprocal(u), zero), to_b = weight * t;
+    weight[q] = select_less(zero, z, scale * profile * reciprocal(u), zero);
+  }
+}
+
+inline Rays rays_to_face(const CellView<2> &c, const V a[2], const V b[2], const V live) {
+  V place[2], weight[2];
+  points_of_face(c, a, b, live, place, weight);
+  Rays rays{splat(0.), splat(0.), splat(0.)};
+  for (int q = 0; q < 2; ++q) {
+    const V t = place[q], to_b = weight[q] * t;
     rays.next += to_b * t;
     rays.both += to_b - to_b * t;
-    rays.own += weight - to_b - (to_b - to_b * t);
+    rays.own += weight[q] - to_b - (to_b - to_b * t);
   }
   return rays;
+}
+
+/// The points for those who multiply by themselves.
+void wall_rays(CellView<2> &c) {
+  double *to = c.ray_points;
+  for (std::uint32_t i = 0; i < c.n; ++i)
+    for (std::uint32_t arc = c.first_arc[i]; arc < c.first_arc[i + 1]; ++arc)
+      for (std::uint32_t k = 0; k < c.arcs[arc].count; k += W) {
+        const std::uint32_t at = c.arcs[arc].first + k, live = c.arcs[arc].count - k;
+        V a[2], b[2], place[2], weight[2];
+        for (int d = 0; d < 2; ++d) {
+          a[d] = load(c.wall_x[d] + at) - splat(c.x[d][i]);
+          b[d] = load(c.wall_x[d] + at + 1) - splat(c.x[d][i]);
+        }
+        points_of_face(c, a, b, first_lanes(live), place, weight);
+        for (std::uint32_t l = 0; l < W && l < live; ++l, to += ray_doubles)
+          for (int q = 0; q < 2; ++q) {
+            to[2 * q] = place[q][l];
+            to[2 * q + 1] = weight[q][l];
+          }
+      }
 }
 
 /// Calls body(first node, places and velocities of both nodes from the particle, lanes in use) for the faces

@@ -1,0 +1,138 @@
+// The matrix of motion of an SPH fluid without inertia ("NSPH", thesis Eq. 2.30, 2.31 corrected): its viscous
+// friction, and for linearly implicit steps of h the stiffness of its pressure, as one product that sweeps
+// twice over the neighbours (own_product.h). Three forms, over mu V with w and the rays to the wall of
+// sph_viscosity.inc.h, r_ij = x_j - x_i, v_ij = v_j - v_i:
+//
+//   morris         F_i = sum_j 2 w v_ij                       + sum_q w_q v_iq             2.24 as 2.31
+//   monaghan       F_i = (d + 2) [ sum_j 2 w (v_ij.e) e       + sum_q w_q (v_iq.e) e ]     2.25
+//   least_squares  F_i = sum_j w [2 beta v_ij + (T_i + T_j) r_ij] + sum_q w_q [beta v_iq + T_i r_iq]
+//                  T = theta (G + G^T + tr G) S^-1 - beta G,  G = Y S^-1 sph_viscosity.inc.h
+//
+// All are symmetric and take energy from every flow but: morris from a translation; the others from a rigid
+// motion (a spin costs nothing). Of a particle with few neighbours least_squares keeps its residual in full
+// (no central drag in its place): theta fades the stress of D alone.
+//
+// Stiffness, Gauss-Newton: K = sum_i m (dp/drho)/rho^2 (drho_i)(drho_i)', never negative, with
+//   drho_i = (rho_0/gamma_i) D_i,   D_i = -sum_j w v_ij . r_ij + slope_i . v_i,   slope = -(rho/rho_0) dgamma
+// A scalar a particle: -h kappa D_i is added to T_i, so an implicit step costs no sweep more. Bodies of given
+// velocity count as moving along their own surface there.
+//
+//   drag.clear(form, n);  drag.body(...);  drag.pair(j, r, w);  drag.ray(r, w, a, b, share);  ...
+//   drag.finish();
+//
+// Same bits on any number of threads: one thread a body, its pairs in their order.
+#pragma once
+
+#include "micro/geometry/tensor.h"
+#include "micro/solve/own_product.h"
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+namespace turgor {
+enum class DragForm { least_squares, morris, monaghan };
+constexpr const char *words_of(DragForm) { return "least_squares|morris|monaghan"; }
+
+template <int dim>
+class SphDrag final : public OwnProduct {
+ public:
+  /// scale: mu V, Pa s m^3.
+  void clear(DragForm form, double scale);
+  /// The next body; what follows is its own until the next one.
+  void body();
+  void pair(std::uint32_t j, const Vector<dim> &r, double w);  ///< r: m; w: 1/m^2
+  /// A point of the wall between nodes a and b, `share` of the way to b. fading: by how much w is less than
+  /// 2 N/s dOmega, close to the wall.
+  void ray(const Vector<dim> &r, double w, std::uint32_t a, std::uint32_t b, double share,
+           double fading = 1.);
+  void finish(unsigned int threads);
+  std::size_t bodies() const { return exact.body.size(); }
+  std::size_t pairs() const { return other.size(); }
+
+  /// Of body i: h m (dp/drho) (rho_0/(rho gamma))^2/(mu V), no unit times m^2; and slope (1/m).
+  struct Stiffness {
+    double kappa = 0.;
+    Vector<dim> slope = Vector<dim>::Zero();
+  };
+  /// One a body; empty: friction alone. fitted: D is minus the trace of G (`divergence`), slope is not used.
+  void set_stiffness(const std::vector<Stiffness> &of_bodies, bool fitted = false);
+
+  /// 1/s, tr G of every body at velocities v: exact for affine flow, walls included.
+  std::vector<double> divergence(const BodyVector *v);
+  /// f += forces (N) of pressures p (Pa), the adjoint of the divergence: they do V sum p_i tr G_i in any
+  /// flow,
+  ///   F_i = -V sum_j w (p_i S_i^-1 + p_j S_j^-1) r_ij - V p_i S_i^-1 sum_q w_q r_q,
+  /// and what walls get of it on their nodes.
+  void push(const std::vector<double> &p, double volume, std::array<std::vector<double>, dim> &f,
+            std::vector<Vector<dim>> &on_nodes) const;
+  /// 1/m; sum w r of body i, that of the wall halved: none where its neighbours stand evenly around it.
+  Vector<dim> unevenness(std::size_t i) const;
+  /// Least squares gradient (1/m) of a number that each body has, without walls.
+  Vector<dim> gradient(const std::vector<double> &values, std::size_t i) const;
+
+  /// The walls' nodes are `nodes` bodies of given velocity from `first` on; 0: they are at rest.
+  void walls(std::uint32_t first, std::uint32_t nodes);
+
+  void begin(const FloatRow *p, unsigned int threads) override;
+  void begin(const BodyVector *v, unsigned int threads) override;
+  void add(const FloatRow *p, std::size_t begin, std::size_t end, FloatRow *product) const override;
+  void add(const BodyVector *v, std::size_t begin, std::size_t end, BodyVector *product) const override;
+  double power(const BodyVector *v, std::size_t bodies) const override;
+  void add_blocks(std::size_t begin, std::size_t end, Block *blocks) const override;
+  void connect(const std::function<void(std::uint32_t, std::uint32_t)> &join) const override;
+
+  /// N, of friction on the walls' nodes at the velocities of the last begin(v).
+  std::vector<Vector<dim>> on_walls(const BodyVector *v, std::size_t nodes) const;
+
+  std::size_t memory_bytes() const;
+
+ private:
+  template <class Row>
+  using NumberOf = std::remove_cvref_t<decltype(Row{}[0])>;
+  template <class Row>
+  struct Body {
+    Row pairs{}, wall{}, slope{};  ///< sums of w r; of D
+    Row central[dim]{};            ///< monaghan: sum of the walls' w e (x) e
+    Row inverse[dim]{};            ///< least_squares: S^-1
+    NumberOf<Row> w = 0, wall_w = 0, kappa = 0, theta = 0;
+  };
+  template <class Row>
+  struct Copy  ///< in single or double precision
+  {
+    std::vector<Body<Row>> body;
+    std::vector<Row> u;  ///< of a pair: w r, w; monaghan: and root(w) r/|r|
+    std::vector<Row> central;
+    std::vector<std::array<Row, dim>> T;     ///< columns
+    std::vector<NumberOf<Row>> tau, weight;  ///< kappa D; of a pair: w
+  };
+  struct Ray {
+    std::uint32_t a, b;
+    double share, w;
+    DoubleRow r;
+  };
+  template <class Row, class Vectors>
+  void tensors(Copy<Row> &copy, const Vectors *v, unsigned int threads);
+  template <class Row, class Vectors>
+  void multiply(const Copy<Row> &copy, const Vectors *v, std::size_t begin, std::size_t end,
+                Vectors *product) const;
+  DoubleRow velocity_of(const Ray &ray, const BodyVector *v) const;
+  DoubleRow pull_of(const Ray &ray, std::size_t i, const BodyVector *v) const;
+
+  DragForm form = DragForm::least_squares;
+  double scale = 0.;
+  std::vector<std::uint32_t> first, first_ray;
+  std::vector<std::uint16_t> other;
+  std::vector<Ray> rays;
+  std::vector<Tensor2<dim>> moments;
+  std::vector<Vector<dim>> behind;  ///< 1/m, half the sum of w r of the wall without fading
+  Copy<DoubleRow> exact;
+  Copy<FloatRow> single;
+  std::uint32_t first_node = 0, given_nodes = 0;
+  bool stiff = false, fitted_divergence = false;
+};
+
+extern template class SphDrag<2>;
+extern template class SphDrag<3>;
+}  // namespace turgor

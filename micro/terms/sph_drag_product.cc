@@ -1,0 +1,169 @@
+// The two sweeps of the drag's product, in single and double precision, and what it pulls at walls.
+#include "micro/terms/sph_drag_rows.h"
+#include "run/parallel.h"
+
+#include <type_traits>
+
+namespace turgor {
+using namespace drag_rows;
+
+template <int dim>
+DoubleRow SphDrag<dim>::velocity_of(const Ray &ray, const BodyVector *v) const {
+  return given_nodes == 0 ? DoubleRow{}
+                          : (1. - ray.share) * v[first_node + ray.a].v + ray.share * v[first_node + ray.b].v;
+}
+
+template <int dim>
+template <class Row, class Vectors>
+void SphDrag<dim>::tensors(Copy<Row> &copy, const Vectors *v, const unsigned int threads) {
+  using Number = NumberOf<Row>;
+  const bool fits = form == DragForm::least_squares, gradients = fits || fitted_divergence;
+  if (!fits && !stiff) return;
+  copy.T.resize(bodies());
+  copy.tau.resize(bodies());
+  for_chunks(threads, Chunks(bodies(), 256), [&](const std::size_t begin, const std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Body<Row> &me = copy.body[i];
+      const Row vi = of(v, i);
+      Row Y[dim]{}, *T = copy.T[i].data();
+      for (std::uint32_t k = first[i]; k < first[i + 1]; ++k) {
+        const Row apart = of(v, other[k]) - vi, u = copy.u[k];
+        for (int a = 0; a < dim; ++a) Y[a] += apart * u[a];
+      }
+      Number trace = 0;
+      for (int a = 0; a < dim; ++a) trace += Y[a][a];
+      Number tau = me.kappa * (dot<dim>(me.slope, vi) - trace);
+      for (int a = 0; a < dim; ++a) T[a] = Row{};
+      if (gradients) {
+        for (int a = 0; a < dim; ++a) Y[a] -= vi * me.wall[a];
+        if constexpr (std::is_same_v<Row, DoubleRow>)
+          if (given_nodes > 0)
+            for (std::uint32_t q = first_ray[i]; q < first_ray[i + 1]; ++q)
+              for (int a = 0; a < dim; ++a) Y[a] += velocity_of(rays[q], v) * (rays[q].w * rays[q].r[a]);
+        Row G[dim], s[dim]{};
+        trace = 0;
+        for (int a = 0; a < dim; ++a) {
+          G[a] = times<dim>(Y, me.inverse[a]);
+          trace += G[a][a];
+        }
+        if (fits) {
+          for (int a = 0; a < dim; ++a)
+            for (int b = 0; b < dim; ++b)
+              s[a][b] = me.theta * (a == b ? 2 * G[a][a] + trace : G[a][b] + G[b][a]);
+          for (int a = 0; a < dim; ++a) T[a] = times<dim>(s, me.inverse[a]) - Number(beta) * G[a];
+        }
+        if (fitted_divergence) {
+          tau = -me.kappa * trace;
+          for (int a = 0; a < dim; ++a) T[a] -= tau * me.inverse[a];
+        }
+      }
+      copy.tau[i] = tau;
+      if (!fitted_divergence)
+        for (int a = 0; a < dim; ++a) T[a][a] -= tau;
+    }
+  });
+}
+
+template <int dim>
+template <class Row, class Vectors>
+void SphDrag<dim>::multiply(const Copy<Row> &copy, const Vectors *v, const std::size_t begin,
+                            const std::size_t end, Vectors *product) const {
+  using Number = NumberOf<Row>;
+  const bool fits = form == DragForm::least_squares, central = form == DragForm::monaghan,
+             with_tensors = fits || stiff;
+  const Number factor = fits ? Number(2. * beta) : Number(2.);
+  for (std::size_t i = begin; i < end; ++i) {
+    const Body<Row> &me = copy.body[i];
+    const Row vi = of(v, i);
+    Row pull{}, by_tensors{};
+    // differences first: what neighbours have in common drops out before anything is rounded
+    if (central) {
+      for (std::uint32_t k = first[i]; k < first[i + 1]; ++k)
+        pull += copy.central[k] * dot<dim>(copy.central[k], of(v, other[k]) - vi);
+      pull = Number(dim + 2.) * (Number(2.) * pull - times<dim>(me.central, vi));
+    } else {
+      for (std::uint32_t k = first[i]; k < first[i + 1]; ++k) pull += (of(v, other[k]) - vi) * copy.weight[k];
+      pull = factor * pull - (fits ? Number(beta) : Number(1.)) * me.wall_w * vi;
+    }
+    if (with_tensors) {
+      for (std::uint32_t k = first[i]; k < first[i + 1]; ++k)
+        by_tensors += times<dim>(copy.T[other[k]].data(), copy.u[k]);
+      const Row *T = copy.T[i].data();
+      pull += by_tensors + times<dim>(T, me.pairs) + times<dim>(T, me.wall);
+      if (!fitted_divergence) pull += copy.tau[i] * (me.wall - me.slope);
+    }
+    if constexpr (std::is_same_v<Row, DoubleRow>)
+      if (given_nodes > 0)
+        for (std::uint32_t q = first_ray[i]; q < first_ray[i + 1]; ++q) {
+          const DoubleRow at_wall = velocity_of(rays[q], v), r = rays[q].r;
+          pull += central ? (dim + 2.) * rays[q].w * dot<dim>(at_wall, r) / dot<dim>(r, r) * r
+                          : (fits ? beta : 1.) * rays[q].w * at_wall;
+        }
+    add_to(product[i - begin], Number(-scale) * pull);
+  }
+}
+
+template <int dim>
+void SphDrag<dim>::begin(const FloatRow *p, const unsigned int threads) {
+  tensors(single, p, threads);
+}
+
+template <int dim>
+void SphDrag<dim>::begin(const BodyVector *v, const unsigned int threads) {
+  tensors(exact, v, threads);
+}
+
+template <int dim>
+void SphDrag<dim>::add(const FloatRow *p, const std::size_t begin_, const std::size_t end,
+                       FloatRow *product) const {
+  multiply(single, p, begin_, end, product);
+}
+
+template <int dim>
+void SphDrag<dim>::add(const BodyVector *v, const std::size_t begin_, const std::size_t end,
+                       BodyVector *product) const {
+  multiply(exact, v, begin_, end, product);
+}
+
+template <int dim>
+DoubleRow SphDrag<dim>::pull_of(const Ray &ray, const std::size_t i, const BodyVector *v) const {
+  const DoubleRow u = velocity_of(ray, v) - v[i].v;
+  switch (form) {
+    case DragForm::monaghan:
+      return (dim + 2.) * ray.w * dot<dim>(u, ray.r) / dot<dim>(ray.r, ray.r) * ray.r;
+    case DragForm::morris:
+      return ray.w * u;
+    case DragForm::least_squares:
+      break;
+  }
+  const DoubleRow viscous = beta * u + times<dim>(exact.T[i].data(), ray.r);
+  return ray.w * (fitted_divergence ? viscous : viscous + exact.tau[i] * ray.r);
+}
+
+template <int dim>
+std::vector<Vector<dim>> SphDrag<dim>::on_walls(const BodyVector *v, const std::size_t nodes) const {
+  std::vector<Vector<dim>> force(nodes, Vector<dim>::Zero());
+  for (std::size_t i = 0; i < bodies(); ++i)
+    for (std::uint32_t q = first_ray[i]; q < first_ray[i + 1]; ++q) {
+      const DoubleRow pull = pull_of(rays[q], i, v);
+      for (int d = 0; d < dim; ++d) {
+        force[rays[q].a][d] -= scale * (1. - rays[q].share) * pull[d];
+        force[rays[q].b][d] -= scale * rays[q].share * pull[d];
+      }
+    }
+  return force;
+}
+
+template <int dim>
+double SphDrag<dim>::power(const BodyVector *v, const std::size_t n) const {
+  double total = OwnProduct::power(v, n);
+  if (given_nodes == 0) return total;
+  const std::vector<Vector<dim>> force = on_walls(v, given_nodes);
+  for (std::uint32_t k = 0; k < given_nodes; ++k)
+    for (int d = 0; d < dim; ++d) total -= force[k][d] * v[first_node + k].v[d];
+  return total;
+}
+
+template class SphDrag<2>;
+template class SphDrag<3>;
+}  // namespace turgor
