@@ -33,8 +33,8 @@ Outputs of_a_scene() {
 /// of a tissue is that of mass, of a spheroid that of cells; a particle's cell has failed or not, of an RVE's
 /// cells a share; a shell that rings and a spheroid that grows are not of one speed.
 bool has_several_units(const std::string &name) {
-  static const std::set<std::string> names = {"kinetic", "work",    "heat",   "dissipated",  "energy",
-                                              "force",   "density", "failed", "radial_speed"};
+  static const std::set<std::string> names = {"kinetic", "work",    "heat",   "dissipated",   "energy",
+                                              "force",   "density", "failed", "radial_speed", "power"};
   return names.count(name) > 0;
 }
 

@@ -64,10 +64,11 @@ void CapsuleCompression::check() const {
 
 Outputs CapsuleCompression::outputs() const {
   const std::vector<OutputDefinition> state{
-      {"radius", "m", "Radius of the sphere."},
+      {"radius", "m", "Radius of the sphere round the cells."},
       {"volume_strain", "1", "Logarithm of the cells' volume at the start over that of now."},
       {"pressure", "Pa", "Pressure inside the cells over that outside, mean over the cells."},
-      {"pressure_scatter", "1", "Standard deviation of that pressure from cell to cell, over its mean."},
+      {"relative_pressure_scatter", "1",
+       "Standard deviation of that pressure from cell to cell, over its mean."},
       {"wall_pressure", "Pa", "Force of the cells on the sphere, over its area."},
       {"lowest_gap", "m",
        "Smallest distance of surfaces of two cells, at 16 places of each triangle, negative where one is "
@@ -119,7 +120,7 @@ void CapsuleCompression::run(RunContext &context) {
   for (const auto &[name, unit] : {std::pair("radius", "m"),
                                    {"volume_strain", "1"},
                                    {"pressure", "Pa"},
-                                   {"pressure_scatter", "1"},
+                                   {"relative_pressure_scatter", "1"},
                                    {"wall_pressure", "Pa"},
                                    {"lowest_gap", "m"},
                                    {"least_angle", "rad"}})

@@ -57,7 +57,7 @@ void CellBetweenPlates::check() const {
 
 Outputs CellBetweenPlates::outputs() const {
   const std::vector<OutputDefinition> state{
-      {"distance", "m", "Distance of the plates."},
+      {"distance", "m", "Distance of the plates from each other."},
       {"force", "N", "Force of the cell on the upper plate, positive where it pushes."},
       {"widest_radius", "m",
        "Largest distance of a node from the vertical axis through the middle of all nodes."},
@@ -70,7 +70,7 @@ Outputs CellBetweenPlates::outputs() const {
   all.results({{"tension_by_laplace", "N/m",
                 "Surface tension of the liquid drop with this distance (less the gaps at rest), widest "
                 "radius and force."},
-               {"pressure_by_laplace", "Pa", "Pressure inside that drop."},
+               {"pressure_by_laplace", "Pa", "Pressure inside of that drop, over that outside."},
                {"pressure_deviation", "1", "pressure_by_laplace over pressure, less 1."},
                {"tension_put_in", "N/m", "Cell/Cortex tension, which the cortex makes by itself.", tense},
                {"tension_deviation", "1", "tension_by_laplace over tension_put_in, less 1.", tense},

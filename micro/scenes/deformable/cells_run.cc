@@ -106,7 +106,7 @@ void CellsRun::go() {
 }
 
 Outputs outputs_of_cells(const std::string &row, std::vector<OutputDefinition> columns) {
-  columns.insert(columns.begin(), {"time", "s", "Time since the start."});
+  columns.insert(columns.begin(), {"time", "s", "Time since the start of the run."});
   columns.push_back({"energy", "J",
                      "Elastic energy of all cells, of their tension and of their contacts, which is negative "
                      "where adhesion is more than the rest."});

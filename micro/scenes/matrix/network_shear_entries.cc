@@ -12,7 +12,7 @@ void NetworkShear::declare_parameters(InputEntries &prm) {
   using namespace Patterns;
   prm.add_parameter(
       "Nodes", nodes,
-      "Where the nodes are: random: random places made even, each joined to its neighbours, 6 in "
+      "Places of the nodes: random: random places made even, each joined to its neighbours, 6 in "
       "the mean; sixfold: a triangular lattice. Units: none.");
   prm.add_parameter("Pore sizes", pores,
                     "Mean lengths of the fibres between two nodes, a network for each. Units: m.",

@@ -31,7 +31,7 @@ Outputs NetworkShear::outputs() const {
              {{"pore_size", "m", "Mean length of the fibres."},
               {"stiffness", "N/m", "Spring constant k_ECM of the fibres."},
               {"kept_bonds", "1", "Share of the fibres that were left where they are taken away at random."},
-              {"seed", "", "Seed of the network."},
+              {"seed", "", "Seed of the random places of the network."},
               {"nodes", "", "Number of nodes of the periodic piece."},
               {"bonds_per_node", "", "Mean number of fibres at a node, those to anchors not counted."},
               {"shear_modulus", "Pa", "Shear modulus G in the plane, at rest."},

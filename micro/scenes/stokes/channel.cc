@@ -30,7 +30,7 @@ void Channel::declare_parameters(InputEntries &prm) {
   prm.add_parameter("Particles along", along,
                     "Number of particles along a period of the channel, spaced as across it. Units: none.",
                     Integer(3, 2000));
-  prm.add_parameter("End time", end, "Simulated time. Units: s.", Double(1e-12, 1e12));
+  prm.add_parameter("End time", end, "Time at which the run ends. Units: s.", Double(1e-12, 1e12));
   prm.add_parameter("Samples", samples,
                     free_to_change("Rows of flow.csv, spread evenly over the run. Units: none."),
                     Integer(1, 100000));

@@ -5,8 +5,8 @@ Outputs Channel::outputs() const {
   const std::string window = " mean over the samples of the second half of the run.";
   Outputs all;
   all.results(
-         {{"particles", "", "Number of fluid particles."},
-          {"steps", "", "Number of steps."},
+         {{"particles", "", "Number of fluid particles between the plates."},
+          {"steps", "", "Number of steps that were taken."},
           {"iterations_per_step", "1", "Iterations of conjugate gradients for one step, mean over the run."},
           {"mean_neighbours", "1",
            "Particles within the kernel's support of a particle, mean over all at the end."},

@@ -26,14 +26,15 @@ void StokesFlowParameters::declare(InputEntries &prm) {
       "Units: none.");
   prm.add_parameter(
       "Shifting", shifting,
-      "Of continuity: by how much particles are moved towards an even packing in each step, over "
+      "Share, with Density by = continuity, by which particles are moved towards an even packing "
+      "in each step, over "
       "the way of the fastest of them and their unevenness. Units: none.",
       Double(0., 10.));
-  prm.add_parameter(
-      "Ordering pressure", ordering,
-      "Of summation: energy density by which an uneven packing is evened out while particles flow. "
-      "Units: Pa.",
-      Double(0., 1e12));
+  prm.add_parameter("Ordering pressure", ordering,
+                    "Energy density, with Density by = summation, by which an uneven packing is evened out "
+                    "while particles flow. "
+                    "Units: Pa.",
+                    Double(0., 1e12));
   prm.add_parameter("Support", support,
                     "Radius of the kernel (Wendland C2) over the spacing of the particles. Units: none.",
                     Double(2., 4.));
@@ -55,7 +56,8 @@ void StokesFlowParameters::declare(InputEntries &prm) {
                     "Allowed error of a step over the particles' spacing, half the step times the change of "
                     "velocity. Units: none.",
                     Double(1e-9, 1e3));
-  prm.add_parameter("Longest step", longest_step, "No step is longer. Units: s.", Double(1e-12, 1e12));
+  prm.add_parameter("Longest step", longest_step, "Largest step in time that is taken. Units: s.",
+                    Double(1e-12, 1e12));
   prm.add_parameter("Longest move", longest_move,
                     "No particle moves farther in a step, over the particles' spacing. Units: none.",
                     Double(1e-4, 1.));
@@ -66,7 +68,7 @@ void StokesFlowParameters::declare(InputEntries &prm) {
   prm.enter_subsection("Packing");
   prm.add_parameter(
       "Start", packing,
-      "Where the particles start: lattice, a square one; disordered, moved off it at random and "
+      "Places of the particles at the start: lattice, a square one; disordered, moved off it at random and "
       "settled by their own pressure. Units: none.");
   prm.add_parameter("Seed", seed, "Number that the disorder is drawn from. Units: none.",
                     Integer(0, 1000000000));
