@@ -140,7 +140,7 @@ BY_SCENE = {
     "network_shear": [("Side", "1e-5", ["4 to 30 are allowed"]), ("Kept bonds", "0.2", ["a finite number from 0.3"]), ("Layer height", "1e-6", ["give Anchors = true"]),
                       ("Nodes", "sixfould", ["Did you mean 'sixfold'?"]), ("Largest strain", "0", ["Frames = 1 draws the network at rest"])],
     "poiseuille": [("Particles along", "3", ["longer than 3.9", "Fluid/Support"]), ("Motion/Method", "heun", ["Fluid/Density by = summation"]), ("Fluid/Viscous form", "moris", ["one of least_squares, morris, monaghan"]), ("Speed", "0", ["a finite number from"])],
-    "couette": [("Motion/Method", "heun", ["Fluid/Inertia = true", "implicit"])],
+    "couette": [("Motion/Method", "heun", ["Fluid/Density by = summation"])],
     "rbc_tweezers": [("Forces", "2e-11, 1e-11", ["positive and rising", "number 2 is 1e-11 N"]), ("Experiment", "nowhere.csv", ["nowhere.csv"])],
     "spreading": [("Contact/Adhesion", "0", ["does not adhere"]), ("Contact/Range", "3e-6", ["more than a quarter of Cell/Radius", "make Contact/Range shorter"]),
                   ("Contact/Gap at rest", "1e-9", ["deviate from the sphere", "finer net (Cell/Frequency)"]), ("First step", "2e3", ["a finite number from"])],
