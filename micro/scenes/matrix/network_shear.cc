@@ -55,9 +55,9 @@ void NetworkShear::Run::measure(const std::size_t number) {
   NetworkSample sample(p, context.threads());
   const NetworkModuli affine = sample.affine(), exact = sample.relaxed(),
                       m = sample.moduli(scene.small_strain, scene.tolerance);
-  const double nodes = double(sample.network->nodes()), h = p.depth;
-  moduli->add_row({p.pore, p.stiffness, p.kept, double(p.seed), nodes,
-                   2. * double(sample.network->bonds.size()) / nodes, m.shear(), m.young(), m.poisson(),
+  const double count = double(sample.network->nodes()), h = p.depth;
+  moduli->add_row({p.pore, p.stiffness, p.kept, double(p.seed), count,
+                   2. * double(sample.network->bonds.size()) / count, m.shear(), m.young(), m.poisson(),
                    affine.shear(), affine.young(), exact.shear(), exact.young()});
   sums.shear_over_affine += m.shear() / affine.shear();
   sums.young_over_relation += m.young() * h / (2. / std::sqrt(3.) * p.stiffness);
