@@ -138,7 +138,8 @@ def draw(rng, scene, entries, sizes_only=False):
         size = small.get(name)
         if size is not None:
             one = (lambda values: values[0]) if sizes_only else rng.choice  # the first of a list is always allowed
-            chosen[name] = rng.randint(*size) if isinstance(size, tuple) else one(size) if isinstance(size, list) else size
+            between = rng.uniform if isinstance(size, tuple) and any(isinstance(end, float) for end in size) else rng.randint
+            chosen[name] = between(*size) if isinstance(size, tuple) else one(size) if isinstance(size, list) else size
             continue
         if sizes_only or (name not in wild and rng.random() > 0.33):
             continue
