@@ -14,7 +14,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <vector>
 
 namespace turgor {
@@ -25,7 +24,6 @@ class MovedBodies {
 
   virtual ~MovedBodies() = default;
 
-  virtual std::size_t rows() const = 0;  ///< of dim numbers each
   /// medium (N s/m), forces (N) and velocities (m/s, where the search starts) are appended; the matrix has
   /// their rows in the same places.
   virtual void put(std::vector<double> &medium, Components &f, Components &v) = 0;

@@ -42,7 +42,9 @@ void SystemMotion<dim>::put_bodies(const Particles<dim> &particles,
 template <int dim>
 void SystemMotion<dim>::solve_with_bodies(Particles<dim> &particles,
                                           const std::vector<MovedBodies<dim> *> &bodies, const double h) {
-  if (correct_clusters) throw std::logic_error("clusters are not corrected beside bodies that forces move");
+  if (correct_clusters || remove_mean || !inertia.empty())
+    throw std::logic_error(
+        "beside bodies that forces move clusters are not corrected, and nothing has inertia");
   put_bodies(particles, bodies);
   matrix.clear(all.medium);
   system.collect(matrix, h);

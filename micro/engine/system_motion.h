@@ -20,10 +20,11 @@ class SystemMotion final : public Motion<dim> {
  public:
   SystemMotion(ParticleSystem<dim> &system, const SolveParameters &solve);
 
-  std::vector<double> medium;     ///< N s/m, of each particle
-  bool correct_clusters = false;  ///< clusters' net force and torque exactly (motion_matrix.h), where the
-                                  ///< medium is much weaker than the links; not beside moved bodies
-  double own_length = 0.;         ///< m, of length(); 0: the mean of the field `radius`
+  std::vector<double> medium;  ///< N s/m, of each particle
+  bool correct_clusters =
+      false;               ///< clusters' net force and torque exactly (motion_matrix.h), where the
+                           ///< medium is much weaker than the links; not beside moved bodies, as what follows
+  double own_length = 0.;  ///< m, of length(); 0: the mean of the field `radius`
   /// kg, of each particle: m dv/dt is linearly implicit as well, (m/h + Gamma + h K) v = F + m v_before/h.
   /// Steps of Overdamped's implicit method alone. Empty: no inertia.
   std::vector<double> inertia;

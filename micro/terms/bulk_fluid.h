@@ -10,9 +10,9 @@
 // that of a wall which moves along itself. Images of particles and of walls stand around the box in lists of
 // their own; particles' coordinates are not wrapped.
 //
-// V of viscosity = m/rho_0 for every particle. Volumes fill the box (less its bodies) exactly where
-// `exact_volume` says so; pressures are then told relative to nothing else, forces are those of p less its
-// mean. Fields: density (kg/m^3), pressure (Pa), wall_share.
+// V of viscosity = m/rho_0 for every particle. Densities by summation are scaled so that the volumes
+// fill the box (less its bodies) exactly where `volume` is given. Fields: density (kg/m^3), pressure (Pa),
+// wall_share.
 #pragma once
 
 #include "micro/engine/term.h"
@@ -98,8 +98,8 @@ class BulkFluid final : public Term<dim> {
   void build_drag(const Particles<dim> &particles);
   std::vector<typename SphDrag<dim>::Stiffness> stiffness(const Particles<dim> &particles, double h);
   std::size_t first_node(std::size_t k) const;  ///< of wall k among all nodes
-  /// Of particles and, behind them, the walls' nodes, as the matrix has them; tells the drag where these are.
   void shift_by(Particles<dim> &particles, double share);
+  /// Of particles and, behind them, the walls' nodes, as the matrix has them; tells the drag where these are.
   std::vector<BodyVector> velocities(const Particles<dim> &particles);
   std::size_t nodes() const { return first_node(walls.size()); }
 

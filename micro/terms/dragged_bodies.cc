@@ -64,13 +64,6 @@ void DraggedBodies<dim>::add_contact(MotionMatrix &matrix, const std::uint32_t p
 }
 
 template <int dim>
-std::size_t DraggedBodies<dim>::rows() const {
-  std::size_t count = 0;
-  for (const Body &one : bodies) count += one.length > 0. ? 2 : 1;
-  return count;
-}
-
-template <int dim>
 void DraggedBodies<dim>::put(std::vector<double> &medium, Components &f, Components &v) {
   const auto append = [&](const Vector<dim> &force, const Vector<dim> &velocity, const double drag) {
     medium.push_back(drag);

@@ -36,7 +36,6 @@ class DraggedBodies final : public MovedBodies<dim> {
                    const Obstacle<dim> &body, const typename Obstacle<dim>::Contact &contact, double normal,
                    double tangential) const;
 
-  std::size_t rows() const override;
   void put(std::vector<double> &medium, Components &f, Components &v) override;
   void take(const Components &v) override;
   void keep() override;

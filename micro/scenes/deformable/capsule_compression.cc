@@ -11,6 +11,22 @@
 #include <numbers>
 
 namespace turgor {
+namespace {
+/// What a row of history.csv has, and at the end the results.
+std::vector<OutputDefinition> state_columns() {
+  return {{"radius", "m", "Radius of the sphere round the cells."},
+          {"volume_strain", "1", "Logarithm of the cells' volume at the start over that of now."},
+          {"pressure", "Pa", "Pressure inside the cells over that outside, mean over the cells."},
+          {"relative_pressure_scatter", "1",
+           "Standard deviation of that pressure from cell to cell, over its mean."},
+          {"wall_pressure", "Pa", "Force of the cells on the sphere, over its area."},
+          {"lowest_gap", "m",
+           "Smallest distance of surfaces of two cells, at 16 places of each triangle, negative where one is "
+           "inside the other; the gap at rest where none is near."},
+          {"least_angle", "rad", "Smallest angle of any triangle."}};
+}
+}  // namespace
+
 void CapsuleCompression::declare_parameters(InputEntries &prm) {
   using namespace Patterns;
   prm.add_parameter(
@@ -28,15 +44,7 @@ void CapsuleCompression::declare_parameters(InputEntries &prm) {
                     Double(0., 1e9));
   prm.add_parameter("Seed", seed, "Number of the nets' random orientations. Units: none.",
                     Integer(0, 100000));
-  material.declare_motion(prm);
-  output.declare(prm);
-  prm.enter_subsection("Cell");
-  material.declare_cortex(prm);
-  prm.leave_subsection();
-  prm.enter_subsection("Contact");
-  material.declare_contact(prm);
-  material.declare_blend(prm);
-  prm.leave_subsection();
+  declare_cells(prm, material, output, true);
 }
 
 std::vector<Vector<3>> CapsuleCompression::places() const {
@@ -63,27 +71,11 @@ void CapsuleCompression::check() const {
 }
 
 Outputs CapsuleCompression::outputs() const {
-  const std::vector<OutputDefinition> state{
-      {"radius", "m", "Radius of the sphere round the cells."},
-      {"volume_strain", "1", "Logarithm of the cells' volume at the start over that of now."},
-      {"pressure", "Pa", "Pressure inside the cells over that outside, mean over the cells."},
-      {"relative_pressure_scatter", "1",
-       "Standard deviation of that pressure from cell to cell, over its mean."},
-      {"wall_pressure", "Pa", "Force of the cells on the sphere, over its area."},
-      {"lowest_gap", "m",
-       "Smallest distance of surfaces of two cells, at 16 places of each triangle, negative where one is "
-       "inside the other; the gap at rest where none is near."},
-      {"least_angle", "rad", "Smallest angle of any triangle."}};
+  const std::vector<OutputDefinition> state = state_columns();
   Outputs all =
       outputs_of_cells("One row at the start, then spread evenly over time, and one at the end.", state);
   all.results({state.begin() + 1, state.end()});
-  all.results({{"wall_work", "J", "Work of the sphere on the cells, by the trapezoidal rule."},
-               {"energy_lost", "1",
-                "Work less what is stored and what friction turned into heat, over the larger of work and "
-                "heat: what steps of finite length lose."},
-               {"mesh_ratio", "1",
-                "Mean edge over the length sqrt(D/W) in which adhesion bends the cortex; above 1.5 the net "
-                "does not resolve how contacts peel."}});
+  all.results({{"wall_work", "J", "Work of the sphere on the cells, by the trapezoidal rule."}});
   return all;
 }
 
@@ -116,15 +108,7 @@ void CapsuleCompression::run(RunContext &context) {
                                std::min(cells.touching->lowest_gap(), material.rest),
                                cells.least_angle()};
   };
-  std::vector<Column> columns;
-  for (const auto &[name, unit] : {std::pair("radius", "m"),
-                                   {"volume_strain", "1"},
-                                   {"pressure", "Pa"},
-                                   {"relative_pressure_scatter", "1"},
-                                   {"wall_pressure", "Pa"},
-                                   {"lowest_gap", "m"},
-                                   {"least_angle", "rad"}})
-    columns.push_back({name, unit});
+  const std::vector<OutputDefinition> columns = state_columns();
   std::vector<double> stops{compression};
   if (hold > 0.) stops.push_back(compression + hold);
   CellsRun run(context, cells,
@@ -141,18 +125,16 @@ void CapsuleCompression::run(RunContext &context) {
     cells.begin_anew(first_step);
   };
   run.go();
-  report_steps(context, cells, run.steps());
   const std::vector<double> at_end = state();
   for (std::size_t k = 1; k < columns.size(); ++k)
     context.result(columns[k].name, at_end[k], columns[k].unit);
   context.result("wall_work", cells.work(), "J");
-  context.result("energy_lost", cells.energy_lost(), "1");
-  judge_mesh(context, material);
   const double crossed = -at_end[5] / material.rest;
   if (crossed > 0.2)
     remarked(context, "lowest_gap",
              "surfaces of cells cross by " + number_text(-1e6 * at_end[5], 3) +
                  " um between the points at which they are asked (finer net: Cell/Frequency)");
+  report_cells(context, cells, material, run.steps());
 }
 
 std::unique_ptr<Scenario> make_capsule_compression() { return std::make_unique<CapsuleCompression>(); }

@@ -11,6 +11,16 @@
 
 namespace turgor {
 namespace {
+/// What a row of history.csv has, and at the end the results.
+std::vector<OutputDefinition> state_columns() {
+  return {{"distance", "m", "Distance of the plates from each other."},
+          {"force", "N", "Force of the cell on the upper plate, positive where it pushes."},
+          {"widest_radius", "m",
+           "Largest distance of a node from the vertical axis through the middle of all nodes."},
+          {"pressure", "Pa", "Pressure inside the cell over that outside, of its content."},
+          {"volume", "m^3", "Volume that the surface encloses."}};
+}
+
 /// m, of the nodes from the vertical axis through their middle.
 double widest_of(const Particles<3> &p) {
   Vector<3> middle = Vector<3>::Zero();
@@ -33,14 +43,7 @@ void CellBetweenPlates::declare_parameters(InputEntries &prm) {
                     "Time for which it stands still then, before the force is measured. Units: s.",
                     Double(0., 1e9));
   prm.add_parameter("Seed", seed, "Number of the net's random orientation. Units: none.", Integer(0, 100000));
-  material.declare_motion(prm);
-  output.declare(prm);
-  prm.enter_subsection("Cell");
-  material.declare_cortex(prm);
-  prm.leave_subsection();
-  prm.enter_subsection("Contact");
-  material.declare_contact(prm);
-  prm.leave_subsection();
+  declare_cells(prm, material, output, false);
 }
 
 void CellBetweenPlates::check() const {
@@ -56,13 +59,7 @@ void CellBetweenPlates::check() const {
 }
 
 Outputs CellBetweenPlates::outputs() const {
-  const std::vector<OutputDefinition> state{
-      {"distance", "m", "Distance of the plates from each other."},
-      {"force", "N", "Force of the cell on the upper plate, positive where it pushes."},
-      {"widest_radius", "m",
-       "Largest distance of a node from the vertical axis through the middle of all nodes."},
-      {"pressure", "Pa", "Pressure inside the cell over that outside, of its content."},
-      {"volume", "m^3", "Volume that the surface encloses."}};
+  const std::vector<OutputDefinition> state = state_columns();
   const char *tense = "with a Cell/Cortex tension above 0";
   Outputs all =
       outputs_of_cells("One row at the start, then spread evenly over time, and one at the end.", state);
@@ -76,13 +73,7 @@ Outputs CellBetweenPlates::outputs() const {
                {"tension_deviation", "1", "tension_by_laplace over tension_put_in, less 1.", tense},
                {"stress_of_net", "N/m",
                 "In-plane stress of the net of edges, mean over the nodes: what is elastic of the tension."},
-               {"plate_work", "J", "Work of the plates on the cell, by the trapezoidal rule."},
-               {"energy_lost", "1",
-                "Work less what is stored and what friction turned into heat, over the larger of work and "
-                "heat: what steps of finite length lose."},
-               {"mesh_ratio", "1",
-                "Mean edge over the length sqrt(D/W) in which adhesion bends the cortex; above 1.5 the net "
-                "does not resolve how contacts peel."}});
+               {"plate_work", "J", "Work of the plates on the cell, by the trapezoidal rule."}});
   return all;
 }
 
@@ -106,8 +97,7 @@ void CellBetweenPlates::run(RunContext &context) {
   };
   std::vector<double> stops{compression};
   if (hold > 0.) stops.push_back(compression + hold);
-  const std::vector<Column> columns{
-      {"distance", "m"}, {"force", "N"}, {"widest_radius", "m"}, {"pressure", "Pa"}, {"volume", "m^3"}};
+  const std::vector<OutputDefinition> columns = state_columns();
   CellsRun run(context, cells,
                {.stops = stops,
                 .output = output,
@@ -122,7 +112,6 @@ void CellBetweenPlates::run(RunContext &context) {
     cells.begin_anew(first_step);
   };
   run.go();
-  report_steps(context, cells, run.steps());
   const std::vector<double> at_end = state();
   for (std::size_t k = 0; k < columns.size(); ++k)
     context.result(columns[k].name, at_end[k], columns[k].unit);
@@ -141,8 +130,7 @@ void CellBetweenPlates::run(RunContext &context) {
   for (const double one : in_plane_stress(*cells.surfaces, *cells.edges, p)) stress += one / double(p.size());
   context.result("stress_of_net", stress, "N/m");
   context.result("plate_work", cells.work(), "J");
-  context.result("energy_lost", cells.energy_lost(), "1");
-  judge_mesh(context, material);
+  report_cells(context, cells, material, run.steps());
 }
 
 std::unique_ptr<Scenario> make_cell_between_plates() { return std::make_unique<CellBetweenPlates>(); }

@@ -4,6 +4,7 @@
 #include "run/archive.h"
 #include "run/field_output.h"
 #include "run/input_entries.h"
+#include "run/judged.h"
 #include "run/number_text.h"
 #include "run/run_failed_by.h"
 #include "run/step_loop.h"
@@ -26,6 +27,18 @@ void CellsOutput::declare(InputEntries &prm) {
                     "Whether the surfaces are written at the start and where a part of the run ends, for "
                     "pictures and ParaView. Units: none.",
                     Bool());
+}
+
+void declare_cells(InputEntries &prm, TouchingMaterial &material, CellsOutput &output, const bool blend) {
+  material.declare_motion(prm);
+  output.declare(prm);
+  prm.enter_subsection("Cell");
+  material.declare_cortex(prm);
+  prm.leave_subsection();
+  prm.enter_subsection("Contact");
+  material.declare_contact(prm);
+  if (blend) material.declare_blend(prm);
+  prm.leave_subsection();
 }
 
 CellsRun::CellsRun(RunContext &context_, DeformableCells &cells_, CellsPlan plan_)
@@ -59,7 +72,7 @@ void CellsRun::go() {
   loop.check = [this] { require_sound(); };
   const bool resumed = context.load_checkpoint(loop.lasting);
   std::vector<Column> columns{{"time", "s"}};
-  columns.insert(columns.end(), plan.columns.begin(), plan.columns.end());
+  for (const OutputDefinition &own : plan.columns) columns.push_back({own.name, own.unit});
   for (const char *name : {"energy", "heat"}) columns.push_back({name, "J"});
   columns.push_back({"largest_force", "N"});
   const auto table = context.series("history", columns);
@@ -118,10 +131,17 @@ Outputs outputs_of_cells(const std::string &row, std::vector<OutputDefinition> c
        "Largest force on a node that is not balanced but by friction: how far the cells are from rest."});
   const char *written = "with Fields = true";
   Outputs all;
-  all.results({{"nodes", "", "Number of nodes of all surfaces."},
-               {"steps", "", "Number of steps that were taken."},
-               {"rejected_steps", "",
-                "Number of steps that were tried and repeated with half their length or less."}})
+  all.results(
+         {{"nodes", "", "Number of nodes of all surfaces."},
+          {"steps", "", "Number of steps that were taken."},
+          {"rejected_steps", "",
+           "Number of steps that were tried and repeated with half their length or less."},
+          {"energy_lost", "1",
+           "Work on the cells less what is stored and what friction turned into heat, over the larger of "
+           "work and heat: what steps of finite length lose."},
+          {"mesh_ratio", "1",
+           "Mean edge over the length sqrt(D/W) in which adhesion bends the cortex; above 1.5 the net "
+           "does not resolve how contacts peel."}})
       .table("history", row, columns)
       .fields("surface", "The cells' surfaces as triangles.",
               {{"in_plane_stress", "N/m",
@@ -136,9 +156,17 @@ Outputs outputs_of_cells(const std::string &row, std::vector<OutputDefinition> c
   return all;
 }
 
-void report_steps(RunContext &context, const DeformableCells &cells, const std::uint64_t steps) {
+void report_cells(RunContext &context, const DeformableCells &cells, const TouchingMaterial &material,
+                  const std::uint64_t steps) {
   context.result("nodes", double(cells.system.particles.size()), "");
   context.result("steps", double(steps), "");
   context.result("rejected_steps", double(cells.rejected()), "");
+  const double lost = cells.energy_lost();
+  context.result("energy_lost", lost, "1");
+  judged(
+      context, "energy_lost", lost, {0.02, 0.2},
+      number_text(100. * lost, 3) +
+          " % of the work is neither stored nor turned into heat (shorter steps: Longest step, Tolerance)");
+  judge_mesh(context, material);
 }
 }  // namespace turgor

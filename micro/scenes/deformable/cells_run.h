@@ -28,7 +28,7 @@ struct CellsPlan {
   CellsOutput output{};
   double first_sample =
       0.;  ///< s; rows are spread evenly over the logarithm of time from there; 0: over time
-  std::vector<Column> columns;  ///< of history.csv, behind the time
+  std::vector<OutputDefinition> columns;  ///< of history.csv, behind the time
   std::function<std::vector<double>()> row;
   std::string doing, advice;  ///< at the terminal; a sentence of what makes steps longer or fewer
   double reach = 1.;          ///< m; nodes farther from the origin have left the scene
@@ -57,8 +57,13 @@ class CellsRun {
   At at;
 };
 
-/// What all of them leave: results of the net and the steps, fields of the surfaces, columns of history.csv
-/// that come before and behind a scene's own.
+/// Motion, output and subsections Cell and Contact of these scenes; blend: cells touch each other.
+void declare_cells(InputEntries &prm, TouchingMaterial &material, CellsOutput &output, bool blend);
+
+/// What all of them leave: results of the net, the steps and the energy that steps lose, fields of the
+/// surfaces, columns of history.csv that come before and behind a scene's own.
 Outputs outputs_of_cells(const std::string &row, std::vector<OutputDefinition> columns);
-void report_steps(RunContext &context, const DeformableCells &cells, std::uint64_t steps);
+/// Those results; says so where energy does not balance or the net does not resolve how contacts peel.
+void report_cells(RunContext &context, const DeformableCells &cells, const TouchingMaterial &material,
+                  std::uint64_t steps);
 }  // namespace turgor

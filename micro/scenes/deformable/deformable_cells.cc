@@ -87,7 +87,6 @@ double largest(const Particles<3>::Components &a) {
 }  // namespace
 
 double DeformableCells::largest_force() const { return largest(system.particles.f); }
-double DeformableCells::largest_speed() const { return largest(system.particles.v); }
 
 double DeformableCells::contact_area() const {
   double total = 0.;

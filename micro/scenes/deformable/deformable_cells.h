@@ -58,7 +58,6 @@ class DeformableCells {
   double work() const { return done; }  ///< J, of the bodies on the cells
   double volume() const;                ///< m^3, of all cells
   double largest_force() const;         ///< N, of any node
-  double largest_speed() const;         ///< m/s
   /// m^2, of the surfaces of all cells on bodies, by the contact's closeness.
   double contact_area() const;
   double least_angle() const;  ///< rad, of any triangle

@@ -10,6 +10,18 @@
 #include <numbers>
 
 namespace turgor {
+namespace {
+std::vector<OutputDefinition> state_columns() {
+  return {
+      {"contact_radius", "m",
+       "Radius of a disc with the area of contact, where what is at the gap at rest counts whole and what "
+       "is at the end of the contact's range not at all."},
+      {"height", "m", "Height of the cell over the plane."},
+      {"volume", "m^3", "Volume that the surface encloses."},
+      {"pressure", "Pa", "Pressure inside over that outside."}};
+}
+}  // namespace
+
 void Spreading::declare_parameters(InputEntries &prm) {
   using namespace Patterns;
   prm.add_parameter("End time", end, "Time that the cell has to spread. Units: s.", Double(1e-6, 1e12));
@@ -18,14 +30,7 @@ void Spreading::declare_parameters(InputEntries &prm) {
                     "rows are spread over the logarithm of time. Units: s.",
                     Double(1e-9, 1e3));
   prm.add_parameter("Seed", seed, "Number of the net's random orientation. Units: none.", Integer(0, 100000));
-  material.declare_motion(prm);
-  output.declare(prm);
-  prm.enter_subsection("Cell");
-  material.declare_cortex(prm);
-  prm.leave_subsection();
-  prm.enter_subsection("Contact");
-  material.declare_contact(prm);
-  prm.leave_subsection();
+  declare_cells(prm, material, output, false);
 }
 
 void Spreading::check() const {
@@ -43,12 +48,7 @@ Outputs Spreading::outputs() const {
   const char *found = "where the shell of revolution is found at rest";
   Outputs all = outputs_of_cells(
       "One row at the start, then spread evenly over the logarithm of time, and one at the end.",
-      {{"contact_radius", "m",
-        "Radius of a disc with the area of contact, where what is at the gap at rest counts whole and what "
-        "is at the end of the contact's range not at all."},
-       {"height", "m", "Height of the cell over the plane."},
-       {"volume", "m^3", "Volume that the surface encloses."},
-       {"pressure", "Pa", "Pressure inside over that outside."}});
+      state_columns());
   all.results(
       {{"contact_radius", "m", "The same at the end."},
        {"height", "m", "Height of the cell over the plane at the end."},
@@ -62,9 +62,6 @@ Outputs Spreading::outputs() const {
         "Radius of contact of that shell with a range of a fiftieth of the radius.", found},
        {"axial_deviation_sharp", "1",
         "contact_radius over axial_radius_sharp, less 1: what net and range make together.", found},
-       {"mesh_ratio", "1",
-        "Mean edge over the length sqrt(D/W) in which adhesion bends the cortex; above 1.5 the net does not "
-        "resolve how contacts peel."},
        {"rest", "1",
         "Largest force on a node at the end over the adhesion that an edge bears, W times a mean edge."}});
   return all;
@@ -87,7 +84,7 @@ void Spreading::run(RunContext &context) {
                {.stops = {end},
                 .output = output,
                 .first_sample = first_step,
-                .columns = {{"contact_radius", "m"}, {"height", "m"}, {"volume", "m^3"}, {"pressure", "Pa"}},
+                .columns = state_columns(),
                 .row =
                     [&] {
                       return std::vector<double>{contact_radius(), height(), cells.volume(),
@@ -97,7 +94,6 @@ void Spreading::run(RunContext &context) {
                 .advice = "A larger Tolerance or Longest step lengthens them.",
                 .reach = 1e3 * material.radius});
   run.go();
-  report_steps(context, cells, run.steps());
   const double radius = contact_radius();
   context.result("contact_radius", radius, "m");
   context.result("height", height(), "m");
@@ -114,13 +110,13 @@ void Spreading::run(RunContext &context) {
       context.note("axial_radius" + name, error.what());
     }
   }
-  judge_mesh(context, material);
   const double rest = cells.largest_force() / (material.adhesion * material.edge());
   context.result("rest", rest, "1");
   if (rest > 0.02)
     remarked(context, "rest",
              "the cell is not at rest: forces of " + number_text(100. * rest, 3) +
                  " % of what adhesion makes are left (End time)");
+  report_cells(context, cells, material, run.steps());
 }
 
 std::unique_ptr<Scenario> make_spreading() { return std::make_unique<Spreading>(); }

@@ -144,13 +144,6 @@ Vector<2> StokesFlow::mean_velocity() const {
   return sum / double(size());
 }
 
-double StokesFlow::fastest() const {
-  double most = 0.;
-  for (std::size_t i = 0; i < size(); ++i)
-    most = std::max(most, std::hypot(system.particles.v[0][i], system.particles.v[1][i]));
-  return most;
-}
-
 FieldFrame StokesFlow::frame() const {
   const Particles<2> &p = system.particles;
   FieldFrame frame;

@@ -70,21 +70,18 @@ class StokesFlow {
   StokesFlow &operator=(const StokesFlow &) = delete;
 
   void set_body_force(const Vector<2> &acceleration);  ///< m/s^2
-  Vector<2> body_force() const { return acceleration; }
   /// Without driving, walls at rest, until the packing has settled.
   void settle();
   double step(double limit);  ///< s; throws std::runtime_error
 
   double time() const { return at; }
   std::size_t size() const { return system.particles.size(); }
-  double particle_mass() const { return mass; }
   unsigned int iterations() const { return motion.solver().iterations(); }
   /// N/m, of the last step: on wall k.
   Vector<2> wall_force(std::size_t k) const { return on_wall[k]; }
   Vector<2> driving() const { return acceleration * mass * double(size()); }  ///< N/m, the body force on all
   Vector<2> mean_velocity() const;                                            ///< m/s, of the fluid
   Vector<2> momentum_rate() const { return gained; }  ///< N/m, of the last step; 0 without inertia
-  double fastest() const;                             ///< m/s
   /// What the books miss, over the largest of work and heat; 0 where nothing has happened.
   double balance_error() const;
   FieldFrame frame() const;
