@@ -131,17 +131,16 @@ Outputs outputs_of_cells(const std::string &row, std::vector<OutputDefinition> c
        "Largest force on a node that is not balanced but by friction: how far the cells are from rest."});
   const char *written = "with Fields = true";
   Outputs all;
-  all.results(
-         {{"nodes", "", "Number of nodes of all surfaces."},
-          {"steps", "", "Number of steps that were taken."},
-          {"rejected_steps", "",
-           "Number of steps that were tried and repeated with half their length or less."},
-          {"energy_lost", "1",
-           "Work on the cells less what is stored and what friction turned into heat, over the larger of "
-           "work and heat: what steps of finite length lose."},
-          {"mesh_ratio", "1",
-           "Mean edge over the length sqrt(D/W) in which adhesion bends the cortex; above 1.5 the net "
-           "does not resolve how contacts peel."}})
+  all.results({{"nodes", "", "Number of nodes of all surfaces."},
+               {"steps", "", "Number of steps that were taken."},
+               {"rejected_steps", "",
+                "Number of steps that were tried and repeated with half their length or less."},
+               {"energy_lost", "1",
+                "Work on the cells less what is stored and what friction turned into heat, over the "
+                "largest of the three: what steps of finite length lose; negative: what they make."},
+               {"mesh_ratio", "1",
+                "Mean edge over the length sqrt(D/W) in which adhesion bends the cortex; above 1.5 the net "
+                "does not resolve how contacts peel."}})
       .table("history", row, columns)
       .fields("surface", "The cells' surfaces as triangles.",
               {{"in_plane_stress", "N/m",
@@ -163,10 +162,12 @@ void report_cells(RunContext &context, const DeformableCells &cells, const Touch
   context.result("rejected_steps", double(cells.rejected()), "");
   const double lost = cells.energy_lost();
   context.result("energy_lost", lost, "1");
-  judged(
-      context, "energy_lost", lost, {0.02, 0.2},
-      number_text(100. * lost, 3) +
-          " % of the work is neither stored nor turned into heat (shorter steps: Longest step, Tolerance)");
+  // Steps may lose energy on the way to rest: where that is does not depend on it, but when it is reached
+  // does, and so does the work of a wall that moves.
+  judged(context, "energy_lost", lost, {0.02, HUGE_VAL},
+         number_text(100. * lost, 3) +
+             " % of the energy at play does not balance over steps of finite length: where the cells come to "
+             "rest holds, times and work on the way there do not (shorter steps: Longest step, Tolerance)");
   judge_mesh(context, material);
 }
 }  // namespace turgor

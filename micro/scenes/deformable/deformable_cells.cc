@@ -66,8 +66,8 @@ double DeformableCells::step(const double limit) {
 }
 
 double DeformableCells::energy_lost() const {
-  const double size = std::max(std::abs(done), lost);
-  return size > 0. ? (done - lost - (energy() - first)) / size : 0.;
+  const double stored = energy() - first, size = std::max({std::abs(done), lost, std::abs(stored)});
+  return size > 0. ? (done - lost - stored) / size : 0.;
 }
 
 double DeformableCells::volume() const {

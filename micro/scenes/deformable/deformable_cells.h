@@ -52,8 +52,8 @@ class DeformableCells {
   std::uint64_t rejected() const { return stepper->rejected(); }
   double energy() const { return system.potential_energy(); }  ///< J
   double heat() const { return lost; }                         ///< J, by all friction since the start
-  /// What of work and energies is neither stored nor became heat, over the larger of work and heat since the
-  /// start: what steps of finite length lose.
+  /// What of work and energies is neither stored nor became heat, over the largest of work, heat and stored
+  /// energy since the start: what steps of finite length lose; negative: make.
   double energy_lost() const;
   double work() const { return done; }  ///< J, of the bodies on the cells
   double volume() const;                ///< m^3, of all cells
