@@ -70,7 +70,8 @@ class Archive {
     value.archive(a);
   };
   template <class T>
-  static constexpr bool plain = std::is_trivially_copyable_v<T> && !has_list<T>;
+  // A class with a reference is trivially copyable too, but its bytes are an address: it cannot be assigned.
+  static constexpr bool plain = std::is_trivially_copyable_v<T> && std::is_copy_assignable_v<T> && !has_list<T>;
 
   template <class T>
   void one(T &value) {
