@@ -1,6 +1,7 @@
 #include "coupling/texture_test.h"
 
 #include "coupling/static_loads.h"
+#include "micro/cells/parenchyma_remarks.h"
 #include "run/input_entries.h"
 #include "run/number_text.h"
 #include "rve/make_rve.h"
@@ -38,7 +39,7 @@ void TextureTest::check() const {
 
 void TextureTest::run(RunContext &context) {
   const std::shared_ptr<const Rve<2>> rve = make_rve(rve_parameters);
-  remark_on_walls(context, rve_parameters);
+  remark_on_walls(context, rve_parameters.yielding_cell());
   settings.path.end = settings.end_time(1.);
   settings.law.threads = context.threads();
   settings.law.skipping = settings.law.skipping.with(rve_parameters);

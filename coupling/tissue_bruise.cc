@@ -1,6 +1,7 @@
 #include "coupling/tissue_bruise.h"
 
 #include "coupling/bruise.h"
+#include "micro/cells/parenchyma_remarks.h"
 #include "run/input_entries.h"
 #include "run/number_text.h"
 #include "rve/make_rve.h"
@@ -36,7 +37,7 @@ void TissueBruise::check() const { settings.check(rve_parameters); }
 
 void TissueBruise::run(RunContext &context) {
   const std::shared_ptr<const Rve<2>> rve = make_rve(rve_parameters);
-  remark_on_walls(context, rve_parameters);
+  remark_on_walls(context, rve_parameters.yielding_cell());
   settings.law.threads = context.threads();
   settings.law.skipping = settings.law.skipping.with(rve_parameters);
   context.result("density", rve->density(), "kg/m^3");

@@ -1,5 +1,6 @@
 #include "coupling/tissue_gravity.h"
 
+#include "micro/cells/parenchyma_remarks.h"
 #include "run/input_entries.h"
 #include "run/number_text.h"
 #include "run/judged.h"
@@ -40,7 +41,7 @@ void TissueGravity::check() const {
 
 void TissueGravity::run(RunContext &context) {
   const std::shared_ptr<const Rve<2>> rve = make_rve(rve_parameters);
-  remark_on_walls(context, rve_parameters);
+  remark_on_walls(context, rve_parameters.yielding_cell());
   settings.cell_size = cell_size(rve_parameters, *rve);
   const double width = settings.cells * settings.cell_size[0];
   settings.tissue.size = {{width, settings.cells * settings.cell_size[1]}};

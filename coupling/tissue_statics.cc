@@ -5,6 +5,7 @@
 #include "coupling/tissue_output.h"
 #include "coupling/tissue_size.h"
 #include "macro/tissue.h"
+#include "micro/cells/parenchyma_remarks.h"
 #include "run/field_output.h"
 #include "run/input_entries.h"
 #include "run/number_text.h"
@@ -173,7 +174,7 @@ void TissueStatics::check() const {
 }
 
 void TissueStatics::run(RunContext &context) {
-  remark_on_walls(context, rve_parameters);
+  remark_on_walls(context, rve_parameters.yielding_cell());
   switch (way) {
     case Way::at_once:
       return at_once(context);

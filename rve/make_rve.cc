@@ -1,7 +1,6 @@
 #include "rve/make_rve.h"
 
 #include "micro/processes/annealed_cells.h"
-#include "run/judged.h"
 #include "run/number_text.h"
 #include "run/run_context.h"
 #include "run/stop_flag.h"
@@ -95,18 +94,6 @@ std::unique_ptr<Rve<2>> make_rve(const RveParameters &p) {
                                    [](double) { stop_here("while the cells of an RVE were annealed"); });
     return std::make_unique<SphRve>(std::move(layout), std::move(at_rest.cells), sph_settings(p));
   });
-}
-
-void remark_on_walls(RunContext &context, const RveParameters &p) {
-  constexpr double far = 2.;  // walls of fruit fail at 1.1 to 1.3
-  const double stretch = turgid_wall_stretch(p.yielding_cell());
-  if (stretch > far)
-    remarked(context, "wall_stretch",
-             "Turgor alone stretches the walls to " + number_text(stretch, 3) +
-                 " times their length at rest: cells of Cell/Period = " + number_text(p.cell.period) +
-                 " m are " + number_text(p.cell.period / stretch, 3) +
-                 " m long without it, and stresses are those of balloons blown up so far. Stiffer walls "
-                 "(Cell/Wall stiffness), less Cell/Turgor or smaller cells stretch less.");
 }
 
 std::array<double, 2> cell_size(const RveParameters &p, const Rve<2> &rve) {

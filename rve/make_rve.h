@@ -8,14 +8,8 @@
 #include <memory>
 
 namespace turgor {
-class RunContext;
-
 /// Throws InputError with the entry and what is allowed.
 std::unique_ptr<Rve<2>> make_rve(const RveParameters &parameters);
-
-/// Where turgor stretches walls far beyond what walls of cells bear: a remark, "wall_stretch" in the notes.
-/// No mistake: laws of such walls are defined, and studies go there.
-void remark_on_walls(RunContext &context, const RveParameters &parameters);
 
 /// m, mean length of a cell along x and y at F = I: Cell/Period of square cells; of others what the RVE's
 /// period is over Columns, its area over that and Rows, or, where the tissue is turned, the root of a cell's

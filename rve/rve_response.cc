@@ -1,5 +1,6 @@
 #include "rve/rve_response.h"
 
+#include "micro/cells/parenchyma_remarks.h"
 #include "micro/geometry/tensor_text.h"
 #include "run/input_entries.h"
 #include "run/judged.h"
@@ -253,7 +254,7 @@ void RveResponse::finish(RunContext &context, const Walk &walk) const {
 void RveResponse::run(RunContext &context) {
   const LoadingPath path(loading);
   const std::unique_ptr<Rve<2>> cells = make_rve(rve);
-  remark_on_walls(context, rve);
+  remark_on_walls(context, rve.yielding_cell());
   context.active({"neo_hookean_wall", "wall_bending", "lamella_tie",
                   rve.fluid == RveFluid::hydrostatic              ? "hydrostatic_pressure"
                   : rve.sph.formulation == SphFormulation::thesis ? "thesis_fluid+lennard_jones_wall"

@@ -2,6 +2,7 @@
 #include "micro/cells/parenchyma.h"
 #include "run/input_entries.h"
 #include "micro/scenes/tissue/static_lattice.h"
+#include "tests/memory_context.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -134,6 +135,27 @@ BOOST_AUTO_TEST_CASE(a_block_too_large_is_refused) {
   fine.declare_parameters(other);
   other.read("set Columns = 4\nset Rows = 4\n");
   fine.check();
+}
+
+// Walls of a millionth of N/m under 0.2 MPa: defined, and not what anybody means.
+BOOST_AUTO_TEST_CASE(walls_blown_up_by_turgor_are_told_of) {
+  for (const auto &[stiffness, told] : {std::pair{"1e-6", true}, {"100", false}}) {
+    test::Disk disk;
+    test::MemoryContext context(disk, false);
+    StaticLattice scene;
+    InputEntries prm;
+    scene.declare_parameters(prm);
+    for (const auto &[name, value] : {std::pair{"Columns", "1"}, {"Rows", "1"}, {"Load", "1"}})
+      prm.set(name, std::string(value));
+    prm.set("Fields", std::string("false"));
+    prm.enter_subsection("Cell");
+    prm.set("Nodes per side", std::string("5"));
+    prm.set("Wall stiffness", std::string(stiffness));
+    prm.leave_subsection();
+    scene.check();
+    scene.run(context);
+    BOOST_TEST(context.notes.contains("wall_stretch") == told);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,6 @@
 #include "micro/scenes/tissue/full_micro.h"
 
+#include "micro/cells/parenchyma_remarks.h"
 #include "micro/cells/structured_block.h"
 #include "micro/engine/at_rest.h"
 #include "micro/engine/sound_state.h"
@@ -84,6 +85,7 @@ class FullMicro::Run {
 };
 
 void FullMicro::run(RunContext &context) {
+  remark_on_walls(context, cell);
   const CellLayout turgid = laid_out();
   Run run(*this, context, turgid, anneal_block(context, structure, cell, sph, turgid));
   run.go();

@@ -1,6 +1,7 @@
 #include "micro/scenes/tissue/static_lattice.h"
 
 #include "micro/cells/parenchyma.h"
+#include "micro/cells/parenchyma_remarks.h"
 #include "micro/cells/structured_block.h"
 #include "run/field_output.h"
 #include "run/input_entries.h"
@@ -85,6 +86,7 @@ void StaticLattice::run(RunContext &context) {
   const auto seconds = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
+  remark_on_walls(context, cell);
   EquilibriumSettings settings = equilibrium;
   settings.each_iteration = [&] {
     if (context.stop_requested()) throw RunStopped("stopped before the full load was carried");

@@ -1,5 +1,6 @@
 #include "micro/scenes/tissue/tissue_loading.h"
 
+#include "micro/cells/parenchyma_remarks.h"
 #include "micro/cells/sph_cell_entries.h"
 #include "micro/engine/step_control.h"
 #include "run/entry_marks.h"
@@ -71,7 +72,10 @@ void TissueLoading::require_few_steps(const double dt) const {
                      ". Choose a larger Speed or a smaller End strain.");
 }
 
-void TissueLoading::run(RunContext &context) { Run(*this, context).go(); }
+void TissueLoading::run(RunContext &context) {
+  remark_on_walls(context, cell);
+  Run(*this, context).go();
+}
 
 std::unique_ptr<Scenario> make_tissue_compression() {
   return std::make_unique<TissueLoading>(
