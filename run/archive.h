@@ -69,9 +69,9 @@ class Archive {
   static constexpr bool has_list = requires(T &value, Archive &a) {
     value.archive(a);
   };
-  template <class T>
+  template <class T>  // clang-format off
   // A class with a reference is trivially copyable too, but its bytes are an address: it cannot be assigned.
-  static constexpr bool plain = std::is_trivially_copyable_v<T> && std::is_copy_assignable_v<T> && !has_list<T>;
+  static constexpr bool plain = std::is_trivially_copyable_v<T> && std::is_copy_assignable_v<T> && !has_list<T>;  // clang-format on
 
   template <class T>
   void one(T &value) {
