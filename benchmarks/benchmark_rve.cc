@@ -2,7 +2,11 @@
 // (warm) and constrained runs of 0.1 us with SPH fluid.
 //
 //   build-bench/benchmarks/benchmark_rve --benchmark_repetitions=5 --benchmark_report_aggregates_only
+//
+// structure: RVEs of n x n square cells or bricks; an iteration is a Newton iteration with its share of all
+// else in a call, a wall node one of the RVE's.
 #include "rve/hydrostatic_rve.h"
+#include "rve/make_rve.h"
 #include "rve/sph_rve.h"
 
 #include <benchmark/benchmark.h>
@@ -27,7 +31,10 @@ void walk(benchmark::State &state, const Rve<2> &rve) {
     ++calls;
     committed = std::move(answer.trial);
   }
+  using benchmark::Counter;
   state.counters["iterations"] = double(iterations) / double(calls);
+  // CPU time over these: a time when inverted
+  state.counters["an_iteration"] = Counter(double(iterations), Counter::kIsRate | Counter::kInvert);
   state.counters["state_bytes"] = double(committed.unknowns.size() * sizeof(double));
 }
 
@@ -38,6 +45,34 @@ void hydrostatic(benchmark::State &state) {
   walk(state, rve);
 }
 BENCHMARK(hydrostatic)->Unit(benchmark::kMicrosecond);
+
+void structure(benchmark::State &state, const StructureKind kind) {
+  RveParameters p;
+  p.structure.kind = kind;
+  p.columns = p.rows = static_cast<unsigned int>(state.range(0));
+  p.tolerance = 1e-6;
+  const std::unique_ptr<Rve<2>> rve = make_rve(p);
+  walk(state, *rve);
+  const double nodes = 0.5 * double(rve->initial_state().unknowns.size());
+  state.counters["wall_nodes"] = nodes;
+  state.counters["iteration_and_node"] =
+      benchmark::Counter(nodes * double(state.iterations()) * state.counters["iterations"].value,
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+BENCHMARK_CAPTURE(structure, square, StructureKind::square)
+    ->ArgName("side")
+    ->Arg(1)
+    ->Arg(2)
+    ->Arg(4)
+    ->Arg(8)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(structure, brick, StructureKind::brick)
+    ->ArgName("side")
+    ->Arg(1)
+    ->Arg(2)
+    ->Arg(4)
+    ->Arg(8)
+    ->Unit(benchmark::kMicrosecond);
 
 void constrained_runs(benchmark::State &state) {
   ParenchymaParameters cell;

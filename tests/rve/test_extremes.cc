@@ -5,9 +5,11 @@
 //   ninja -C build test_rve
 //   build/tests/test_rve --run_test=extremes/table          also extremes/table/constrained_runs etc. alone;
 //                                                           extremes/boundary, extremes/perturbed_starts
+//   build/tests/test_rve --run_test=extremes/structures     bricks, hexagons, Laguerre cells, air spaces
 #include "micro/laws/counter_random.h"
 #include "run/number_text.h"
 #include "rve/hydrostatic_rve.h"
+#include "rve/make_rve.h"
 #include "rve/sph_rve.h"
 #include "tests/rve/matrix.h"
 
@@ -125,6 +127,17 @@ SphRveSettings settings_of(const int rule) {
   return settings;
 }
 
+/// n x n cells of one pressure each.
+std::unique_ptr<Rve<2>> rve_of(const StructureKind kind, const unsigned int n, const double gap) {
+  RveParameters p;
+  p.structure.kind = kind;
+  p.structure.gap = gap;
+  p.columns = p.rows = n;
+  p.tolerance = 1e-9;
+  p.cell.fluid_viscosity = 1.;
+  return make_rve(p);
+}
+
 /// One answer in a line.
 void print(const char *what, const double value, const RveAnswer<2> &a) {
   if (a.diagnostics.converged)
@@ -150,6 +163,15 @@ BOOST_AUTO_TEST_CASE(hydrostatic_cells) {
   BOOST_TEST(outcome.reached >= 0.95 * outcome.asked);
   // Beyond buckling equilibria are not unique: round-off may choose another one for the rotated F.
   BOOST_TEST(outcome.objective >= 0.9 * outcome.reached);
+}
+
+BOOST_AUTO_TEST_CASE(cells_of_other_structures) {
+  for (const StructureKind kind : {StructureKind::brick, StructureKind::hexagon})
+    for (const double gap : {0., 20e-6}) {
+      const Outcome outcome = ask(*rve_of(kind, 1, gap), loads(5), 1e-6);
+      BOOST_TEST(outcome.reached == outcome.asked, word_of(kind) << ", gap " << gap);
+      BOOST_TEST(outcome.objective == outcome.reached, word_of(kind) << ", gap " << gap);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(sph_cells) {
@@ -210,6 +232,25 @@ BOOST_AUTO_TEST_CASE(hydrostatic) {
 BOOST_AUTO_TEST_CASE(cauchy_born) { sph_row(0); }
 BOOST_AUTO_TEST_CASE(elastic_equilibrium) { sph_row(1); }
 BOOST_AUTO_TEST_CASE(constrained_runs) { sph_row(2); }
+
+BOOST_AUTO_TEST_SUITE_END()
+
+// The same of cells that are not square, and of tissue with air spaces of 20 um. A minute of CPU.
+BOOST_AUTO_TEST_SUITE(structures, *boost::unit_test::disabled() * boost::unit_test::label("slow"))
+
+void structure_row(const StructureKind kind, const unsigned int n, const double gap = 0.) {
+  const std::unique_ptr<Rve<2>> rve = rve_of(kind, n, gap);
+  table::row(word_of(kind) + (gap > 0. ? ", sparse, " : ", ") + number_text(n * n),
+             ask(*rve, loads(100), 1e-6, 12, rve->initial_state().unknowns.size()));
+}
+
+BOOST_AUTO_TEST_CASE(brick) { structure_row(StructureKind::brick, 1); }
+BOOST_AUTO_TEST_CASE(bricks) { structure_row(StructureKind::brick, 2); }
+BOOST_AUTO_TEST_CASE(hexagon) { structure_row(StructureKind::hexagon, 1); }
+BOOST_AUTO_TEST_CASE(laguerre) { structure_row(StructureKind::voronoi, 3); }
+BOOST_AUTO_TEST_CASE(sparse_brick) { structure_row(StructureKind::brick, 1, 20e-6); }
+BOOST_AUTO_TEST_CASE(sparse_bricks) { structure_row(StructureKind::brick, 2, 20e-6); }
+BOOST_AUTO_TEST_CASE(sparse_hexagon) { structure_row(StructureKind::hexagon, 1, 20e-6); }
 
 BOOST_AUTO_TEST_SUITE_END()
 
