@@ -24,7 +24,7 @@ GOLDEN = os.path.join(SOURCE, "tests", "golden")
 VARIANTS = {
     "tissue_gravity": [["RVE/Fluid=sph", "RVE/Rule=constrained_runs"], ["RVE/Fluid=sph", "RVE/Rule=cauchy_born"], ["Time/Integrator=dormand_prince"]],
     "rve_response": [["RVE/Fluid=sph", "RVE/Tolerance=1e-3"], ["RVE/Rule=cauchy_born"]],
-    "tissue_impact": [["Cell/Fluid viscosity=1"], ["Substeps=4"], ["Gap=20e-6"]],
+    "tissue_impact": [["Cell/Fluid viscosity=1"], ["Substeps=4"], ["Gap=20e-6"], ["Sides=periodic", "Structure/Gap=20e-6", "Gap=0"]],
     "tissue_failure": [["Cell/Fluid viscosity=1"]],
     "cell_impact": [["Cell/Fluid=thesis"], ["Cell/Fluid viscosity=1"], ["Dimension=2"]],
     "cell_compression": [["Cell/Fluid=sph"], ["Dimension=2"], ["Dimension=2", "Cell/Yield drop=0.9"]],

@@ -3,8 +3,9 @@
 
     /usr/bin/python3 inputs/studies/brick_strips.py        writes doc/results/rve/strips.md and strips.png
 
-Dense bricks, 100 um before turgor, 12 nodes a side, lamella ratio 1, turgor 200 kPa, no yielding, no failure, water of 1e-3 Pa s. The strip of
-particles (tissue_compression, tissue_impact) is cut out of the layout that is the RVE's reference, 2 cells around, n rows high.
+Bricks, dense and sparse (air spaces, Structure/Gap 20 um), 100 um before turgor, 12 nodes a side, lamella ratio 1, turgor 200 kPa, no yielding, no
+failure, water of 1e-3 Pa s. The strip of particles (tissue_compression, tissue_impact) is cut out of the layout that is the RVE's reference, 2 cells
+around, n rows high; walls touch by the RVE's law where air spaces close.
 
   slow    0.5 m/s, damping 2e4/s, sides that give way (Sides = widening) against the RVE alone on its path with P_xx = 0: what FE2 comes to where
           nothing depends on the place. Mean of both plates.
@@ -18,27 +19,34 @@ import sys
 from runs import ROOT, no_choice, results, study
 
 sys.path.insert(0, os.path.join(ROOT, "app", "plots"))
-SLOW, STRUCK = (4, 8, 12), (8, 16, 24)
+TISSUES = {"dense": 0, "sparse": 20e-6}  # m, Structure/Gap
+SLOW, STRUCK = (4, 8, 12, 16), (8, 16, 24)
 PERCENTS = (5, 10, 20)
-WINDOWS = ((0.0, 0.04), (0.04, 0.08), (0.08, 0.12))  # of strain; waves cross a strip several times in each
-HEIGHT = 121.4e-6  # m, of a row of FE2: the RVE's period_yy, 121.355 um, to 0.04 %
+WINDOWS = ((0.0, 0.04), (0.04, 0.08), (0.08, 0.12))  # of strain; waves cross a dense strip several times in each
 CELL = {"Cell/Lamella ratio": 1, "Cell/Nodes per side": 12, "Cell/Fluid viscosity": 1e-3, "Cell/Wall stiffness": 100}
 STRIP = {"Gap": 0, "Columns": 2, "Yielding": "none", "End strain": 0.2, "Frames": 0, **CELL}
 
 
-def wanted():
-    yield "rve", "rve_response", {**CELL, "Cell/Fluid viscosity": 0, "Structure/Structure": "brick", "Path/Stress components": "xx", "Path/Points": 41,
-                                  "Path/Keyframes": "0 : 1, 0; 0, 1 | 1 : 1, 0; 0, 0.8", "Path/F_dot": "0, 0; 0, 0"}
+def alone(tissue):
+    return f"{tissue}_rve", "rve_response", {
+        **CELL, "Cell/Fluid viscosity": 0, "Structure/Structure": "brick", "Structure/Gap": TISSUES[tissue], "Path/Stress components": "xx",
+        "Path/Points": 41, "Path/Keyframes": "0 : 1, 0; 0, 1 | 1 : 1, 0; 0, 0.8", "Path/F_dot": "0, 0; 0, 0"}
+
+
+def wanted(tissue, row):
+    """row: m, height of a row of FE2, the RVE's period across rows."""
+    strip = {**STRIP, "Structure/Gap": TISSUES[tissue]}
     for n in STRUCK:
-        yield f"struck_{n}", "tissue_impact", {**STRIP, "Rows": n, "Sides": "periodic", "Speed": 5, "End strain": 0.12}
-        height = n * HEIGHT
-        yield f"struck_fe2_{n}", "tissue_bruise", {
-            **CELL, "Structure/Structure": "brick", "Structure/Rotation": 90, "Tissue/Lateral sides": "periodic", "Impact/Tool": "plate",
-            "Impact/Motion": "steady", "Impact/Support": "plate", "Impact/Speed": 5, "Impact/Depth": 0.12 * height, "Impact/Contact stiffness": 4,
-            "Impact/Outlined RVEs": 0, "Tissue/Width": height, "Tissue/Height": 2e-4, "Tissue/Elements x": n, "Tissue/Elements y": 2,
-            "Time/End time": 0.12 * height / 5, "Time/Output interval": 0.001 * height / 5, "Wall/Yielding": "none", "Wall/Critical stretch": 0}
+        yield f"{tissue}_struck_{n}", "tissue_impact", {**strip, "Rows": n, "Sides": "periodic", "Speed": 5, "End strain": 0.12}
+        height = n * row
+        yield f"{tissue}_struck_fe2_{n}", "tissue_bruise", {
+            **CELL, "Structure/Structure": "brick", "Structure/Gap": TISSUES[tissue], "Structure/Rotation": 90, "Tissue/Lateral sides": "periodic",
+            "Impact/Tool": "plate", "Impact/Motion": "steady", "Impact/Support": "plate", "Impact/Speed": 5, "Impact/Depth": 0.12 * height,
+            "Impact/Contact stiffness": 4, "Impact/Outlined RVEs": 0, "Tissue/Width": height, "Tissue/Height": 2e-4, "Tissue/Elements x": n,
+            "Tissue/Elements y": 2, "Time/End time": 0.12 * height / 5, "Time/Output interval": 0.001 * height / 5, "Wall/Yielding": "none",
+            "Wall/Critical stretch": 0}
     for n in SLOW:
-        yield f"slow_{n}", "tissue_compression", {**STRIP, "Rows": n, "Sides": "widening", "Speed": 0.5, "Damping": 2e4}
+        yield f"{tissue}_slow_{n}", "tissue_compression", {**strip, "Rows": n, "Sides": "widening", "Speed": 0.5, "Damping": 2e4}
 
 
 def table(run, name):
@@ -69,17 +77,17 @@ def limit(ns, values):
     return my - slope * mx, slope
 
 
-def curves(runs):
-    """{name: (strain, upper, lower)} in kPa."""
-    rve = table(runs["rve"], "stress.csv")
+def curves(runs, tissue, row):
+    """{name without tissue: (strain, upper, lower)} in kPa."""
+    rve = table(runs[f"{tissue}_rve"], "stress.csv")
     strain = [1 - F for F in rve["F_yy"]]
     held = {"rve": (strain, [-p / 1e3 for p in rve["P_yy"]], [-p / 1e3 for p in rve["P_yy"]])}
     for n in STRUCK:
-        hit = table(runs[f"struck_fe2_{n}"], "impact.csv")
-        held[f"struck_fe2_{n}"] = ([s / (n * HEIGHT) for s in hit["travel"]], [f / 2e-4 / 1e3 for f in hit["force"]],
+        hit = table(runs[f"{tissue}_struck_fe2_{n}"], "impact.csv")
+        held[f"struck_fe2_{n}"] = ([s / (n * row) for s in hit["travel"]], [f / 2e-4 / 1e3 for f in hit["force"]],
                                    [f / 2e-4 / 1e3 for f in hit["transmitted_force"]])
     for name in [f"struck_{n}" for n in STRUCK] + [f"slow_{n}" for n in SLOW]:
-        loading = table(runs[name], "loading.csv")
+        loading = table(runs[f"{tissue}_{name}"], "loading.csv")
         held[name] = (loading["strain"], [s / 1e3 for s in loading["stress_upper"]], [s / 1e3 for s in loading["stress_lower"]])
     return held
 
@@ -88,25 +96,28 @@ def window_mean(curve, low, high):
     return mean_between(curve[0], [0.5 * (a + b) for a, b in zip(curve[1], curve[2])], low, high)
 
 
-def slow_rows(data, runs):
-    yield f"| slow, kPa (mean of +- 1 % of strain) | {' | '.join(f'{p} %' for p in PERCENTS)} | lateral stress left, kPa | CPU s |"
+def slow_rows(data, runs, tissue):
+    yield f"| {tissue}, slow, kPa (mean of +- 1 % of strain) | {' | '.join(f'{p} %' for p in PERCENTS)} | lateral stress left, kPa | CPU s |"
     yield "|---|" + "---|" * (len(PERCENTS) + 2)
     near = {name: [window_mean(data[name], p / 100 - 0.01, min(0.2, p / 100 + 0.01)) for p in PERCENTS] for name in ["rve"] + [f"slow_{n}" for n in SLOW]}
     for n in SLOW:
-        run = runs[f"slow_{n}"]
+        run = runs[f"{tissue}_slow_{n}"]
         yield (f"| {n} rows of particles | {' | '.join(f'{v:.4g}' for v in near[f'slow_{n}'])} | {results(run)['largest_lateral_stress'] / 1e3:.2g} | "
                f"{float(run['cpu_time_s']):.3g} |")
-    for words, ns in (("all", SLOW), ("the two tallest", SLOW[-2:])):
+        yield f"| ... over RVE - 1 | {' | '.join(f'{100 * (a / v - 1):+.1f} %' for a, v in zip(near[f'slow_{n}'], near['rve']))} | | |"
+    for words, ns in (("all", SLOW), ("all but the lowest", SLOW[1:]), ("the two tallest", SLOW[-2:])):
         ends = [limit(ns, [near[f"slow_{n}"][k] for n in ns]) for k in range(len(PERCENTS))]
         yield f"| a + b/n through {words} | {' | '.join(f'{a:.4g}' for a, _ in ends)} | | |"
         yield f"| ... over RVE - 1 | {' | '.join(f'{100 * (a / v - 1):+.1f} %' for (a, _), v in zip(ends, near['rve']))} | | |"
         yield f"| ... -b/a | {' | '.join(f'{-b / a:.2f}' for a, b in ends)} | | |"
-    yield f"| RVE alone | {' | '.join(f'{v:.4g}' for v in near['rve'])} | | {float(runs['rve']['cpu_time_s']):.2g} |"
+    cost = float(runs[f"{tissue}_rve"]["cpu_time_s"])
+    yield (f"| RVE alone ({SLOW[-1]} rows of particles cost {float(runs[f'{tissue}_slow_{SLOW[-1]}']['cpu_time_s']) / cost:.0f} x) | "
+           f"{' | '.join(f'{v:.4g}' for v in near['rve'])} | | {cost:.2g} |")
 
 
-def struck_rows(data, runs):
+def struck_rows(data, runs, tissue):
     names = [f"{100 * low:g} to {100 * high:g} %" for low, high in WINDOWS]
-    yield f"| struck at 5 m/s, kPa, mean over strain: upper / lower plate | {' | '.join(names)} | CPU s |"
+    yield f"| {tissue}, struck at 5 m/s, kPa, mean over strain: upper / lower plate | {' | '.join(names)} | CPU s |"
     yield "|---|" + "---|" * (len(WINDOWS) + 1)
     ratios = []
     for n in STRUCK:
@@ -114,48 +125,55 @@ def struck_rows(data, runs):
         for name, words in ((f"struck_{n}", "particles"), (f"struck_fe2_{n}", "FE2")):
             means[name] = [[mean_between(data[name][0], data[name][side], *window) for window in WINDOWS] for side in (1, 2)]
             yield (f"| {n} rows, {words} | {' | '.join(f'{a:.4g} / {b:.4g}' for a, b in zip(*means[name]))} | "
-                   f"{float(runs[name]['cpu_time_s']):.3g} |")
+                   f"{float(runs[f'{tissue}_{name}']['cpu_time_s']):.3g} |")
         ratios.append([[p / f for p, f in zip(*pair)] for pair in zip(means[f"struck_{n}"], means[f"struck_fe2_{n}"])])
         yield f"| {n} rows, particles over FE2 | {' | '.join(f'{a:.3f} / {b:.3f}' for a, b in zip(*ratios[-1]))} | |"
     far = [[limit(STRUCK, [r[side][k] for r in ratios])[0] for k in range(len(WINDOWS))] for side in (0, 1)]
     yield f"| extrapolated, a + b/n | {' | '.join(f'{a:.3f} / {b:.3f}' for a, b in zip(*far))} | |"
 
 
-def draw(data, path):
+def draw(tissues, path):
     import matplotlib
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
     from drawing import INK
-    figure, axes = plt.subplots(1, 1 + len(STRUCK), figsize=(4.2 * (1 + len(STRUCK)), 4.2), constrained_layout=True)
-    shades = ["#cfe3a4", "#8dc085", "#3f8f7f"]
-    for n, colour in zip(SLOW, shades):
-        x, upper, lower = data[f"slow_{n}"]
-        axes[0].plot([100 * v for v in x], [0.5 * (a + b) for a, b in zip(upper, lower)], color=colour, label=f"{n} rows of particles")
-    axes[0].plot([100 * v for v in data["rve"][0]], data["rve"][1], color=INK, linestyle="--", label="RVE of one brick")
-    axes[0].set_title("slow, sides free to widen:\nmean of both plates")
-    for axis, n in zip(axes[1:], STRUCK):
-        for name, style, words in ((f"struck_{n}", "-", "particles"), (f"struck_fe2_{n}", "--", "FE²")):
-            x, upper, lower = data[name]
-            axis.plot([100 * v for v in x], [v / 1e3 for v in upper], color="#b03a2e", linestyle=style, linewidth=1, label=f"plate that hits, {words}")
-            axis.plot([100 * v for v in x], [v / 1e3 for v in lower], color="#2e6f9e", linestyle=style, linewidth=1, label=f"other plate, {words}")
-        axis.set_title(f"hit at 5 m/s, sides held:\n{n} rows")
-    for axis in axes:
-        axis.set_xlabel("way of the plate over the height [%]")
-        axis.set_xlim(0, 20 if axis is axes[0] else 12)
-        axis.legend(frameon=False, fontsize=8, loc="upper left")
-    axes[0].set_ylabel("force over width and depth [kPa]")
-    axes[1].set_ylabel("force over width and depth [MPa]")
+    figure, all_axes = plt.subplots(len(tissues), 1 + len(STRUCK), figsize=(4.2 * (1 + len(STRUCK)), 4.2 * len(tissues)), constrained_layout=True)
+    shades = ["#dfeec4", "#b5d59b", "#74ad80", "#2f7f72"]
+    for axes, (tissue, data) in zip(all_axes, tissues.items()):
+        for n, colour in zip(SLOW, shades):
+            x, upper, lower = data[f"slow_{n}"]
+            axes[0].plot([100 * v for v in x], [0.5 * (a + b) for a, b in zip(upper, lower)], color=colour, label=f"{n} rows of particles")
+        axes[0].plot([100 * v for v in data["rve"][0]], data["rve"][1], color=INK, linestyle="--", label="RVE of one brick")
+        axes[0].set_title(f"{tissue} bricks, slow, sides free to\nwiden: mean of both plates")
+        for axis, n in zip(axes[1:], STRUCK):
+            for name, style, words in ((f"struck_{n}", "-", "particles"), (f"struck_fe2_{n}", "--", "FE²")):
+                x, upper, lower = data[name]
+                axis.plot([100 * v for v in x], [v / 1e3 for v in upper], color="#b03a2e", linestyle=style, linewidth=1, label=f"plate that hits, {words}")
+                axis.plot([100 * v for v in x], [v / 1e3 for v in lower], color="#2e6f9e", linestyle=style, linewidth=1, label=f"other plate, {words}")
+            axis.set_title(f"{tissue} bricks, hit at 5 m/s,\nsides held: {n} rows")
+        for axis in axes:
+            axis.set_xlabel("way of the plate over the height [%]")
+            axis.set_xlim(0, 20 if axis is axes[0] else 12)
+            axis.legend(frameon=False, fontsize=8, loc="upper left")
+        axes[0].set_ylabel("force over width and depth [kPa]")
+        axes[1].set_ylabel("force over width and depth [MPa]")
     figure.savefig(path, dpi=110)
 
 
 def main():
     no_choice(__doc__)
-    runs = study("brick_strips", list(wanted()))
+    runs = study("brick_strips_alone", [alone(tissue) for tissue in TISSUES])
+    row = {tissue: results(runs[f"{tissue}_rve"])["period_yy"] for tissue in TISSUES}
+    runs |= study("brick_strips", [run for tissue in TISSUES for run in wanted(tissue, row[tissue])])
     for name, run in runs.items():
         if run["status"] != "finished":
             raise SystemExit(f"{name}: {run['message']}")
-    data = curves(runs)
-    lines = [line for line in __doc__.strip().split("\n")] + [""] + list(slow_rows(data, runs)) + [""] + list(struck_rows(data, runs)) + ["", NOTES]
+    data = {tissue: curves(runs, tissue, row[tissue]) for tissue in TISSUES}
+    lines = __doc__.strip().split("\n")
+    for tissue in TISSUES:
+        for rows in (slow_rows, struck_rows):
+            lines += ["", *rows(data[tissue], runs, tissue)]
+    lines += ["", NOTES]
     folder = os.path.join(ROOT, "doc", "results", "rve")
     draw(data, os.path.join(folder, "strips.png"))
     with open(os.path.join(folder, "strips.md"), "w", encoding="utf-8") as out:

@@ -85,7 +85,8 @@ def matrix(rng, centre, size):
 
 PILLAR = {"Body/File": os.path.join(ROOT, "inputs", "reference", "pillar.off"), "Body/Position": "45e-6, 0, 0", "Body/Load": "-1e-9, 0, 0"}
 STRUCTURES = [{"Structure/Structure": kind} for kind in ("brick", "hexagon", "voronoi")]
-STRIPS = [{"Sides": sides, "Structure/Structure": kind} for sides, kind in (("periodic", "brick"), ("widening", "hexagon"))]
+STRIPS = [{"Sides": sides, "Structure/Structure": kind} for sides, kind in (("periodic", "brick"), ("widening", "hexagon"))] + [
+    {"Sides": "periodic", "Structure/Gap": 20e-6}, {"Sides": "cut", "Rows": 2}]
 # What else of a scene is driven to extremes: settings beside its defaults.
 BASES = {"rve_response": STRUCTURES, "tissue_gravity": STRUCTURES, "tissue_statics": STRUCTURES, "tissue_bruise": STRUCTURES[:1],
          "tissue_compression": STRIPS, "tissue_impact": STRIPS, "tissue_failure": STRIPS,

@@ -10,11 +10,16 @@ constexpr double contact_ratio =
     1.;  // more is no better: bricks pressed flat then find no rest (see the header)
 }
 
-AirContact::AirContact(const CellLayout &layout) {
-  contact.inset = std::min(layout.parameters.wall_thickness, 0.2 * layout.spacing);
-  contact.smooth = 0.25 * layout.spacing;
-  contact.range = 1.6 * contact.inset;
-  contact.stiffness = contact_ratio * layout.spring_stiffness / contact.range;
+FaceContact AirContact::law_of(const CellLayout &layout) {
+  FaceContact law;
+  law.inset = std::min(layout.parameters.wall_thickness, 0.2 * layout.spacing);
+  law.smooth = 0.25 * layout.spacing;
+  law.range = 1.6 * law.inset;
+  law.stiffness = contact_ratio * layout.spring_stiffness / law.range;
+  return law;
+}
+
+AirContact::AirContact(const CellLayout &layout) : contact(law_of(layout)) {
   for (const AirSpace &air : layout.air) {
     Space space;
     for (const AirFace &face : air) {

@@ -3,8 +3,9 @@
 //   h = wall thickness, 0.2 spacing at most;  eps = 0.25 spacing;  rho = 1.6 h
 //   k rho = contact ratio x stiffness of a wall spring
 //
-// with a ratio of 1. Particles have h = 0.2 spacing, the same eps and rho and half the stiffness, in a force
-// that is linear in rho - d (cell_contact.h, brick_tissue.cc); here it begins softly. Five times as stiff,
+// with a ratio of 1. Particles cut out of such a tissue have the same law (tissue_strip.h); blocks of bricks
+// as they are laid h = 0.2 spacing, the same eps and rho and half the stiffness, in a force that is linear in
+// rho - d (cell_contact.h, brick_tissue.cc), equal to this one at half the range. Five times as stiff,
 // bricks pressed with free sides answer 1 % more, but closed tissue no longer comes to rest when it is
 // pressed to 8 MPa; perhaps because of points in a hollow corner of a face, where the nearest place jumps
 // (not shown).
@@ -42,6 +43,7 @@ struct AirTouch {
 class AirContact {
  public:
   explicit AirContact(const CellLayout &layout);
+  static FaceContact law_of(const CellLayout &layout);
 
   bool empty() const { return spaces.empty(); }
   std::size_t size() const { return spaces.size(); }

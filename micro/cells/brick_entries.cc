@@ -17,19 +17,22 @@ void BrickParameters::add_parameters(InputEntries &prm) {
                     Integer(1, 1000));
   prm.add_parameter(
       "Sides", sides,
-      "What is beside the aggregate. free: nothing, it is a block of bricks. periodic: itself without end, a "
-      "strip cut out of the tissue of the subsection Structure, whose RVEs have the same cells; it keeps the "
-      "width of that tissue at turgor. widening: such a strip, whose width follows so that the mean stress "
-      "along x is zero, as slow loading between plates leaves it. Units: none.");
+      "What is beside the aggregate. free: nothing, it is a block of bricks. cut: nothing, it is a block cut "
+      "out of the tissue of the subsection Structure, whose RVEs have the same cells. periodic: itself "
+      "without end, a strip of that tissue; it keeps the width that it has at turgor. widening: such a "
+      "strip, "
+      "whose width follows so that the mean stress along x is zero, as slow loading between plates leaves "
+      "it. "
+      "Units: none.");
   prm.add_parameter("Jitter", jitter,
                     "Sides = free: largest random displacement of a cell corner in x and in y over "
-                    "Cell/Period; a strip has "
+                    "Cell/Period; what is cut out has "
                     "Structure/Corner jitter. Units: none.",
                     Double(0., 0.2));
   prm.add_parameter("Gap", gap,
                     "Length without lamella ties at either end of a wall shared by two cells: 0 gives dense "
                     "tissue, more opens the "
-                    "spaces between three cells; only with Sides = free. Units: m.",
+                    "spaces between three cells; only with Sides = free, otherwise Structure/Gap. Units: m.",
                     Double(0., 1e-2));
   prm.add_parameter("Tissue seed", seed,
                     "Seed of the random displacements of Jitter: another one, another tissue. Units: none.",
@@ -46,7 +49,9 @@ void BrickParameters::add_parameters(InputEntries &prm) {
                     "Stiffness of the contact between walls, and with the plates, over that of one wall "
                     "spring at rest. Where walls "
                     "break, it is between them at least what stops a torn wall that recoils, 59 (Critical "
-                    "stretch - 1)^2. Units: none.",
+                    "stretch - 1)^2. With Structure/Gap walls touch as across the air of RVEs, "
+                    "in proportion to this: 0.5 is as there, the same force at half the contact's range. "
+                    "Units: none.",
                     Double(1e-3, 100.));
   prm.add_parameter("Yielding", yielding,
                     "Wall yielding, thesis Eq. 3.8: none; reversible: force g(lambda) F(lambda) on the way "
@@ -78,18 +83,19 @@ NeoHookeanWall BrickParameters::wall_law(const ParenchymaParameters &cell) const
 }
 
 void BrickParameters::check_sides(const ParenchymaParameters &cell) const {
-  if (sides != TissueSides::free) {
-    check_strip(structure, yielding_cell(cell));
+  if (cut_out()) {
+    check_strip(structure, yielding_cell(cell), rows, ends());
     if (gap > 0.)
-      throw std::invalid_argument("Gap is not 0, but a strip (Sides = " + word_of(sides) +
-                                  ") is dense as its RVEs are: use Gap = 0, or Sides = free.");
+      throw std::invalid_argument("Gap is not 0, but tissue cut out of RVEs (Sides = " + word_of(sides) +
+                                  ") has their air spaces: use Gap = 0 and Structure/Gap, or Sides = free.");
     return;
   }
   if (structure.kind != StructureKind::brick || structure.jitter > 0. || structure.rotation != 0. ||
-      structure.measured())
+      structure.gap > 0. || structure.measured())
     throw std::invalid_argument(
         "The subsection Structure asks for other cells than bricks as they are laid, but with Sides = free "
-        "the aggregate is a block of bricks (Jitter, Gap, Tissue seed): use Sides = periodic or widening.");
+        "the aggregate is a block of bricks (Jitter, Gap, Tissue seed): use Sides = cut, periodic or "
+        "widening.");
 }
 
 double BrickParameters::turgid_side(const ParenchymaParameters &cell) const {

@@ -30,6 +30,12 @@ double BrickTissue::cell_area(const std::size_t cell) const {
   return 0.5 * twice;
 }
 
+double BrickTissue::mean_cell_area() const {
+  double sum = 0.;
+  for (std::size_t c = 0; c < layout.cells(); ++c) sum += cell_area(c);
+  return sum / double(layout.cells());
+}
+
 double BrickTissue::mean_stretch() const {
   double sum = 0., count = 0.;
   for (std::size_t c = 0; c < system.particles.groups.size(); ++c)

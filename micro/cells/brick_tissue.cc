@@ -1,5 +1,6 @@
 #include "micro/cells/brick_tissue.h"
 
+#include "micro/cells/air_contact.h"
 #include "micro/cells/tissue_strip.h"
 #include "run/start_disturbance.h"
 
@@ -55,10 +56,18 @@ std::vector<LamellaTie> ties_of_particles(const BrickTissue &tissue, const std::
 
 CellContactParameters contact_of(const BrickTissue &tissue, const BrickParameters &brick) {
   CellContactParameters contact;
-  contact.surface = {0.2 * tissue.spacing, 0.25 * tissue.spacing};
-  contact.range = 1.6 * contact.surface.inset;  // below sqrt(3): three cells that meet feel nothing
-  contact.stiffness =
-      tissue.spring_stiffness *
+  contact.soft = brick.structure.gap > 0.;
+  if (contact.soft) {  // cut out of tissue with air spaces: as across those of its RVEs
+    const FaceContact law = AirContact::law_of(tissue.layout);
+    contact.surface = {law.inset, law.smooth};
+    contact.range = law.range;
+    contact.stiffness = law.stiffness * law.range / BrickParameters().contact_ratio;
+  } else {
+    contact.surface = {0.2 * tissue.spacing, 0.25 * tissue.spacing};
+    contact.range = 1.6 * contact.surface.inset;  // below sqrt(3): three cells that meet feel nothing
+    contact.stiffness = tissue.spring_stiffness;
+  }
+  contact.stiffness *=
       std::max(brick.contact_ratio,
                ratio_that_holds_torn_walls(brick.critical_stretch, tissue.spacing / contact.range));
   contact.fluid_range = contact.surface.inset;
@@ -68,6 +77,11 @@ CellContactParameters contact_of(const BrickTissue &tissue, const BrickParameter
   return contact;
 }
 }  // namespace
+
+BrickLayout BrickParameters::lay(const ParenchymaParameters &cell) const {
+  return cut_out() ? lay_strip(structure, yielding_cell(cell), columns, rows, ends())
+                   : lay_bricks(cell, *this);
+}
 
 void lay_fluid(Particles<2> &particles, const std::size_t cell, const unsigned int seed) {
   const Group &g = particles.groups[cell];
@@ -86,11 +100,9 @@ std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, co
   auto tissue = std::make_unique<BrickTissue>();
   ParticleSystem<2> &system = tissue->system;
   const bool filled = filling == BrickFilling::particles;
-  const bool strip = brick.sides != TissueSides::free;
-  tissue->layout = strip ? lay_strip(brick.structure, brick.yielding_cell(p), brick.columns, brick.rows)
-                         : lay_bricks(p, brick);
+  tissue->layout = brick.lay(p);
   const CellLayout &layout = tissue->layout;
-  if (strip) {
+  if (brick.cut_out()) {
     system.box.H = layout.lattice;
     system.box.periodic = layout.periodic;
   }
@@ -110,7 +122,7 @@ std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, co
   }
   if (filled) {
     ParenchymaParameters turgid = p;  // the kernel's size is that of the particles' distance at turgor
-    turgid.period = strip ? std::sqrt(layout.lattice.determinant() / double(cells)) : brick.turgid_side(p);
+    turgid.period = brick.cut_out() ? std::sqrt(tissue->mean_cell_area()) : brick.turgid_side(p);
     tissue->fluid = &system.add(make_cell_fluid(turgid, sph, tissue->spacing, mass, tissue->damage));
   } else
     system.add(std::make_unique<EnclosedFluid<2>>(p.equation_of_state(), mass, p.depth, nullptr))

@@ -8,6 +8,7 @@
 
 #include "micro/cells/brick_layout.h"
 #include "micro/cells/sph_parenchyma.h"
+#include "micro/cells/tissue_strip.h"
 #include "micro/cells/tissue_structure.h"
 #include "micro/terms/cell_contact.h"
 #include "micro/terms/enclosed_fluid.h"
@@ -23,15 +24,16 @@ namespace turgor {
 /// What is beside an aggregate.
 enum class TissueSides {
   free,      ///< nothing: a block of bricks (brick_layout.h)
+  cut,       ///< nothing: a block cut out of the tissue that RVEs have (tissue_strip.h)
   periodic,  ///< itself: a strip (tissue_strip.h) that keeps the width it has at turgor without ends
   widening   ///< itself, the width following so that no mean stress is left along x
 };
-constexpr const char *words_of(TissueSides) { return "free|periodic|widening"; }
+constexpr const char *words_of(TissueSides) { return "free|cut|periodic|widening"; }
 
 struct BrickParameters {
   unsigned int columns = 5, rows = 5;
   TissueSides sides = TissueSides::free;
-  TissueStructure structure{.kind = StructureKind::brick};  ///< of a strip
+  TissueStructure structure{.kind = StructureKind::brick};  ///< of what is cut out of an RVE's tissue
   double jitter = 0.06;        ///< largest displacement of a corner in x and in y / Period
   double gap = 0.;             ///< m, length without ties at either end of a shared wall; 0: dense
   unsigned int seed = 1;       ///< of the jitter
@@ -52,7 +54,11 @@ struct BrickParameters {
   void check(const ParenchymaParameters &cell, const SphParameters &sph) const;
   void add_parameters(InputEntries &prm);
 
+  bool cut_out() const { return sides != TissueSides::free; }  ///< of the tissue of `structure`
+  BrickLayout lay(const ParenchymaParameters &cell) const;
+
  private:
+  StripEnds ends() const { return sides == TissueSides::cut ? StripEnds::all : StripEnds::above_and_below; }
   /// What does not go together with these sides.
   void check_sides(const ParenchymaParameters &cell) const;
 };
@@ -75,6 +81,7 @@ struct BrickTissue {
   /// there is none.
   std::uint32_t to_junction(std::size_t cell, std::uint32_t node) const;
   double cell_area(std::size_t cell) const;              ///< m^2
+  double mean_cell_area() const;                         ///< m^2
   double mean_stretch() const, largest_stretch() const;  ///< of all bonds of walls
   /// Share of the area not covered by any cell, in the box of the centres of the outermost cells (points on a
   /// grid).

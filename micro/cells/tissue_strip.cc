@@ -3,11 +3,50 @@
 #include "run/number_text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
 namespace turgor {
 namespace {
+/// Without what lies across periods that end: ties, and air spaces, which then are open.
+void cut_ends(CellLayout &layout, const std::array<bool, 2> &periodic) {
+  layout.periodic = periodic;
+  const auto across = [&](const std::array<int, 2> &from, const std::array<int, 2> &to) {
+    return (!periodic[0] && from[0] != to[0]) || (!periodic[1] && from[1] != to[1]);
+  };
+  std::erase_if(layout.ties, [&](const LamellaTie &tie) { return across(tie.shift, {{0, 0}}); });
+  std::erase_if(layout.air, [&](const AirSpace &space) {
+    return std::any_of(space.begin(), space.end(),
+                       [&](const AirFace &face) { return across(face.shift, space[0].shift); });
+  });
+}
+
+/// Per cell its nodes (in the ring) at the corners of walls around air: as far as the gap, as laid, from
+/// either end of a face.
+std::vector<std::vector<std::uint32_t>> corners_at_air(const CellLayout &layout, const double gap) {
+  std::vector<std::vector<std::uint32_t>> all(layout.cells());
+  for (const AirSpace &space : layout.air)
+    for (const AirFace &face : space) {
+      const WallRing &ring = layout.rings[face.ring];
+      std::vector<std::size_t> nodes{face.first};
+      std::vector<double> along{0.};
+      for (std::uint32_t k = 0; k < face.bonds; ++k) {
+        along.push_back(along.back() + layout.rest_length[nodes.back()]);
+        nodes.push_back(ring.after(nodes.back()));
+      }
+      for (const double at : {gap, along.back() - gap}) {
+        std::size_t nearest = 0;
+        for (std::size_t k = 1; k < along.size(); ++k)
+          if (std::abs(along[k] - at) < std::abs(along[nearest] - at)) nearest = k;
+        const std::uint32_t corner = std::uint32_t(nodes[nearest] - ring.first);
+        std::vector<std::uint32_t> &found = all[face.ring];
+        if (std::find(found.begin(), found.end(), corner) == found.end()) found.push_back(corner);
+      }
+    }
+  return all;
+}
+
 /// Per cell its nodes (in the ring) that are tied to two other cells or more: where three meet.
 std::vector<std::vector<std::uint32_t>> junctions_of(const CellLayout &layout) {
   std::vector<unsigned int> ties(layout.nodes.size(), 0);
@@ -42,15 +81,18 @@ std::vector<std::uint32_t> from_ends(const BrickLayout &layout) {
 }
 }  // namespace
 
-void check_strip(const TissueStructure &structure, const ParenchymaParameters &cell) {
+void check_strip(const TissueStructure &structure, const ParenchymaParameters &cell, const unsigned int rows,
+                 const StripEnds ends) {
   structure.check();
   if (structure.kind == StructureKind::voronoi || structure.measured())
     throw std::invalid_argument("Structure/Structure is " + word_of(structure.kind) +
                                 ", but a strip of particles (Sides) has cells with equally many wall nodes: "
                                 "use square, hexagon or brick.");
-  if (structure.gap > 0.)
-    throw std::invalid_argument("Structure/Gap is " + number_text(structure.gap) +
-                                " m, but a strip of particles (Sides) is dense: use 0.");
+  if (ends == StripEnds::all && rows % 2 != 0 && structure.kind != StructureKind::square)
+    throw std::invalid_argument(
+        "Rows is " + number_text(rows) + ", but rows of Structure/Structure = " + word_of(structure.kind) +
+        " are moved by half a cell, so that a block (Sides = cut) has an even number of them: use " +
+        number_text(rows + 1) + ".");
   if (structure.rotation != 0.)
     throw std::invalid_argument(
         "Structure/Rotation is " + number_text(structure.rotation) +
@@ -65,18 +107,19 @@ void check_strip(const TissueStructure &structure, const ParenchymaParameters &c
 }
 
 BrickLayout lay_strip(const TissueStructure &structure, const ParenchymaParameters &cell,
-                      const unsigned int columns, const unsigned int rows) {
-  check_strip(structure, cell);
+                      const unsigned int columns, const unsigned int rows, const StripEnds ends) {
+  check_strip(structure, cell, rows, ends);
+  const bool block = ends == StripEnds::all;
   BrickLayout strip;
-  static_cast<CellLayout &>(strip) = turgid_tissue(structure, cell, columns, rows);
-  strip.periodic = {true, false};
-  std::erase_if(strip.ties, [](const LamellaTie &tie) { return tie.shift[1] != 0; });
+  static_cast<CellLayout &>(strip) =
+      turgid_tissue(structure, cell, columns, rows, block ? Periods::upright : Periods::leaning);
+  cut_ends(strip, {!block, false});
   for (const WallRing &ring : strip.rings)
     if (ring.count != strip.rings[0].count)
       throw std::invalid_argument(
           "The cells of this strip have unlike numbers of wall nodes: use a smaller Structure/Corner jitter, "
           "or 0.");
-  strip.junctions = junctions_of(strip);
+  strip.junctions = structure.gap > 0. ? corners_at_air(strip, structure.gap) : junctions_of(strip);
   strip.tie_from_end = from_ends(strip);
   return strip;
 }

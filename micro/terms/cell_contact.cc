@@ -116,7 +116,7 @@ CellContact::Hit CellContact::touch(const Near &near) const {
   if (near.slack > 2. * moved) return hit;
   const double range = near.fluid ? fluid_range[near.point] : parameters.range, d = distance(near, hit);
   hit.overlap = d > 0. ? std::max(0., range - d) : 0.;
-  const double push = hit.overlap > 0. ? parameters.stiffness * hit.overlap / d : 0.;
+  const double push = hit.overlap > 0. ? parameters.push(hit.overlap, near.fluid) / d : 0.;
   hit.force[0] *= push;
   hit.force[1] *= push;
   return hit;
@@ -146,10 +146,8 @@ void CellContact::add_forces(Particles<2> &particles, const Box<2> &, const std:
 
 double CellContact::energy(const Particles<2> &, const Box<2> &, const std::size_t group) const {
   double total = 0.;
-  for (const std::uint32_t n : of_points[group]) {
-    const double overlap = touch(nears[n]).overlap;
-    total += 0.5 * parameters.stiffness * overlap * overlap;
-  }
+  for (const std::uint32_t n : of_points[group])
+    total += parameters.energy(touch(nears[n]).overlap, nears[n].fluid);
   return total;
 }
 
@@ -206,7 +204,7 @@ Rates CellContact::rates(const Particles<2> &particles) const {
   // faces turn with their nodes.
   Rates bound;
   const double k = parameters.stiffness, lever = 1. + parameters.surface.inset / parameters.spacing;
-  bound.wall.frequency_squared = 4. * k * lever * lever / parameters.node_mass;
+  bound.wall.frequency_squared = 4. * parameters.steepest() * lever * lever / parameters.node_mass;
   if (damage)
     for (const Group &g : particles.groups)
       if (g.fluid_count() > 0)

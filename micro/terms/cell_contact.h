@@ -4,6 +4,8 @@
 //                             (wall_surface.h) to the point p
 //   f_p = -k (rho - d) (c - p)/d, and -f_p on the two corners of the face that holds c = (1 - t) y_a + t y_b:
 //     -(1 - t) f_p, -t f_p
+// or softly, as across the air spaces of an RVE (face_contact.h, there with the sign of d):
+//   E = sum k/(3 rho) (rho - d)^3;  a wall's points alone, fluid has the law above
 //
 // for every point p and every ring in reach. Points: the inner faces' corners y of all cells, also against
 // their own ring (without the two bonds at p); and the fluid of cells that have failed, against other cells'
@@ -42,12 +44,23 @@
 namespace turgor {
 struct CellContactParameters {
   double stiffness = 0.;    ///< k, N/m
+  bool soft = false;        ///< of walls: the force begins with the square of the overlap
   WallSurface surface;      ///< h, eps
   double range = 0.;        ///< rho, m
   double fluid_range = 0.;  ///< rho_f, m
   double skin = 0.;         ///< m
   double spacing = 0.;      ///< m, of wall nodes at rest
   double node_mass = 0.;    ///< kg
+
+  /// N and J of an overlap rho - d (m); of a wall's point or of fluid.
+  double push(const double overlap, const bool fluid) const {
+    return soft && !fluid ? stiffness / range * overlap * overlap : stiffness * overlap;
+  }
+  double energy(const double overlap, const bool fluid) const {
+    return soft && !fluid ? stiffness / (3. * range) * overlap * overlap * overlap
+                          : 0.5 * stiffness * overlap * overlap;
+  }
+  double steepest() const { return soft ? 2. * stiffness : stiffness; }  ///< N/m
 };
 
 class CellContact final : public Term<2> {

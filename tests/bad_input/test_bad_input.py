@@ -167,6 +167,7 @@ BY_SCENE = {
     "tissue_impact": [
         NO_TURGOR,
         ("Gap", "30e-6", ["Gap is 3e-05 m", "a quarter of Cell/Period"]),
+        ("Structure/Gap", "20e-6", ["use Sides = cut, periodic or widening"]),
         ("Cell/Nodes per side", "9", ["even number"]),
         ("Yielding", "elastic", ["one of"]),
         ("Critical stretch", "1", ["above 1, or 0"]),

@@ -4,9 +4,11 @@
 #include "micro/cells/tiled_layout.h"
 #include "micro/cells/tissue_structure.h"
 #include "micro/cells/turgid_layout.h"
+#include "micro/engine/particle_system.h"
 #include "micro/geometry/regular_tilings.h"
 #include "micro/laws/counter_random.h"
 #include "micro/laws/face_contact.h"
+#include "micro/terms/cell_contact.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -195,6 +197,48 @@ BOOST_AUTO_TEST_CASE(touching_walls_have_the_derivatives_of_their_energy) {
                                  << worst_second / K.cwiseAbs().maxCoeff());
   BOOST_TEST(worst < 1e-6 * largest);
   BOOST_TEST(worst_second < 2e-8 * K.cwiseAbs().maxCoeff());
+}
+
+// Strips of particles cut out of such tissue push with the same law: the same energy, forces and stress in
+// the same places, as long as no wall has been carried through another.
+BOOST_AUTO_TEST_CASE(walls_of_particles_touch_alike) {
+  const Touching t(1);
+  const CellLayout &layout = t.network.layout();
+  NetworkEvaluation e;
+  t.network.evaluate(t.x, t.H, NetworkOrder::gradient, e);
+  const AirContact &air = t.network.air_contact();
+  std::vector<double> expected(t.x.size(), 0.);
+  Tensor2<2> virial = Tensor2<2>::Zero();
+  air.add_forces(e.touches, expected, virial);
+
+  ParticleSystem<2> system;
+  Particles<2> &p = system.particles;
+  p.resize(layout.nodes.size());
+  for (const WallRing &ring : layout.rings)
+    p.groups.push_back({ring.first, std::uint32_t(ring.end()), std::uint32_t(ring.end())});
+  for (std::size_t i = 0; i < t.x.size(); ++i) p.x[i % 2][i / 2] = t.x[i];
+  system.box.H = t.H;
+  system.box.periodic = {true, true};
+  CellContactParameters parameters;
+  parameters.soft = true;
+  parameters.surface = {air.law().inset, air.law().smooth};
+  parameters.range = air.law().range;
+  parameters.stiffness = air.law().stiffness * air.law().range;
+  parameters.skin = 0.5 * layout.spacing;
+  parameters.spacing = layout.spacing;
+  parameters.node_mass = layout.node_mass[0];
+  system.add(std::make_unique<CellContact>(parameters));
+  system.compute_forces();
+  const double energy = air.energy(t.x, t.H);
+  BOOST_REQUIRE(energy > 0.);
+  BOOST_TEST(system.potential_energy() == energy, boost::test_tools::tolerance(1e-9));
+  double worst = 0., largest = 0.;
+  for (std::size_t i = 0; i < t.x.size(); ++i) {
+    worst = std::max(worst, std::abs(p.f[i % 2][i / 2] + expected[i]));
+    largest = std::max(largest, std::abs(expected[i]));
+  }
+  BOOST_TEST(worst < 1e-9 * largest);
+  BOOST_TEST((system.virial() - virial).cwiseAbs().maxCoeff() < 1e-9 * virial.cwiseAbs().maxCoeff());
 }
 
 BOOST_AUTO_TEST_CASE(touching_walls_follow_the_lattice_exactly) {

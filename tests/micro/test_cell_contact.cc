@@ -109,6 +109,22 @@ BOOST_AUTO_TEST_CASE(corner_at_a_wall_by_hand) {
   BOOST_TEST(contact.crossed_bonds() == 0u);
 }
 
+BOOST_AUTO_TEST_CASE(soft_contact_by_hand) {
+  // The same corner: k/rho (0.2 - 0.1)^2 and k/(3 rho) (0.2 - 0.1)^3.
+  ParticleSystem<2> system;
+  add_square(system.particles, 0., 0., 4);
+  add_square(system.particles, 4.1, 1.5, 4);
+  Particles<2> &p = system.particles;
+  for (std::uint32_t k = 17; k < 32; ++k) p.x[0][k] += 0.5;
+  CellContactParameters soft = law(0., 0.2);
+  soft.soft = true;
+  system.add(std::make_unique<CellContact>(soft));
+  system.compute_forces();
+  BOOST_TEST(p.f[0][16] == 0.5, boost::test_tools::tolerance(1e-12));
+  for (const int k : {5, 6}) BOOST_TEST(p.f[0][k] == -0.25, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(system.potential_energy() == 10. / 0.6 * 1e-3, boost::test_tools::tolerance(1e-12));
+}
+
 BOOST_AUTO_TEST_CASE(walls_that_lie_on_each_other_feel_nothing_and_pushed_together_resist) {
   for (const double overlap : {0., 0.3}) {
     ParticleSystem<2> system;
@@ -136,7 +152,7 @@ BOOST_AUTO_TEST_CASE(walls_that_lie_on_each_other_feel_nothing_and_pushed_togeth
 BOOST_AUTO_TEST_CASE(contact_is_conservative) {
   // Three cells that overlap a little, disturbed: nodes in walls, walls on nodes, a corner in a dent; some
   // bonds torn.
-  for (const bool torn : {false, true}) {
+  for (const auto &[torn, soft] : {std::pair{false, false}, {true, false}, {false, true}}) {
     ParticleSystem<2> system;
     Particles<2> &p = system.particles;
     add_square(p, 0., 0., 5);
@@ -149,7 +165,9 @@ BOOST_AUTO_TEST_CASE(contact_is_conservative) {
         damage->cells[0].bond_broken[bond] = 1;
         ++damage->cells[0].broken;
       }
-    system.add(std::make_unique<CellContact>(law(0.15, 0.6), damage));
+    CellContactParameters parameters = law(0.15, 0.6);
+    parameters.soft = soft;
+    system.add(std::make_unique<CellContact>(parameters, damage));
     require_conservative(system);
   }
 }

@@ -1,6 +1,7 @@
-// Strips of particles that are periodic along x: the tissue of an RVE without its ties across the second
-// period.
+// Strips of particles that are periodic along x, and blocks: the tissue of an RVE without its ties across the
+// periods that end.
 #include "micro/cells/brick_tissue.h"
+#include "micro/cells/hydrostatic_network.h"
 #include "micro/cells/tissue_strip.h"
 #include "micro/processes/tissue_inflation.h"
 #include "micro/scenes/tissue/strip_width.h"
@@ -57,21 +58,64 @@ BOOST_AUTO_TEST_CASE(ties_of_a_strip) {
   BOOST_TEST(layout.junctions[0].size() == 3u);  // of the lowest row: those above it
 }
 
+// By hand: half sides have 2 + 1 + 2 bonds, the inner one tied, whole ones 2 + 5 + 2. Of the three rows of
+// air spaces, two a brick each, the one across the period that ends is open.
+BOOST_AUTO_TEST_CASE(ties_and_air_of_a_sparse_strip) {
+  Strip strip;
+  strip.brick.structure.gap = 20e-6;
+  const BrickLayout layout = strip.lay();
+  for (const WallRing &ring : layout.rings) BOOST_TEST(ring.count == 4u * 5 + 2u * 9);
+  BOOST_TEST(layout.ties.size() == 3u * 6 + 2u * 2 * 2);
+  BOOST_TEST(layout.air.size() == 4u);
+  BOOST_TEST(layout.junctions[1].size() == 6u);
+  BOOST_TEST(layout.junctions[0].size() == 3u);
+  for (const LamellaTie &tie : layout.ties)
+    for (const std::size_t c : {0u, 1u, 2u})
+      for (const std::uint32_t corner : layout.junctions[c])
+        BOOST_TEST((tie.a != layout.rings[c].first + corner && tie.b != layout.rings[c].first + corner));
+  // two bonds of 10 um from the end of a half side, and of a whole one
+  for (const std::uint32_t bonds : layout.tie_from_end) BOOST_TEST(bonds >= 2u);
+}
+
+BOOST_AUTO_TEST_CASE(a_block_is_cut_on_all_sides) {
+  Strip strip;
+  strip.brick.sides = TissueSides::cut;
+  strip.brick.columns = strip.brick.rows = 2;
+  for (const double gap : {0., 20e-6}) {
+    strip.brick.structure.gap = gap;
+    const BrickLayout layout = strip.brick.lay(strip.cell);
+    BOOST_TEST((layout.periodic == std::array<bool, 2>{false, false}));
+    // one wall in each row, three half walls between the rows
+    BOOST_TEST(layout.ties.size() == (gap > 0. ? 2u * 6 + 3u * 2 : 2u * 9 + 3u * 5));
+    // where the half walls meet a wall of a row
+    BOOST_TEST(layout.air.size() == (gap > 0. ? 2u : 0u));
+  }
+  const auto tissue = rest_of_the_walls(strip.cell, strip.sph, strip.brick, {});
+  BOOST_TEST(tissue->contact->crossed_bonds() == 0u);
+}
+
 // Away from its ends a strip of particles is the tissue that FE2 has: turgid walls alone are in balance but
 // for the outer rows, and the same strip one period aside is the same strip.
 BOOST_AUTO_TEST_CASE(inner_rows_begin_at_rest) {
-  const Strip strip;
-  const auto tissue = make_brick_tissue(strip.cell, strip.sph, strip.brick, BrickFilling::pressure);
-  tissue->system.compute_forces();
-  const Particles<2> &p = tissue->system.particles;
-  const double scale = strip.cell.turgor * tissue->spacing * strip.cell.depth;
-  double inside = 0., outside = 0.;
-  for (std::size_t c = 0; c < 3; ++c)
-    for (std::uint32_t i = p.groups[c].begin; i < p.groups[c].fluid; ++i)
-      (c == 1 ? inside : outside) = std::max(c == 1 ? inside : outside, std::hypot(p.f[0][i], p.f[1][i]));
-  BOOST_TEST(inside < 1e-6 * scale);
-  BOOST_TEST(outside > 0.1 * scale);
-  BOOST_TEST(tissue->void_fraction() < 2e-3);
+  for (const double gap : {0., 20e-6}) {
+    Strip strip;
+    strip.brick.structure.gap = gap;
+    const auto tissue = make_brick_tissue(strip.cell, strip.sph, strip.brick, BrickFilling::pressure);
+    tissue->system.compute_forces();
+    const Particles<2> &p = tissue->system.particles;
+    const double scale = strip.cell.turgor * tissue->spacing * strip.cell.depth;
+    double inside = 0., outside = 0.;
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::uint32_t i = p.groups[c].begin; i < p.groups[c].fluid; ++i)
+        (c == 1 ? inside : outside) = std::max(c == 1 ? inside : outside, std::hypot(p.f[0][i], p.f[1][i]));
+    BOOST_TEST(inside < 1e-6 * scale);
+    BOOST_TEST(outside > 0.1 * scale);
+    const CellLayout whole = turgid_tissue(strip.brick.structure, strip.cell, 1, 3);
+    const HydrostaticNetwork network(whole);
+    const double air = network.air_share(whole.positions(), whole.lattice);
+    BOOST_TEST((gap > 0.) == (air > 0.05));
+    BOOST_TEST(std::abs(tissue->void_fraction() - air) < 3e-3);
+  }
 }
 
 // The width follows until no stress is left along x.
@@ -94,8 +138,16 @@ BOOST_AUTO_TEST_CASE(width_gives_way) {
 BOOST_AUTO_TEST_CASE(refusals) {
   Strip strip;
   strip.brick.gap = 20e-6;
-  BOOST_TEST(refusal(strip.brick, strip.cell).find("Sides = periodic) is dense") != std::string::npos);
+  BOOST_TEST(refusal(strip.brick, strip.cell).find("use Gap = 0 and Structure/Gap") != std::string::npos);
   strip.brick.gap = 0.;
+  strip.brick.structure.gap = 25e-6;
+  BOOST_TEST(refusal(strip.brick, strip.cell).find("less than a quarter of Cell/Period") !=
+             std::string::npos);
+  strip.brick.structure.gap = 0.;
+  strip.brick.sides = TissueSides::cut;
+  BOOST_TEST(refusal(strip.brick, strip.cell).find("has an even number of them: use 4.") !=
+             std::string::npos);
+  strip.brick.sides = TissueSides::periodic;
   strip.brick.structure.kind = StructureKind::voronoi;
   BOOST_TEST(refusal(strip.brick, strip.cell).find("use square, hexagon or brick") != std::string::npos);
   strip.brick.structure.kind = StructureKind::brick;
@@ -104,7 +156,12 @@ BOOST_AUTO_TEST_CASE(refusals) {
   strip.brick.structure.rotation = 0.;
   strip.brick.sides = TissueSides::free;
   strip.brick.structure.kind = StructureKind::hexagon;
-  BOOST_TEST(refusal(strip.brick, strip.cell).find("use Sides = periodic or widening") != std::string::npos);
+  BOOST_TEST(refusal(strip.brick, strip.cell).find("use Sides = cut, periodic or widening") !=
+             std::string::npos);
+  strip.brick.structure.kind = StructureKind::brick;
+  strip.brick.structure.gap = 20e-6;
+  BOOST_TEST(refusal(strip.brick, strip.cell).find("use Sides = cut, periodic or widening") !=
+             std::string::npos);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
