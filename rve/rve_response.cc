@@ -202,7 +202,6 @@ void RveResponse::walk(RunContext &context, Walk &walk) const {
     else {
       load = walk.path.at(next);
       found = answer(walk.cells, walk.state, load, next - time, *walk.workspace, with_tangent);
-      time = next;
     }
     if (!found.diagnostics.converged) {
       if (walk.points > 0 && time > walk.last_time) take(walk, load, walk.control.reached());
@@ -210,6 +209,7 @@ void RveResponse::walk(RunContext &context, Walk &walk) const {
       throw RunFailed("The RVE gives no stress at time " + number_text(next) +
                       " s, F = " + tensor_text(load.F, 6) + ": " + found.diagnostics.message);
     }
+    time = next;
     take(walk, load, found, with_tangent);
     context.progress(double(walk.points) / double(times.size()), "stress along the path");
     if (context.stop_requested())

@@ -289,6 +289,26 @@ BOOST_AUTO_TEST_CASE(advice_to_come_nearer_to_the_closed_form_holds) {
   BOOST_TEST(off("10", "20", false).first < 0.6 * coarse.first);
 }
 
+// With F given, too, a point that fails leaves the points before it and a sentence.
+BOOST_AUTO_TEST_CASE(a_path_that_ends_keeps_what_it_has) {
+  const std::string entries =
+      "subsection Structure\n set Structure = brick\n set Gap = 24e-6\nend\n"
+      "subsection Cell\n set Period = 100e-6\n set Nodes per side = 12\n set Lamella ratio = 1\n"
+      " set Fluid viscosity = 0\n set Wall thickness = 0.25e-6\nend\n"
+      "subsection Path\n set Points = 11\n set F_dot = 0, 0; 0, 0\n set Stress components = none\n"
+      " set Keyframes = 0 : 1, 0; 0, 1 | 1 : 1, 0; 0, 0.7\nend\n";
+  Memory memory;
+  const test::TemporaryDirectory directory;
+  memory.where = directory.path;
+  BOOST_CHECK_EXCEPTION(run(memory, entries), RunFailed, [](const RunFailed &e) {
+    BOOST_TEST_MESSAGE(e.what());
+    return std::string(e.what()).find("The RVE gives no stress at time") != std::string::npos;
+  });
+  const std::size_t points = memory.tables.at("stress").size();
+  BOOST_TEST((points > 1u && points < 11u));
+  BOOST_TEST(memory.results.at("evaluations") == double(points));
+}
+
 BOOST_AUTO_TEST_CASE(moduli_of_the_first_small_deformation) {
   // Square cells under turgor: sigma_xy = turgor F_xy by the closed form, of a small shear.
   Memory shear, stretch, path, large;
