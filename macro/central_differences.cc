@@ -67,6 +67,16 @@ ToolStep CentralDifferences<dim>::move_with_tools(double time, double dt) {
     travel = travelled;
   }
   lent_by_tools = 0.125 * h * h * (square() - before);
+  if (forces.tools()->damped()) {
+    for (std::size_t i = 0; i < u.size(); ++i) v_mean[i] = (u[i] - this->state.u[i]) / dt;
+    const double speed = (travel - forces.tools()->travel(time)) / dt;
+    const ToolStep slowed = forces.slow_at_tools({time + dt, dt, speed}, u, v_mean, v_half);
+    step.work += slowed.work;
+    step.heat += slowed.heat;
+    lent_by_tools += slowed.lent;
+    step.mean.tool += slowed.mean.tool;
+    step.mean.below += slowed.mean.below;
+  }
   return step;
 }
 
@@ -116,7 +126,7 @@ void CentralDifferences<dim>::step(double limit) {
   this->refresh();
   TissueState<dim> &now = this->state;
   const std::size_t n = now.u.size();
-  for (auto *vector : {&u, &v_half, &v_predicted}) vector->resize(n);
+  for (auto *vector : {&u, &v_half, &v_predicted, &v_mean}) vector->resize(n);
   while (true) {
     const double dt = first_try(limit), time = dt == limit - now.time ? limit : now.time + dt;
     if (attempt(time, dt)) break;

@@ -20,6 +20,10 @@
 //   w = v_n + dt/2 a_n;   in each part: w += h/2 a_c, u += h w, w += h/2 a_c;   v_p = w + dt/2 a_n,   v_{n+1}
 //                         = w + dt/2 a_{n+1}
 //
+// and then their dashpots slow w down by an impulse that follows from the mean velocity du/dt of the step: w
+// itself swings between two kicks, which a dashpot would take for motion. Its heat is that of du/dt; what w
+// loses beside it is lent.
+//
 // What such a step lends (energy_balance.h) is, with w_0 and w_1 before and after the parts and du the way
 // between,
 //   dt^2/8 m change(a^2) + h^2/8 m change(a_c^2) + dt/2 m (a_n . (w_0 - du/dt) + a_{n+1} . (w_1 - du/dt)).
@@ -55,7 +59,7 @@ class CentralDifferences : public Integrator<dim> {
   ToolStep move_with_tools(double time, double dt);
 
   unsigned int halvings = 0, successes = 0;
-  std::vector<double> u, v_half, v_predicted, v_start, a_tools;
+  std::vector<double> u, v_half, v_predicted, v_start, v_mean, a_tools;
   double lent_by_tools = 0.;  // J, in the parts of the step
 };
 }  // namespace turgor

@@ -82,6 +82,7 @@ void Integrator<dim>::accept(double time, const std::optional<ToolStep> &tools) 
     state.tool = op.tools()->read(time, state.u);
     state.tool_work += tools ? tools->work : 0.5 * (force_before + state.tool.force) * travel;
     if (tools) {
+      state.heat += tools->heat;
       state.tool.force = tools->mean.tool;
       state.tool.support = tools->mean.below;
     }

@@ -150,6 +150,26 @@ ToolForces RigidTools<dim>::add_forces(const double time, const std::vector<doub
   return sum;
 }
 
+template <int dim>
+ToolForces RigidTools<dim>::add_dashpots(const ToolMoves &moves, const std::vector<double> &u,
+                                         const std::vector<double> &v, const std::vector<double> &mass,
+                                         std::vector<double> &impulse) const {
+  ToolForces sum;
+  for_contacts(
+      moves.end, u, [&](unsigned int node, bool upper, double penetration, const Tensor<1, dim> &normal) {
+        const std::size_t entry = std::size_t(node) * dim;
+        const double stiffness = kappa * (upper ? mesh.nodal_area : mesh.nodal_area_below)[node],
+                     m = mass[entry];
+        double outwards = upper ? moves.speed * normal[0] : 0.;  // m/s, of the node against the tool
+        for (unsigned int c = 0; c < dim; ++c) outwards += v[entry + c] * normal[c];
+        const double rate = 2. * tool.damping * std::sqrt(stiffness / m), h = moves.length,
+                     push = std::max(-m * outwards * std::expm1(-rate * h), -stiffness * penetration * h);
+        (upper ? sum.tool : sum.below) += push * std::abs(normal[0]);
+        for (unsigned int c = 0; c < dim; ++c) impulse[entry + c] -= push * normal[c];
+      });
+  return sum;
+}
+
 // f = -kappa A g n with dg/dx = n; of a cylinder n turns: dn/dx = -(I - n n)/distance
 template <int dim>
 ToolTangent<dim> RigidTools<dim>::tangent(const double time, const std::vector<double> &u) const {

@@ -5,6 +5,8 @@
 //                                      R, middle of the side)
 //   f = -kappa A g n  for g > 0, 0 otherwise;   n: outward normal of the tissue at the contact, A: the node's
 //                     share of the side
+//   f = -2 zeta sqrt(kappa A m) ((du/dt - v_tool) . n) n    beside it, no more than would make the contact
+//                     pull: what a node that is hit swings with dies out, zeta: Contact damping
 //   kappa = factor * wave modulus of the law / distance of nodes,   energy kappa A g^2/2
 //   x_tool(t) = Width - s(t):  s = v t up to the depth d, then at rest    ("steady")
 //                              s = d sin(v t/d) until it is back, then away ("rebound": what a mass does on a
@@ -37,9 +39,17 @@ struct ToolForces {
   double tool = 0., below = 0.;  ///< N, on the tissue: of the tool in -x, of the plate below in +x
 };
 
+/// A step of the tool.
+struct ToolMoves {
+  double end, length;  ///< s
+  double speed;        ///< m/s, in -x, its mean
+};
+
 /// What the tools have done in a step.
 struct ToolStep {
   double work = 0.;  ///< J
+  double heat = 0.;  ///< J, in their dashpots
+  double lent = 0.;  ///< J, by the step
   ToolForces mean;   ///< over the step
 };
 
@@ -59,6 +69,12 @@ class RigidTools {
   /// Adds the forces on the nodes.
   ToolForces add_forces(double time, const std::vector<double> &u, std::vector<double> &force) const;
   ToolReading read(double time, const std::vector<double> &u) const;
+
+  /// What the dashpots push in a step at whose end the nodes are at u, with v on its way; N s, added to
+  /// impulse. Exact for a node that nothing else accelerates meanwhile. mass: kg, per entry.
+  ToolForces add_dashpots(const ToolMoves &moves, const std::vector<double> &u, const std::vector<double> &v,
+                          const std::vector<double> &mass, std::vector<double> &impulse) const;
+  bool damped() const { return tool.damping > 0.; }
 
   /// Of add_forces at (time, u). A node that just touches counts as in contact: a block that lies on a plate
   /// without load does not float.

@@ -119,6 +119,25 @@ ToolForces TissueOperator<dim>::acceleration_by_tools(double time, const std::ve
 }
 
 template <int dim>
+ToolStep TissueOperator<dim>::slow_at_tools(const ToolMoves &moves, const std::vector<double> &u,
+                                            const std::vector<double> &mean, std::vector<double> &v) const {
+  std::vector<double> impulse(size(), 0.);
+  ToolStep step;
+  const ToolForces pushed = rigid->add_dashpots(moves, u, mean, nodal_mass, impulse);
+  step.work = pushed.tool * moves.speed;
+  step.heat = step.work;
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (impulse[i] == 0. || fixed(i)) continue;
+    const double slower = v[i] + impulse[i] / nodal_mass[i];
+    step.heat -= impulse[i] * mean[i];
+    step.lent += impulse[i] * (0.5 * (slower + v[i]) - mean[i]);
+    v[i] = slower;
+  }
+  step.mean = {pushed.tool / moves.length, pushed.below / moves.length};
+  return step;
+}
+
+template <int dim>
 void TissueOperator<dim>::acceleration_without_tools(std::vector<double> &a) {
   internal_forces(a);
   for (std::size_t i = 0; i < size(); ++i) a[i] = external[i] - a[i];

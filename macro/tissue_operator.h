@@ -42,6 +42,9 @@ class TissueOperator {
   /// The same without the tools; of the tools alone.
   void acceleration_without_tools(std::vector<double> &a);
   ToolForces acceleration_by_tools(double time, const std::vector<double> &u, std::vector<double> &a) const;
+  /// What the tools' dashpots do to v (m/s, at the end of a step that ends at u and had the velocity `mean`).
+  ToolStep slow_at_tools(const ToolMoves &moves, const std::vector<double> &u,
+                         const std::vector<double> &mean, std::vector<double> &v) const;
 
   /// From the last evaluate() with tangents (empty if the law gives none): d f_int/du of each element,
   /// (nodes_per_cell*dim)^2 entries each, N/m.

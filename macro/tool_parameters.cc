@@ -42,6 +42,12 @@ void ToolParameters::declare(InputEntries &prm) {
       "node sinks in by "
       "pressure over that; the stable step shrinks as it grows. Units: 1.",
       Patterns::Double(1e-3, 1e3));
+  prm.add_parameter(
+      "Contact damping", damping,
+      "Dashpot of the contact, over what is critical for a node on its penalty: without it the nodes that a "
+      "tool hits swing on their penalty, and so does the force. It takes the energy of that swing, as heat; "
+      "explicit steps (Integrator = central_differences) have it. Units: 1.",
+      Patterns::Double(0., 10.));
 }
 
 void ToolParameters::check(const double width) const {

@@ -18,6 +18,7 @@ struct ToolParameters {
   double speed = 5.;      ///< m/s, at first contact
   double depth = 0.2e-3;  ///< m, largest travel
   double stiffness = 1.;  ///< kappa * distance of nodes / wave modulus of the law
+  double damping = 0.3;   ///< of a node on its penalty, over the critical
 
   const char *section = "Impact";  ///< of the input, as messages name it
 

@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_CASE(elastic_block_between_plates) {
   p.tool.stiffness = 10.;
   Tissue<2> tissue(p, law);
   tissue.start();
-  tissue.advance_to(2. * p.tool.depth / p.tool.speed);
+  tissue.advance_to(8. * p.tool.depth / p.tool.speed);  // until it swings no more
   const double modulus = 4. * mu * (soft + mu) / (soft + 2. * mu);
   const double kappa = p.tool.stiffness * law.wave_modulus() / (width / 6.);
   // strain e and pressure q: e width + 2 q/kappa = depth, q = modulus e
@@ -158,19 +158,21 @@ BOOST_AUTO_TEST_CASE(elastic_block_between_plates) {
   // 1 %: the strain itself, of second order
   BOOST_TEST(std::abs(reading.force / expected - 1.) < 0.02,
              "force " << reading.force << ", closed form " << expected);
-  BOOST_TEST(std::abs(reading.support / reading.force - 1.) < 1e-3, "support " << reading.support);
+  BOOST_TEST(std::abs(reading.support / reading.force - 1.) < 1e-3, "support " << reading.support << ", force " << reading.force);
 }
 
 // Kinetic + internal + penalty = work of the tool, but for what the steps lend; the clamp's reaction is the
 // impulse's other half.
 BOOST_AUTO_TEST_CASE(energy_and_momentum_of_an_impact) {
-  for (const std::string shape : {"plate", "cylinder"}) {
+  for (const auto &[shape, damping] :
+       {std::pair<std::string, double>{"plate", 0.}, {"cylinder", 0.}, {"plate", 0.3}, {"cylinder", 1.}}) {
     double error[2];
     for (int level = 0; level < 2; ++level) {
       NeoHookeanLaw<2> law(mu, 4. * mu, 0., rho);
       TissueParameters<2> p = pressed(shape);
       p.tool.motion = ToolMotion::rebound;
       p.tool.speed = 2.;
+      p.tool.damping = damping;
       p.cfl = level == 0 ? 0.4 : 0.2;
       p.estimate_every = 0;
       Tissue<2> tissue(p, law);
@@ -189,12 +191,76 @@ BOOST_AUTO_TEST_CASE(energy_and_momentum_of_an_impact) {
       BOOST_TEST(work > 0.);
       BOOST_TEST(std::abs(momentum - impulse) < 1e-9 * std::abs(impulse),
                  "momentum " << momentum << ", impulse " << impulse);
-      error[level] = std::abs(tissue.energies().taken()) / work;
+      const TissueEnergies energies = tissue.energies();
+      BOOST_TEST((damping > 0. ? energies.heat > 1e-4 * work : std::abs(energies.heat) <= 1e-12 * work),
+                 shape << ": heat " << energies.heat << " of " << work);
+      error[level] = std::abs(energies.taken() - energies.heat) / work;
     }
     // The elastic law is linear in a step to the third order.
     BOOST_TEST(error[0] < 1e-3, shape << ": energy error " << error[0]);
     BOOST_TEST(error[1] < 0.5 * error[0] + 1e-6, shape << ": " << error[0] << ", " << error[1]);
   }
+}
+
+// A dashpot stops a node by itself as exp(-2 zeta w t) and pulls no node back.
+BOOST_AUTO_TEST_CASE(dashpots_by_hand) {
+  NeoHookeanLaw<2> law(mu, 4. * mu, 0., rho);
+  TissueParameters<2> p = pressed();
+  p.tool.damping = 0.25;
+  Tissue<2> tissue(p, law);
+  const RigidTools<2> &tools = *tissue.tools();
+  const std::vector<double> &mass = tissue.forces().mass();
+  unsigned int node = 0;
+  while (!(tissue.mesh().nodal_area[node] > 0.)) ++node;
+  const double area = tissue.mesh().nodal_area[node], kappa = tools.frequency2(mass) * mass[2 * node] / area,
+               w = std::sqrt(kappa * area / mass[2 * node]), h = 0.1 / w;
+  std::vector<double> u(mass.size(), -1.), v(mass.size(), 0.), impulse(mass.size(), 0.);
+  u[2 * node] = 1e-3 * width;
+  u[2 * node + 1] = 0.;
+  v[2 * node] = 1e-3 * width / h * 1e-3;
+  const double speed = 2. * v[2 * node], against = v[2 * node] + speed;
+  ToolForces push = tools.add_dashpots({0., h, speed}, u, v, mass, impulse);
+  const double expected = mass[2 * node] * against * (1. - std::exp(-2. * 0.25 * w * h));
+  BOOST_TEST(push.tool == expected, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(impulse[2 * node] == -expected, boost::test_tools::tolerance(1e-9));
+  impulse.assign(mass.size(), 0.);
+  v[2 * node] = -1e6 * width / h;  // away, faster than any penalty pushes
+  push = tools.add_dashpots({0., h, 0.}, u, v, mass, impulse);
+  BOOST_TEST(push.tool == -kappa * area * u[2 * node] * h, boost::test_tools::tolerance(1e-9));
+}
+
+// The plate that hits an elastic block feels rho c v until the wave comes back; without the dashpot the force
+// swings between nothing and twice that.
+BOOST_AUTO_TEST_CASE(the_force_of_a_blow_does_not_swing) {
+  double swing[2];
+  for (int damped = 0; damped < 2; ++damped) {
+    NeoHookeanLaw<2> law(mu, 4. * mu, 0., rho);
+    TissueParameters<2> p = pressed();
+    p.elements = {16, 2};
+    p.lateral = LateralSides::periodic;
+    p.tool.speed = 0.1;
+    p.tool.stiffness = 4.;
+    p.tool.damping = damped ? 0.3 : 0.;
+    p.estimate_every = 0;
+    Tissue<2> tissue(p, law);
+    tissue.start();
+    const double wave = std::sqrt((4. * mu + 2. * mu) / rho), end = width / wave;
+    double sum = 0., sum2 = 0., time = 0.;
+    while (tissue.time() < end) {
+      tissue.step(end);
+      if (tissue.time() < 0.3 * end) continue;
+      const double h = tissue.last_step(), force = tissue.state().tool.force;
+      sum += h * force;
+      sum2 += h * force * force;
+      time += h;
+    }
+    const double mean = sum / time, expected = rho * wave * p.tool.speed * width;
+    BOOST_TEST(std::abs(mean / expected - 1.) < (damped ? 0.01 : 0.05), "mean force " << mean << ", rho c v " << expected);
+    swing[damped] = std::sqrt(std::max(0., sum2 / time - mean * mean)) / mean;
+  }
+  BOOST_TEST_MESSAGE("swing of the force over its mean: " << swing[0] << ", with a dashpot " << swing[1]);
+  BOOST_TEST(swing[0] > 0.3);
+  BOOST_TEST(swing[1] < 0.05);
 }
 
 // At the full CFL fraction nothing blows up, however stiff the contact.
