@@ -96,7 +96,7 @@ EquilibriumReport HydrostaticRve::drag_on(const RveState<2> &committed, const Te
   const CellLayout &layout = network.layout();
   const double spring = layout.spring_stiffness, share = scratch.history.pressure_share;
   EquilibriumReport report;
-  for (const double part : {1e-4, 1e-3, 1e-2, 1e-1}) {
+  for (const double part : {1e-4, 1e-3, 1e-2, 1e-1, 1., 10., 100.}) {
     recall(committed, share, scratch);
     EquilibriumSettings dragged = settings.equilibrium;
     dragged.drag = part * spring;

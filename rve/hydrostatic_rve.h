@@ -17,7 +17,7 @@
 // it goes by itself. All of it becomes history with the trial state, so a rejected step leaves no trace.
 //
 // A torn network may have no equilibrium near by: loose ends and drained cells that fold up. Where none is
-// found, its nodes are dragged: springs of 1e-4 (up to 0.1, the least that helps) of a wall spring tie them
+// found, its nodes are dragged: springs of 1e-4 (up to 100, the least that helps) of a wall spring tie them
 // to where the affine motion puts them, one damped step on the way to equilibrium; the next call goes on from
 // there. The force left over is told as the residual; what drag takes counts as dissipated.
 //
