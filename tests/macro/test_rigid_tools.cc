@@ -158,7 +158,8 @@ BOOST_AUTO_TEST_CASE(elastic_block_between_plates) {
   // 1 %: the strain itself, of second order
   BOOST_TEST(std::abs(reading.force / expected - 1.) < 0.02,
              "force " << reading.force << ", closed form " << expected);
-  BOOST_TEST(std::abs(reading.support / reading.force - 1.) < 1e-3, "support " << reading.support << ", force " << reading.force);
+  BOOST_TEST(std::abs(reading.support / reading.force - 1.) < 1e-3,
+             "support " << reading.support << ", force " << reading.force);
 }
 
 // Kinetic + internal + penalty = work of the tool, but for what the steps lend; the clamp's reaction is the
@@ -255,7 +256,8 @@ BOOST_AUTO_TEST_CASE(the_force_of_a_blow_does_not_swing) {
       time += h;
     }
     const double mean = sum / time, expected = rho * wave * p.tool.speed * width;
-    BOOST_TEST(std::abs(mean / expected - 1.) < (damped ? 0.01 : 0.05), "mean force " << mean << ", rho c v " << expected);
+    BOOST_TEST(std::abs(mean / expected - 1.) < (damped ? 0.01 : 0.05),
+               "mean force " << mean << ", rho c v " << expected);
     swing[damped] = std::sqrt(std::max(0., sum2 / time - mean * mean)) / mean;
   }
   BOOST_TEST_MESSAGE("swing of the force over its mean: " << swing[0] << ", with a dashpot " << swing[1]);
