@@ -24,7 +24,7 @@ void CellsOutput::declare(InputEntries &prm) {
       "stop. Units: none.",
       Integer(0, 1000));
   prm.add_parameter("Fields", fields,
-                    "Whether the surfaces are written at the start and where a part of the run ends, for "
+                    "Whether the cells are written at the start and where a part of the run ends, for "
                     "pictures and ParaView. Units: none.",
                     Bool());
 }
@@ -41,7 +41,7 @@ void declare_cells(InputEntries &prm, TouchingMaterial &material, CellsOutput &o
   prm.leave_subsection();
 }
 
-CellsRun::CellsRun(RunContext &context_, DeformableCells &cells_, CellsPlan plan_)
+CellsRun::CellsRun(RunContext &context_, SteppedCells &cells_, CellsPlan plan_)
     : context(context_), cells(cells_), plan(std::move(plan_)) {}
 
 void CellsRun::require_sound() const {
@@ -76,7 +76,7 @@ void CellsRun::go() {
   for (const char *name : {"energy", "heat"}) columns.push_back({name, "J"});
   columns.push_back({"largest_force", "N"});
   const auto table = context.series("history", columns);
-  if (plan.output.fields) fields.emplace(context, "surface", resumed, [this] { return cells.frame(); });
+  if (plan.output.fields) fields.emplace(context, plan.shapes, resumed, [this] { return cells.frame(); });
   const double end = plan.stops.back();
   loop.more = [this] { return at.stop < plan.stops.size(); };
   std::uint64_t stop = at.stop;

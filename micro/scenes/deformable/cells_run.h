@@ -1,4 +1,4 @@
-// A run of deformable cells from its start over some times at which what acts on them changes to its end:
+// A run of cells in steps from its start over some times at which what acts on them changes to its end:
 // steps, rows of history.csv, frames of surface.xdmf, checkpoints.
 //
 //   CellsRun run(context, cells, {.stops = {1800., 2400.}, .columns = {{"radius", "m"}}, .row = [&] { ...
@@ -6,6 +6,7 @@
 #pragma once
 
 #include "micro/scenes/deformable/deformable_cells.h"
+#include "micro/scenes/stepped_cells.h"
 #include "run/output_list.h"
 #include "run/run_context.h"
 
@@ -30,13 +31,14 @@ struct CellsPlan {
       0.;  ///< s; rows are spread evenly over the logarithm of time from there; 0: over time
   std::vector<OutputDefinition> columns;  ///< of history.csv, behind the time
   std::function<std::vector<double>()> row;
-  std::string doing, advice;  ///< at the terminal; a sentence of what makes steps longer or fewer
-  double reach = 1.;          ///< m; nodes farther from the origin have left the scene
+  std::string doing, advice;       ///< at the terminal; a sentence of what makes steps longer or fewer
+  double reach = 1.;               ///< m; nodes farther from the origin have left the scene
+  std::string shapes = "surface";  ///< name of the frames' file
 };
 
 class CellsRun {
  public:
-  CellsRun(RunContext &context, DeformableCells &cells, CellsPlan plan);
+  CellsRun(RunContext &context, SteppedCells &cells, CellsPlan plan);
   CellsRun(const CellsRun &) = delete;
 
   std::function<void(std::size_t)> at_stop = [](std::size_t) {};
@@ -52,7 +54,7 @@ class CellsRun {
   double due(std::uint64_t sample) const;
 
   RunContext &context;
-  DeformableCells &cells;
+  SteppedCells &cells;
   CellsPlan plan;
   At at;
 };

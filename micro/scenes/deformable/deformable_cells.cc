@@ -77,17 +77,6 @@ double DeformableCells::volume() const {
   return total;
 }
 
-namespace {
-double largest(const Particles<3>::Components &a) {
-  double square = 0.;
-  for (std::size_t i = 0; i < a[0].size(); ++i)
-    square = std::max(square, a[0][i] * a[0][i] + a[1][i] * a[1][i] + a[2][i] * a[2][i]);
-  return std::sqrt(square);
-}
-}  // namespace
-
-double DeformableCells::largest_force() const { return largest(system.particles.f); }
-
 double DeformableCells::contact_area() const {
   double total = 0.;
   if (walls == nullptr) return total;

@@ -12,24 +12,22 @@
 #include "micro/engine/overdamped.h"
 #include "micro/engine/system_motion.h"
 #include "micro/scenes/deformable/touching_material.h"
+#include "micro/scenes/stepped_cells.h"
 #include "micro/terms/cortex_area.h"
 #include "micro/terms/cortex_edges.h"
 #include "micro/terms/cortex_hinges.h"
 #include "micro/terms/cytoplasm.h"
 #include "micro/terms/surface_contacts.h"
 #include "micro/terms/surface_obstacles.h"
-#include "run/field_file.h"
 
 #include <optional>
 
 namespace turgor {
-class DeformableCells {
+class DeformableCells final : public SteppedCells {
  public:
   /// shapes: one a cell, where it begins, free of stress; threads: of the run.
   DeformableCells(const TouchingMaterial &material, const std::vector<DeformableShape> &shapes,
                   unsigned int threads);
-  DeformableCells(const DeformableCells &) = delete;
-  DeformableCells &operator=(const DeformableCells &) = delete;
 
   /// Bodies that the cells meet by a law of contact; before begin().
   template <class... Body>
@@ -45,28 +43,25 @@ class DeformableCells {
 
   /// One step of at most `limit` (s), then bodies move, and forces are those of where they are; its length.
   /// Throws std::runtime_error where the step would become too short.
-  double step(double limit);
+  double step(double limit) override;
 
-  double time() const { return at; }
+  double time() const override { return at; }
   double next_step() const { return stepper->next_step(); }
   std::uint64_t rejected() const { return stepper->rejected(); }
-  double energy() const { return system.potential_energy(); }  ///< J
-  double heat() const { return lost; }                         ///< J, by all friction since the start
+  double heat() const override { return lost; }  ///< J, by all friction since the start
   /// What of work and energies is neither stored nor became heat, over the largest of work, heat and stored
   /// energy since the start: what steps of finite length lose; negative: make.
   double energy_lost() const;
   double work() const { return done; }  ///< J, of the bodies on the cells
   double volume() const;                ///< m^3, of all cells
-  double largest_force() const;         ///< N, of any node
   /// m^2, of the surfaces of all cells on bodies, by the contact's closeness.
   double contact_area() const;
   double least_angle() const;  ///< rad, of any triangle
   /// Triangles with in-plane stress, contact pressure and the cell's pressure at the nodes.
-  FieldFrame frame() const;
+  FieldFrame frame() const override;
 
-  void archive(Archive &a);
+  void archive(Archive &a) override;
 
-  ParticleSystem<3> system;
   std::shared_ptr<CellSurfaces> surfaces = std::make_shared<CellSurfaces>();
   CortexEdges<LinearSpring> *edges = nullptr;
   Cytoplasm *inside = nullptr;
