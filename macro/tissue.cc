@@ -7,11 +7,22 @@
 namespace turgor {
 using dealii::Tensor;
 
+namespace {
+template <int dim>
+std::unique_ptr<ShockViscosity<dim>> shocks_of(const TissueParameters<dim> &p, MaterialLaw<dim> &law) {
+  if (p.shock_viscosity == 0.) return nullptr;
+  double length = std::numeric_limits<double>::infinity();
+  for (int d = 0; d < dim; ++d) length = std::min(length, p.size[d] / (p.elements[d] * p.degree));
+  return std::make_unique<ShockViscosity<dim>>(law, p.shock_viscosity, length);
+}
+}  // namespace
+
 template <int dim>
 Tissue<dim>::Tissue(const TissueParameters<dim> &parameters, MaterialLaw<dim> &law)
     : block(parameters.size),
       tables(parameters),
-      op(tables, parameters, law),
+      shocks(shocks_of(parameters, law)),
+      op(tables, parameters, shocks ? *shocks : law),
       integrator(make_integrator(op, parameters)) {}
 
 template <int dim>

@@ -10,6 +10,7 @@
 
 #include "macro/energy_balance.h"
 #include "macro/integrator.h"
+#include "macro/shock_viscosity.h"
 #include "macro/static_equilibrium.h"
 
 #include <functional>
@@ -88,6 +89,7 @@ class Tissue {
 
   std::array<double, dim> block;
   TissueMesh<dim> tables;
+  std::unique_ptr<ShockViscosity<dim>> shocks;  // none unless asked for
   TissueOperator<dim> op;
   std::unique_ptr<Integrator<dim>> integrator;
 };

@@ -76,6 +76,15 @@ void TissueParameters<dim>::declare_time(InputEntries &prm) {
       "Time step over the largest that is stable; smaller is more accurate and slower. Units: 1.",
       Patterns::Double(0.01, 1.));
   prm.rename("CFL fraction", "Step fraction");
+  prm.add_parameter("Shock viscosity", shock_viscosity,
+                    "Viscous pressure of elements that are being compressed, over the usual one, 1.5 rho l^2 "
+                    "D^2 - 0.06 rho c "
+                    "l D (l: distance of nodes, D: rate of volume, c: speed of waves). A blow that drives a "
+                    "front through the "
+                    "tissue, where air spaces close or cells stiffen, loses energy there; with 1 elements "
+                    "neither ring behind "
+                    "the front nor let it run ahead. 0: none. Units: 1.",
+                    Patterns::Double(0., 100.));
   prm.add_parameter(
       "Steps between estimates", estimate_every,
       "The stable step is found anew from the tangents of the law after this many steps; 0 uses only the "

@@ -49,6 +49,7 @@ struct TissueParameters {
   TimeIntegration integrator = TimeIntegration::central_differences;
   double end_time = 0.47e-3;          ///< s
   double cfl = 0.9;                   ///< fraction of the stable step
+  double shock_viscosity = 0.;        ///< over the usual one (shock_viscosity.h)
   unsigned int estimate_every = 100;  ///< steps between stable steps from the law's tangents; 0: bounds only
   double relative_tolerance = 1e-4;   ///< dormand_prince
   double displacement_tolerance = 1e-9;  ///< m, dormand_prince

@@ -75,20 +75,20 @@ Outputs ProtrusionScene::outputs() const {
       .table("peaks", "One row for each stiffness of the matrix.",
              {{"stiffness", "N/m", "Spring constant k_ECM of the matrix."},
               {"force", "N", "Force at the work limit, or the largest where it is not reached."},
-              {"force_by_work", "N", "sqrt(2 K_eff W_max)."},
+              {"force_by_work", "N", "Force that the work limit allows, sqrt(2 K_eff W_max)."},
               {"time", "s", "Time until then since the protrusion took hold."},
               {"time_by_stalls", "s", "The same in closed form."},
               {"stalls", "", "Number of stalls until then."},
               {"stalls_in_closed_form", "", "The same in closed form."},
-              {"bonds", "", "Number of bonds then."},
+              {"bonds", "", "Number of bonds at that moment."},
               {"bonds_at_rest", "", "Number of bonds of the mean field at rest under that force."}})
       .table("history", "Rows spread evenly over the life of each protrusion, one after the other.",
              {{"stiffness", "N/m", "Spring constant k_ECM of the matrix."},
               {"time", "s", "Time since the protrusion took hold."},
-              {"force", "N", "Tension of the protrusion."},
+              {"force", "N", "Tension of the protrusion, positive where it pulls."},
               {"stall_force", "N", "Force at which it can pull no more, at present."},
               {"bonds", "", "Number of bonds of its focal adhesion."},
-              {"work", "J", "Work of its contraction."},
+              {"work", "J", "Work that its contraction has done."},
               {"node_shift", "m", "Way of the node towards the cell."}});
   return all;
 }
