@@ -214,8 +214,8 @@ What differs between the two sides:
   by the affine flow, one density.
 - Sparse and struck: the air closes in a front (6 % is nearly all of it), and a front loses energy. The shock viscosity takes it up in FE2, the
   cells' own motion in the particles; both come to the balance of momentum across the front (the last line of the table). Without it FE2 rings
-  behind the front, stands 6 to 8 % above that balance and runs ahead of it. At the other plate from 8 % on, where the front has come back, 24 rows
-  of particles are not yet in the regime of 1/n. "-": no front has arrived.
+  behind the front, stands 6 to 8 % above that balance and runs ahead of it. At the other plate from 8 % on the two differ
+  by when the second front arrives, just before 12 %: its plateau of 1.2 MPa is the same. "-": no front has arrived.
 - Slow: damping of all velocities makes the plates differ by density x damping x speed x height / 2; the mean of both is compared. The width gives way
   without inertia; the mean lateral stress left is in the table.
 
