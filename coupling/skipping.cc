@@ -20,7 +20,7 @@ constexpr int most_rounds = 4;  // of a batch: whoever still waits then is calle
 
 template <int dim>
 double checked_viscosity(const Rve<dim> &rve) {
-  if (!(rve.flow_viscosity() >= 0.))
+  if (!(rve.flow_viscosity() >= 0.) || rve.has_air())
     throw std::invalid_argument(
         "Skipping needs RVEs whose elastic stress is a function of F alone, without air between the cells.");
   return rve.flow_viscosity();

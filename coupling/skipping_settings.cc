@@ -1,6 +1,7 @@
 #include "coupling/skipping_settings.h"
 
 #include "run/input_entries.h"
+#include "run/number_text.h"
 #include "run/run_context.h"
 #include "rve/rve_parameters.h"
 
@@ -36,6 +37,11 @@ void SkippingSettings::check(const RveParameters &rve) const {
     throw InputError("Skipping/Skipping is certified, but the stress of RVE/Fluid = " + word_of(rve.fluid) +
                      " depends on rates and on the past of its particles; skipping needs 'Fluid = "
                      "hydrostatic', or take 'Skipping = none'.");
+  if (rve.structure.gap > 0.)
+    throw InputError("Skipping/Skipping is certified, but Structure/Gap is " +
+                     number_text(rve.structure.gap) +
+                     " m, and walls that touch across air make the stress too rough for a table: take "
+                     "'Skipping = none', or Structure/Gap = 0.");
   if (with(rve).tolerance <= 0.)
     throw InputError(
         "Skipping/Tolerance is 0 and so is Cell/Turgor; allowed is more than 0 Pa for one of them.");

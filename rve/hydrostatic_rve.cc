@@ -3,6 +3,7 @@
 #include "rve/hydrostatic_scratch.h"
 #include "micro/cells/turgid_layout.h"
 #include "run/cpu_clock.h"
+#include "run/number_text.h"
 #include "rve/acoustic_bound.h"
 #include "rve/affine_flow.h"
 #include "rve/quadratic_bound.h"
@@ -47,6 +48,7 @@ HydrostaticRve::HydrostaticRve(CellLayout turgid, const HydrostaticRveSettings &
   if (settings.walls.history() && settings.rule != HydrostaticRule::elastic_equilibrium)
     throw std::invalid_argument("Walls that flow or break need 'RVE/Rule = elastic_equilibrium'.");
   network.set_limits(settings.walls);
+  require_whole_walls();
   virgin = network.new_history(reference);
   NetworkEvaluation e;
   network.evaluate(reference, network.layout().lattice, NetworkOrder::energy, e, &virgin);
@@ -60,6 +62,19 @@ HydrostaticRve::HydrostaticRve(CellLayout turgid, const HydrostaticRveSettings &
   const double full = 1. - air_share(reference, I), closed = full * full;
   bound = 1.2 * quadratic_bound<2>(affine) / closed;
   waves = 1.2 * acoustic_bound(affine) / closed;
+}
+
+void HydrostaticRve::require_whole_walls() const {
+  if (!settings.walls.failure()) return;
+  double most = 0.;
+  for (const WallRing &ring : network.layout().rings)
+    for (std::size_t i = ring.first; i < ring.first + ring.count; ++i)
+      most = std::max(most, network.stretch(reference, ring, i));
+  if (settings.walls.critical_stretch > most) return;
+  throw std::invalid_argument("Wall/Critical stretch is " + number_text(settings.walls.critical_stretch) +
+                              ", but turgor alone stretches the most stretched wall of these cells to " +
+                              number_text(most) +
+                              "; allowed is more than that, or 0 for walls that do not break.");
 }
 
 std::unique_ptr<Rve<2>::Workspace> HydrostaticRve::make_workspace() const {
@@ -93,7 +108,8 @@ std::vector<std::vector<Vector<2>>> HydrostaticRve::outlines(const RveState<2> &
 }
 
 Tensor4<2> HydrostaticRve::tangent(const std::vector<double> &x, const Tensor2<2> &F, const Tensor2<2> &F_dot,
-                                   const bool relaxed, Scratch &scratch, bool &regular) const {
+                                   const bool relaxed, Scratch &scratch, bool &regular,
+                                   std::array<double, 4> *const air_slope) const {
   const Tensor2<2> H = F * network.layout().lattice, F_inverse = F.inverse();
   const std::array<Tensor2<2>, 4> motions = unit_motions(F_inverse);
   Tensor4<2> result;
@@ -120,6 +136,7 @@ Tensor4<2> HydrostaticRve::tangent(const std::vector<double> &x, const Tensor2<2
       behind[d] -= follow[d];
     }
     const double rise = 0.5 * (air_share(ahead, F) - air_share(behind, F));
+    if (air_slope) (*air_slope)[std::size_t(k)] = rise;
     for (int a = 0; a < 2; ++a)
       for (int b = 0; b < 2; ++b) result(2 * a + b, k) -= rise * viscous(a, b);
   }
@@ -206,7 +223,7 @@ RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor
   answer.pressure /= double(e->pressure.size());
   if (request.tangent && answer.diagnostics.converged) {
     bool regular = false;
-    answer.tangent = tangent(x, F, F_dot, relaxed, scratch, regular);
+    answer.tangent = tangent(x, F, F_dot, relaxed, scratch, regular, &answer.diagnostics.air_slope);
     if (!regular) {
       answer.diagnostics.converged = false;
       answer.diagnostics.message = "The tangent is not defined here: the cells are about to buckle.";

@@ -67,9 +67,7 @@ class HydrostaticRve : public Rve<2> {
 
   double density() const override;
   /// With air the flow's share of the area is the cells', which depends on where they come to.
-  double flow_viscosity() const override {
-    return has_air() ? -1. : network.layout().parameters.fluid_viscosity;
-  }
+  double flow_viscosity() const override { return network.layout().parameters.fluid_viscosity; }
   bool has_air() const override { return !network.air_contact().empty(); }
   std::vector<Tensor2<2>> symmetries() const override { return settings.symmetries; }
   bool has_history() const override { return settings.walls.history(); }
@@ -116,8 +114,11 @@ class HydrostaticRve : public Rve<2> {
   double safe_strain(const std::vector<double> &x,
                      const Tensor2<2> &F) const;  ///< of a virgin history (rve.h)
   RveCondition condition(const WallHistory &history) const;
+  /// air_slope: of RveDiagnostics, where it is wanted.
   Tensor4<2> tangent(const std::vector<double> &x, const Tensor2<2> &F, const Tensor2<2> &F_dot, bool relaxed,
-                     Scratch &scratch, bool &regular) const;
+                     Scratch &scratch, bool &regular, std::array<double, 4> *air_slope = nullptr) const;
+  /// Throws std::invalid_argument where turgor alone would break a wall.
+  void require_whole_walls() const;
   Tensor4<2> rate_tangent(const Tensor2<2> &F, double air) const;
   /// Share of the area.
   double air_share(const std::vector<double> &x, const Tensor2<2> &F) const;

@@ -10,6 +10,7 @@
 #include "micro/geometry/tensor.h"
 #include "run/archive.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -56,7 +57,8 @@ struct RveDiagnostics {
   double energy_drift = 0.;  ///< relative, over a rule's dynamics; 0 without dynamics
   double stress_spread = 0.;  ///< Pa, rms of the stress over the window tau_0; 0 without window
   double cpu_seconds = 0.;
-  double air = 0.;  ///< share of the area that is air between the cells
+  double air = 0.;                    ///< share of the area that is air between the cells
+  std::array<double, 4> air_slope{};  ///< its change with F_aB at rest, [2 a + B], of an answer with tangent
 };
 
 template <int dim>
@@ -130,8 +132,9 @@ class Rve {
   /// over time + what the condition has dissipated.
   virtual bool knows_heating() const { return false; }
 
-  /// Pa s, mu, where the stress is that of the affine flow of such a fluid (affine_flow.h) and an elastic one
-  /// that is a function of F alone while nothing has happened for good. Negative: it is not.
+  /// Pa s, mu, where the stress is that of the affine flow of such a fluid (affine_flow.h; of the cells'
+  /// share where there is air) and an elastic one that is a function of F alone while nothing has happened
+  /// for good. Negative: it is not.
   virtual double flow_viscosity() const { return -1.; }
 
   /// Whether there is air between the cells.

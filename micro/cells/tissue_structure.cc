@@ -188,6 +188,12 @@ CellLayout laid_tissue(const TissueStructure &structure, ParenchymaParameters ce
     throw std::invalid_argument("Structure/Gap is " + number_text(laid.gap) +
                                 " m, but it has to be less than a quarter of Cell/Period (" +
                                 number_text(0.25 * cell.period) + " m): too little would tie the cells.");
+  const double least = 0.1 * cell.period / cell.nodes_per_side;
+  if (laid.gap > 0. && laid.gap < least)
+    throw std::invalid_argument("Structure/Gap is " + number_text(laid.gap) +
+                                " m, less than a tenth of the distance of wall nodes: nothing of it would be "
+                                "resolved. Use 0, or at least " +
+                                number_text(least, 3) + " m.");
   return lay_cells(laid.tiling(cell.period, columns, rows, cell.period / cell.nodes_per_side, periods), cell,
                    laid.gap);
 }

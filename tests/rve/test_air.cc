@@ -5,11 +5,14 @@
 #include "micro/cells/tissue_structure.h"
 #include "micro/cells/turgid_layout.h"
 #include "micro/geometry/regular_tilings.h"
+#include "rve/elastic_tangent.h"
 #include "rve/hydrostatic_rve.h"
+#include "rve/make_rve.h"
 #include "rve/mixed_control.h"
 #include "rve/plane_moduli.h"
 #include "rve/quadratic_bound.h"
 #include "rve/rve_parameters.h"
+#include "run/run_context.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -215,7 +218,9 @@ BOOST_AUTO_TEST_CASE(the_flow_has_the_cells_share_of_the_stress) {
       BOOST_TEST(std::abs(change(l / 2, l % 2) - wet.tangent(l, k)) <
                  1e-5 * wet.tangent.cwiseAbs().maxCoeff());
   }
-  BOOST_TEST(viscous.flow_viscosity() < 0.);
+  // and out of that of the walls and the fluid's pressure alone
+  BOOST_TEST((elastic_tangent(viscous, wet) - dry.tangent).cwiseAbs().maxCoeff() <
+             1e-9 * wet.tangent.cwiseAbs().maxCoeff());
 }
 
 BOOST_AUTO_TEST_CASE(more_air_makes_softer_tissue) {
@@ -249,6 +254,23 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_gets_a_sentence) {
   p.structure.gap = 25e-6;
   BOOST_CHECK_EXCEPTION(turgid_tissue(p.structure, p.cell, 1, 1), std::invalid_argument,
                         says("less than a quarter of Cell/Period"));
+  p.structure.gap = 1e-7;
+  BOOST_CHECK_EXCEPTION(turgid_tissue(p.structure, p.cell, 1, 1), std::invalid_argument,
+                        says("Use 0, or at least"));
+}
+
+// Walls at corners are stretched more than those of square cells, by which turgor is judged before cells are
+// laid.
+BOOST_AUTO_TEST_CASE(walls_that_turgor_alone_would_break_are_refused) {
+  RveParameters p;
+  p.structure.kind = StructureKind::brick;
+  p.walls.critical_stretch = 1.03;
+  p.check();
+  BOOST_CHECK_EXCEPTION(make_rve(p), InputError, [](const InputError &e) {
+    return std::string(e.what()).find("the most stretched wall of these cells") != std::string::npos;
+  });
+  p.walls.critical_stretch = 1.25;
+  BOOST_CHECK_NO_THROW(make_rve(p));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
