@@ -273,9 +273,11 @@ void Overdamped<dim>::move_at_random(Particles<dim> &particles, const double h) 
 }
 
 template <int dim>
-void Overdamped<dim>::gather(const Rearrangement &places) {
-  jumped = true;
-  dt = std::min(dt, 2. * after_jump);
+void Overdamped<dim>::gather(const Rearrangement &places, const bool settled) {
+  if (!settled) {
+    jumped = true;
+    dt = std::min(dt, 2. * after_jump);
+  }
   for (auto &v : v_before)
     if (!v.empty()) v = places.of(v);
 }

@@ -81,8 +81,9 @@ class Overdamped {
   /// become shorter than the least one.
   double step(Particles<dim> &particles, double limit);
 
-  /// The bodies have other places.
-  void gather(const Rearrangement &places);
+  /// The bodies have other places. settled: newcomers are at rest with what is around them, so that forces do
+  /// not jump and steps are as long as before.
+  void gather(const Rearrangement &places, bool settled = false);
 
   std::uint64_t rejected() const { return rejections; }
   std::uint64_t rejected_by_energy() const { return rises; }  ///< among them

@@ -34,6 +34,19 @@ struct CellCycle {
     return f < quiescence_below && (resting || phase < restriction);
   }
 
+  struct Lived {
+    bool rests;
+    double left;  ///< of the time, s, when it divides; negative otherwise
+  };
+  /// A cell over dt at a volumetric strain (cell_growth.h): phase and V_ref follow. held: it rests whatever
+  /// its strain is.
+  Lived live(const GrowthLaw &growth, const double V_0, const double T, const double strain,
+             const bool resting, const bool held, const double dt, double &phase, double &V_ref) const {
+    const double f = growth.factor(strain);
+    if (held || rests(resting, phase, f)) return {true, -1.};
+    return {false, advance(growth, V_0, T, f, dt, phase, V_ref)};
+  }
+
   /// Phase and volume of a cell that does not rest after dt; what is left of dt when it divides, negative
   /// otherwise.
   double advance(const GrowthLaw &growth, const double V_0, const double T, const double f, double dt,

@@ -24,16 +24,14 @@ class Proliferation final : public Process {
     const double V_0 = parameters.birth_volume();
     for (std::uint32_t i = 0; i < cells.size(); ++i) {
       if (!state.alive(i)) continue;
-      const double f = parameters.growth.factor(eps[i]);
-      const bool resting = state[i] == CellState::quiescent;
-      const bool rests =
-          (now.deep[i] && parameters.death.rim == Rim::quiescent) || cycle.rests(resting, phase[i], f);
-      cells.set_state(i, rests ? CellState::quiescent : CellState::proliferating);
-      if (rests) continue;
+      const bool held = now.deep[i] && parameters.death.rim == Rim::quiescent;
       const double before = V_ref[i];
-      const double left = cycle.advance(parameters.growth, V_0, T[i], f, now.dt, phase[i], V_ref[i]);
+      const CellCycle::Lived lived =
+          cycle.live(parameters.growth, V_0, T[i], eps[i], state[i] == CellState::quiescent, held, now.dt,
+                     phase[i], V_ref[i]);
+      cells.set_state(i, lived.rests ? CellState::quiescent : CellState::proliferating);
       now.count.grown += V_ref[i] - before;
-      if (left >= 0.) now.divisions.push_back({i, left});
+      if (lived.left >= 0.) now.divisions.push_back({i, lived.left});
     }
   }
 

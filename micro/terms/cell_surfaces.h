@@ -1,6 +1,7 @@
 // The surfaces of deformable cells (thesis 2.3.2): each cell is a group of nodes on a closed triangulated
 // surface. Who is joined to whom, and what each edge, triangle and cell is at rest; its terms
-// (cortex_edges.h, cortex_hinges.h, cortex_area.h, cytoplasm.h) share it.
+// (cortex_edges.h, cortex_hinges.h, cortex_area.h, cytoplasm.h) share it; to groups behind its cells they do
+// nothing.
 //
 //   const auto surfaces = std::make_shared<CellSurfaces>();
 //   surfaces->add(particles, mesh, nodes);
@@ -34,6 +35,16 @@ class CellSurfaces {
   /// closed surface (closed_surface.h).
   void add(Particles<3> &particles, TriangleMesh mesh, const std::vector<Vector<3>> &nodes);
 
+  /// One more cell: a group behind all particles, joined and at rest as a cell of others is. nodes: m, as
+  /// many as that has.
+  void add(Particles<3> &particles, const CellSurfaces &others, std::size_t other,
+           const std::vector<Vector<3>> &nodes);
+  /// A cell is at rest as a cell of others is, which has as many edges and triangles.
+  void take_rest(std::size_t cell, const CellSurfaces &others, std::size_t other);
+  /// Growth by the reference state (thesis B.17, B.2): at rest a cell has another volume (m^3) and the same
+  /// shape, so that lengths grow with its cube root and areas with the square of that.
+  void grow(std::size_t cell, double volume);
+
   std::size_t size() const { return first_edge.size() - 1; }  ///< cells
   /// Of a cell: [begin, end) of its edges, of its triangles.
   std::array<std::uint32_t, 2> edges_of(const std::size_t cell) const {
@@ -55,8 +66,13 @@ class CellSurfaces {
   Table edge_table, triangle_table, cells;
 
   void archive(Archive &a);  ///< the tables; who is joined to whom follows from the input
+  /// Who is joined to whom, and the particles' groups: of cells whose number changes, before all else of
+  /// them.
+  void archive_joints(Archive &a, Particles<3> &particles);
 
  private:
+  void append(Particles<3> &particles, const std::vector<Vector<3>> &nodes);  ///< the nodes of one more cell
+
   std::vector<std::uint32_t> first_edge{0}, first_triangle{0};
 };
 

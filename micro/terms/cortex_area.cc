@@ -33,6 +33,7 @@ double CortexArea::of_whole(const Particles<3> &particles, const std::size_t gro
 }
 
 void CortexArea::add_forces(Particles<3> &particles, const Box<3> &, const std::size_t group) {
+  if (group >= surfaces->size()) return;
   const std::vector<double> &rest = surfaces->triangle_table.column("rest_area");
   const double same = stiffness.tension + of_whole(particles, group);
   const auto [begin, end] = surfaces->triangles_of(group);
@@ -73,6 +74,7 @@ void CortexArea::collect(MotionMatrix &matrix, const Particles<3> &particles, co
 }
 
 double CortexArea::energy(const Particles<3> &particles, const Box<3> &, const std::size_t group) const {
+  if (group >= surfaces->size()) return 0.;
   const std::vector<double> &rest = surfaces->triangle_table.column("rest_area");
   double local = 0., area = 0.;
   const auto [begin, end] = surfaces->triangles_of(group);
@@ -83,5 +85,18 @@ double CortexArea::energy(const Particles<3> &particles, const Box<3> &, const s
   }
   const double whole = surfaces->cells.column("rest_area")[group];
   return local + stiffness.tension * area + 0.5 * stiffness.whole * (area - whole) * (area - whole) / whole;
+}
+
+double CortexArea::slope_of_growth(const Particles<3> &particles, const std::size_t cell) const {
+  const std::vector<double> &rest = surfaces->triangle_table.column("rest_area");
+  double local = 0., area = 0.;
+  const auto [begin, end] = surfaces->triangles_of(cell);
+  for (std::uint32_t k = begin; k < end; ++k) {
+    const double a = Facet(particles, surfaces->triangles[k]).area;
+    local += (a * a - rest[k] * rest[k]) / rest[k];
+    area += a;
+  }
+  const double whole = surfaces->cells.column("rest_area")[cell];
+  return -stiffness.local * local - stiffness.whole * (area * area - whole * whole) / whole;
 }
 }  // namespace turgor

@@ -34,6 +34,9 @@ class CortexArea final : public Term<3> {
   void collect(MotionMatrix &matrix, const Particles<3> &particles, double h) override;
   double energy(const Particles<3> &particles, const Box<3> &box, std::size_t group) const override;
 
+  /// J, dE/d ln s of a cell, s the scale of its lengths at rest (CellSurfaces::grow): what its growth costs.
+  double slope_of_growth(const Particles<3> &particles, std::size_t cell) const;
+
  private:
   /// N/m, what the whole area adds to every triangle of the cell.
   double of_whole(const Particles<3> &particles, std::size_t group) const;

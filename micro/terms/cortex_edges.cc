@@ -24,6 +24,7 @@ struct NaturalLengths {
 
 template <class Spring>
 void CortexEdges<Spring>::add_forces(Particles<3> &particles, const Box<3> &, const std::size_t group) {
+  if (group >= surfaces->size()) return;
   const NaturalLengths natural(*surfaces);
   const auto [begin, end] = surfaces->edges_of(group);
   for (std::uint32_t k = begin; k < end; ++k) {
@@ -59,6 +60,7 @@ void CortexEdges<Spring>::collect(MotionMatrix &matrix, const Particles<3> &part
 template <class Spring>
 double CortexEdges<Spring>::energy(const Particles<3> &particles, const Box<3> &,
                                    const std::size_t group) const {
+  if (group >= surfaces->size()) return 0.;
   double total = 0.;
   const NaturalLengths natural(*surfaces);
   const auto [begin, end] = surfaces->edges_of(group);
@@ -66,6 +68,20 @@ double CortexEdges<Spring>::energy(const Particles<3> &particles, const Box<3> &
     total += spring.energy(
         (particles.position(surfaces->edges[k].b) - particles.position(surfaces->edges[k].a)).norm(),
         natural(k));
+  return total;
+}
+
+template <class Spring>
+double CortexEdges<Spring>::slope_of_growth(const Particles<3> &particles, const std::size_t cell)
+    const requires std::is_same_v<Spring, LinearSpring> {
+  double total = 0.;
+  const NaturalLengths natural(*surfaces);
+  const auto [begin, end] = surfaces->edges_of(cell);
+  for (std::uint32_t k = begin; k < end; ++k) {
+    const CellSurfaces::Edge &edge = surfaces->edges[k];
+    total -= natural(k) *
+             spring.force((particles.position(edge.b) - particles.position(edge.a)).norm(), natural(k));
+  }
   return total;
 }
 

@@ -35,6 +35,9 @@ class CortexEdges final : public Term<3> {
   void collect(MotionMatrix &matrix, const Particles<3> &particles, double h) override;
   double energy(const Particles<3> &particles, const Box<3> &box, std::size_t group) const override;
 
+  /// J, dE/d ln s of a cell, s the scale of its lengths at rest (CellSurfaces::grow): what its growth costs.
+  double slope_of_growth(const Particles<3> &particles,
+                         std::size_t cell) const requires std::is_same_v<Spring, LinearSpring>;
   double tension(const Particles<3> &particles, std::size_t edge) const;  ///< N, of the spring
   /// N, of each edge: many of them cost less than one by one.
   std::vector<double> tensions(const Particles<3> &particles) const;

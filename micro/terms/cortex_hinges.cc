@@ -28,6 +28,7 @@ CortexHinges::CortexHinges(std::shared_ptr<CellSurfaces> surfaces_, const double
     : surfaces(std::move(surfaces_)), stiffness(stiffness_) {}
 
 void CortexHinges::add_forces(Particles<3> &particles, const Box<3> &, const std::size_t group) {
+  if (group >= surfaces->size()) return;
   const std::vector<double> &rest = surfaces->edge_table.column("rest_angle");
   const auto [begin, end] = surfaces->edges_of(group);
   for (std::uint32_t k = begin; k < end; ++k) {
@@ -48,6 +49,7 @@ void CortexHinges::collect(MotionMatrix &matrix, const Particles<3> &particles, 
 }
 
 double CortexHinges::energy(const Particles<3> &p, const Box<3> &, const std::size_t group) const {
+  if (group >= surfaces->size()) return 0.;
   const std::vector<double> &rest = surfaces->edge_table.column("rest_angle");
   double total = 0.;
   const auto [begin, end] = surfaces->edges_of(group);

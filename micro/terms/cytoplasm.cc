@@ -15,6 +15,7 @@ double Cytoplasm::pressure(const Particles<3> &particles, const std::size_t cell
 }
 
 void Cytoplasm::add_forces(Particles<3> &particles, const Box<3> &, const std::size_t group) {
+  if (group >= surfaces->size()) return;
   const double p = pressure(particles, group);
   if (!std::isfinite(p))
     throw StepTooLong("a deformable cell has lost its volume: smaller steps, or less that presses.");
@@ -35,11 +36,17 @@ void Cytoplasm::collect(MotionMatrix &matrix, const Particles<3> &particles, con
 }
 
 double Cytoplasm::energy(const Particles<3> &particles, const Box<3> &, const std::size_t group) const {
+  if (group >= surfaces->size()) return 0.;
   const double rest = surfaces->cells.column("rest_volume")[group],
                e = surfaces->volume(particles, group) / rest - 1.;
   // v ln v - v + 1, with its digits where v is near 1
   return bulk_modulus * rest *
          (std::abs(e) < 1e-3 ? e * e * (0.5 - e * (1. / 6. - e * (1. / 12. - e / 20.)))
                              : (1. + e) * std::log1p(e) - e);
+}
+
+double Cytoplasm::slope_of_growth(const Particles<3> &particles, const std::size_t cell) const {
+  return 3. * bulk_modulus *
+         (surfaces->cells.column("rest_volume")[cell] - surfaces->volume(particles, cell));
 }
 }  // namespace turgor

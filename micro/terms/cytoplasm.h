@@ -24,6 +24,8 @@ class Cytoplasm final : public Term<3> {
   void collect(MotionMatrix &matrix, const Particles<3> &particles, double h) override;
   double energy(const Particles<3> &particles, const Box<3> &box, std::size_t group) const override;
 
+  /// J, dE/d ln s of a cell, s the scale of its lengths at rest (CellSurfaces::grow): what its growth costs.
+  double slope_of_growth(const Particles<3> &particles, std::size_t cell) const;
   double pressure(const Particles<3> &particles, std::size_t cell) const;  ///< Pa, over that outside
 
  private:

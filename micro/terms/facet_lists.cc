@@ -70,7 +70,7 @@ void FacetLists::bring_up_to_date(const CellSurfaces &surfaces, const FacetNeigh
         bins.near_runs(p.data(), within + facets.largest, [&](std::uint32_t k, const std::uint32_t last) {
           for (; k < last; ++k) {
             const std::uint32_t f = bins.sorted()[k], other = neighbours.cell_of(f);
-            if (other == cell) continue;
+            if (other == cell || (cell >= held && other >= held)) continue;
             const Vector<3> away = p - Vector<3>(x[0][f], x[1][f], x[2][f]);
             const double most = within + facets.radius[f];
             if (away.squaredNorm() > most * most || std::abs(away.dot(points.normal[f])) > within) continue;

@@ -10,6 +10,8 @@
 
 #include "micro/terms/facet_neighbours.h"
 
+#include <limits>
+
 namespace turgor {
 class FacetLists {
  public:
@@ -18,6 +20,8 @@ class FacetLists {
   void bring_up_to_date(const CellSurfaces &surfaces, const FacetNeighbours &neighbours,
                         const Particles<3> &particles, const SurfacePoints &points, unsigned int threads);
   void forget() { first.clear(); }
+  std::size_t held =
+      std::numeric_limits<std::size_t>::max();  ///< cells from there on do not touch each other
 
   std::span<const std::uint32_t> of(const std::uint32_t point) const {
     return {facet.data() + first[point], first[point + 1] - first[point]};

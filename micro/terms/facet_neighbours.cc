@@ -2,36 +2,42 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <stdexcept>
 
 namespace turgor {
-FacetNeighbours::FacetNeighbours(const CellSurfaces &surfaces)
-    : across(surfaces.triangles.size()), cell(surfaces.triangles.size()) {
-  std::uint32_t nodes = 0;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> running;  // a -> b: its facet
-  for (std::uint32_t c = 0; c < surfaces.size(); ++c) {
-    const auto [begin, end] = surfaces.triangles_of(c);
-    running.clear();
-    for (std::uint32_t f = begin; f < end; ++f) {
-      cell[f] = c;
-      for (std::size_t k = 0; k < 3; ++k) {
-        running[{surfaces.triangles[f][k], surfaces.triangles[f][(k + 1) % 3]}] = f;
-        nodes = std::max(nodes, surfaces.triangles[f][k] + 1);
-      }
-    }
-    for (std::uint32_t f = begin; f < end; ++f)
-      for (std::size_t k = 0; k < 3; ++k)
-        across[f][k] = running.at({surfaces.triangles[f][(k + 1) % 3], surfaces.triangles[f][k]});
+void FacetNeighbours::extend(const CellSurfaces &surfaces) {
+  const std::size_t before = across.size(), all = surfaces.triangles.size();
+  if (before == all) return;
+  across.resize(all);
+  cell.resize(all);
+  for (; known < surfaces.size(); ++known) {
+    const auto [begin, end] = surfaces.triangles_of(known);
+    std::fill(cell.begin() + begin, cell.begin() + end, known);
   }
-  first_of_node.assign(nodes + std::size_t(1), 0);
-  for (const auto &corners : surfaces.triangles)
-    for (const std::uint32_t i : corners) ++first_of_node[i + 1];
-  for (std::size_t i = 0; i < nodes; ++i) first_of_node[i + 1] += first_of_node[i];
+  const std::size_t first_node = first_of_node.size() - 1;
+  std::size_t nodes = first_node;
+  for (std::size_t f = before; f < all; ++f)
+    for (const std::uint32_t i : surfaces.triangles[f]) nodes = std::max(nodes, i + std::size_t(1));
+  first_of_node.resize(nodes + 1, 0);
+  for (std::size_t f = before; f < all; ++f)
+    for (const std::uint32_t i : surfaces.triangles[f]) ++first_of_node[i + 1];
+  for (std::size_t i = first_node; i < nodes; ++i) first_of_node[i + 1] += first_of_node[i];
   of_node.resize(first_of_node[nodes]);
-  std::vector<std::uint32_t> next(first_of_node.begin(), first_of_node.end() - 1);
-  for (std::uint32_t f = 0; f < surfaces.triangles.size(); ++f)
-    for (const std::uint32_t i : surfaces.triangles[f]) of_node[next[i]++] = f;
+  std::vector<std::uint32_t> next(first_of_node.begin() + std::ptrdiff_t(first_node),
+                                  first_of_node.end() - 1);
+  for (std::size_t f = before; f < all; ++f)
+    for (const std::uint32_t i : surfaces.triangles[f]) of_node[next[i - first_node]++] = std::uint32_t(f);
+  const auto beyond = [&](const std::uint32_t a, const std::uint32_t b) {  // the facet with the edge b -> a
+    for (std::uint32_t k = first_of_node[a]; k < first_of_node[a + 1]; ++k) {
+      const CellSurfaces::Triangle &corner = surfaces.triangles[of_node[k]];
+      for (std::size_t m = 0; m < 3; ++m)
+        if (corner[m] == b && corner[(m + 1) % 3] == a) return of_node[k];
+    }
+    throw std::logic_error("a surface of a cell is not closed");
+  };
+  for (std::size_t f = before; f < all; ++f)
+    for (std::size_t k = 0; k < 3; ++k)
+      across[f][k] = beyond(surfaces.triangles[f][k], surfaces.triangles[f][(k + 1) % 3]);
 }
 
 Vector<3> FacetNeighbours::pseudo_normal(const std::uint32_t facet, const ClosestPoint &closest,

@@ -12,18 +12,22 @@
 namespace turgor {
 class FacetNeighbours {
  public:
-  explicit FacetNeighbours(const CellSurfaces &surfaces);
+  explicit FacetNeighbours(const CellSurfaces &surfaces) { extend(surfaces); }
+  /// Cells that have come behind those it knows.
+  void extend(const CellSurfaces &surfaces);
 
   /// Of the feature of a facet on which a closest point lies; points: where it lies now.
   Vector<3> pseudo_normal(std::uint32_t facet, const ClosestPoint &closest, const CellSurfaces &surfaces,
                           const SurfacePoints &points) const;
 
   std::size_t facets() const { return across.size(); }
+  std::size_t cells() const { return known; }
   std::uint32_t cell_of(const std::uint32_t facet) const { return cell[facet]; }
 
  private:
   std::vector<std::array<std::uint32_t, 3>>
       across;  ///< of edge k, from corner k to the next: the other facet
-  std::vector<std::uint32_t> cell, first_of_node, of_node;
+  std::vector<std::uint32_t> cell, first_of_node{0}, of_node;
+  std::uint32_t known = 0;  ///< cells
 };
 }  // namespace turgor

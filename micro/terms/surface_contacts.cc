@@ -126,7 +126,10 @@ void SurfaceContacts::touch_cell(const std::uint32_t point, const std::span<cons
 void SurfaceContacts::prepare(const Particles<3> &particles, const Box<3> &, const unsigned int threads,
                               bool) {
   if (!neighbours || neighbours->facets() != surfaces->triangles.size()) {
-    neighbours.emplace(*surfaces);
+    if (neighbours && neighbours->cells() < surfaces->size())
+      neighbours->extend(*surfaces);
+    else
+      neighbours.emplace(*surfaces);
     lists.forget();
   }
   points.update(particles, threads);
@@ -164,6 +167,17 @@ void SurfaceContacts::add_forces(Particles<3> &particles, const Box<3> &, const 
     for (std::size_t k = 0; k < 3; ++k)
       add_force(particles, surfaces->triangles[t.facet][k], t.pull * t.part[k] * t.normal);
   }
+}
+
+Tensor2<3> SurfaceContacts::virial(const std::size_t cell, const Vector<3> &about) const {
+  Tensor2<3> sum = Tensor2<3>::Zero();
+  for (const Touch &t : touching[cell])
+    sum -= t.pull * t.normal * (points.position[t.point] - about).transpose();
+  for (const Hit &hit : hits[cell]) {
+    const Touch &t = touching[hit.cell][hit.touch];
+    sum += t.pull * t.normal * (points.position[t.point] - t.gap * t.normal - about).transpose();
+  }
+  return sum;
 }
 
 double SurfaceContacts::energy(const Particles<3> &, const Box<3> &, const std::size_t group) const {

@@ -52,6 +52,11 @@ class SurfaceContacts final : public Term<3> {
   const std::vector<Touch> &touches(const std::size_t cell) const { return touching[cell]; }
   const SurfacePoints &where() const { return points; }
   const FacetLists &near() const { return lists; }
+  /// N m, sum of f (x) (x - about) over the contacts of a cell, f the force on it: its volume times the
+  /// stress that contacts put on it, where forces were last asked.
+  Tensor2<3> virial(std::size_t cell, const Vector<3> &about) const;
+  /// Cells from there on are held, and do not touch each other.
+  void hold_from(const std::size_t cell) { lists.held = cell; }
   /// m, lowest signed gap to another cell at 16 places of each facet, where forces were last asked: what
   /// points leave unseen. HUGE_VAL where nothing is within reach.
   double lowest_gap() const;

@@ -145,6 +145,8 @@ BY_SCENE = {
     "spreading": [("Contact/Adhesion", "0", ["does not adhere"]), ("Contact/Range", "3e-6", ["more than a quarter of Cell/Radius", "make Contact/Range shorter"]),
                   ("Contact/Gap at rest", "1e-9", ["deviate from the sphere", "finer net (Cell/Frequency)"]), ("First step", "2e3", ["a finite number from"])],
     "capsule_compression": [("Last radius", "4e-5", ["just encloses the cells"]), ("Last radius", "1e-5", ["less than half of their volume"])],
+    "spheroid_deformable": [("Longest step", "3e3", ["a fiftieth of Cell/Cycle time"]), ("Most cells", "1", ["larger, or 0 for no limit"]),
+                            ("Growth/Mitosis time", "8e4", ["at most half of Cell/Cycle time"]), ("Division/Direction", "rondom", ["Did you mean 'random'?"])],
     "cell_between_plates": [("Plate distance", "3e-5", ["just touch the cell"]), ("Plate distance", "4e-6", ["torn to slivers"])],
     "protrusion": [("Stiffnesses", "1e-3, 1e-4", ["have to rise", "number 2 (0.0001 N/m)"]), ("Protrusion/Work limit", "1e-13", ["reached", "smaller Protrusion/Work limit"]), ("Stiffnesses", "0", ["a finite number from"])],
     "rod_squeeze": [("Plate distance", "3e-5", ["just touch the cell"]), ("Plate distance", "2e-6", ["flatter than a fifth"]), ("Cell/Nucleus radius", "7e-6", ["less than Cell/Radius"]),

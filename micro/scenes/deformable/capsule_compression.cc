@@ -2,7 +2,7 @@
 
 #include "micro/geometry/compact_cluster.h"
 #include "micro/geometry/sphere_surface.h"
-#include "micro/scenes/deformable/random_turn.h"
+#include "micro/laws/random_turn.h"
 #include "run/input_entries.h"
 #include "run/judged.h"
 

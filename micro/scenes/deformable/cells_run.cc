@@ -56,7 +56,12 @@ double CellsRun::due(const std::uint64_t sample) const {
 
 void CellsRun::advance() {
   const double until = plan.stops[at.stop];
-  run_failed_by([&] { return cells.step(until - cells.time()); });
+  run_failed_by(
+      [&] { plan.step ? plan.step(until - cells.time()) : void(cells.step(until - cells.time())); });
+  if (plan.full && plan.full()) {
+    at.stop = plan.stops.size();
+    return;
+  }
   if (cells.time() < until * (1. - 1e-12)) return;
   at_stop(at.stop++);
 }
@@ -67,7 +72,9 @@ void CellsRun::go() {
   StepLoop loop(context, at.step);
   loop.lasting = [this](Archive &a) {
     a.section("run");
-    a(at.step, at.sample, at.saved, at.stop, cells);
+    a(at.step, at.sample, at.saved, at.stop);
+    if (plan.population) plan.population(a);
+    a(cells);
   };
   loop.check = [this] { require_sound(); };
   const bool resumed = context.load_checkpoint(loop.lasting);
@@ -94,7 +101,7 @@ void CellsRun::go() {
     if (fields) fields->accept();
   };
   loop.sample_due = [this] {
-    const bool is = cells.time() >= due(at.sample) * (1. - 1e-12);
+    const bool is = cells.time() >= due(at.sample) * (1. - 1e-12) || at.stop == plan.stops.size();
     while (cells.time() >= due(at.sample) * (1. - 1e-12)) ++at.sample;
     return is;
   };

@@ -15,6 +15,7 @@
 #include <vector>
 
 namespace turgor {
+class Archive;
 class InputEntries;
 
 /// Entries that all these scenes have.
@@ -31,9 +32,12 @@ struct CellsPlan {
       0.;  ///< s; rows are spread evenly over the logarithm of time from there; 0: over time
   std::vector<OutputDefinition> columns;  ///< of history.csv, behind the time
   std::function<std::vector<double>()> row;
-  std::string doing, advice;       ///< at the terminal; a sentence of what makes steps longer or fewer
-  double reach = 1.;               ///< m; nodes farther from the origin have left the scene
-  std::string shapes = "surface";  ///< name of the frames' file
+  std::string doing, advice;           ///< at the terminal; a sentence of what makes steps longer or fewer
+  double reach = 1.;                   ///< m; nodes farther from the origin have left the scene
+  std::string shapes = "surface";      ///< name of the frames' file
+  std::function<void(double)> step{};  ///< of at most so long (s); none: of the cells alone
+  std::function<void(Archive &)> population{};  ///< what lasts of it beside the cells, before them
+  std::function<bool()> full{};                 ///< whether the run ends before its last stop
 };
 
 class CellsRun {

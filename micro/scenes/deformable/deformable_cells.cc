@@ -13,26 +13,54 @@ DeformableShape placed(DeformableShape shape, const Tensor2<3> &turn, const Vect
 }
 
 DeformableCells::DeformableCells(const TouchingMaterial &material_,
-                                 const std::vector<DeformableShape> &shapes, const unsigned int threads)
+                                 const std::vector<DeformableShape> &shapes, const unsigned int threads,
+                                 const bool grows)
     : motion(system, {.tolerance = material_.residual, .max_iterations = 20000}), material(material_) {
   system.threads = threads;
   for (const DeformableShape &shape : shapes) surfaces->add(system.particles, shape.mesh, shape.nodes);
-  motion.own_length = material.radius;
   motion.correct_clusters = true;
-  edges = &system.add(std::make_unique<CortexEdges<LinearSpring>>(surfaces, LinearSpring{material.spring()},
-                                                                  material.dashpots));
-  system.add(std::make_unique<CortexHinges>(surfaces, material.hinge()));
-  if (material.area_modulus > 0. || material.tension > 0.)
-    system.add(std::make_unique<CortexArea>(
-        surfaces, AreaStiffness{.local = material.area_modulus, .tension = material.tension}));
-  inside = &system.add(std::make_unique<Cytoplasm>(surfaces, material.bulk_modulus));
-  if (shapes.size() > 1)
-    touching = &system.add(std::make_unique<SurfaceContacts>(surfaces, material.law(), material.friction,
-                                                             material.blend, 0.4e-6));
+  add_terms(shapes.size() > 1 || grows);
   for (const Group &group : system.particles.groups)
     motion.medium.insert(
         motion.medium.end(), group.wall_count(),
         6. * std::numbers::pi * material.viscosity * material.radius / double(group.wall_count()));
+}
+
+DeformableCells::DeformableCells(const DeformableCells &others, const std::vector<std::uint32_t> &some,
+                                 const std::size_t moving)
+    : motion(system, {.tolerance = others.material.residual, .max_iterations = 20000}),
+      material(others.material) {
+  constexpr double held = 1e9;  // N s/m, of a node: a nanonewton moves it by a femtometre in 1000 s
+  all_surfaces = std::make_shared<CellSurfaces>();
+  Particles<3> of_moving;
+  const Particles<3> &p = others.system.particles;
+  for (std::size_t k = 0; k < some.size(); ++k) {
+    const Group &group = p.groups[some[k]];
+    std::vector<Vector<3>> nodes;
+    for (std::uint32_t i = group.begin; i < group.end; ++i) {
+      nodes.push_back(p.position(i));
+      motion.medium.push_back(k < moving ? others.motion.medium[i] : held);
+    }
+    all_surfaces->add(system.particles, *others.surfaces, some[k], nodes);
+    if (k < moving) surfaces->add(of_moving, *others.surfaces, some[k], nodes);
+  }
+  motion.correct_clusters = some.size() == moving;
+  add_terms(some.size() > 1);
+  if (touching != nullptr) touching->hold_from(moving);
+}
+
+void DeformableCells::add_terms(const bool several) {
+  motion.own_length = material.radius;
+  edges = &system.add(std::make_unique<CortexEdges<LinearSpring>>(surfaces, LinearSpring{material.spring()},
+                                                                  material.dashpots));
+  system.add(std::make_unique<CortexHinges>(surfaces, material.hinge()));
+  if (material.area_modulus > 0. || material.tension > 0.)
+    areas = &system.add(std::make_unique<CortexArea>(
+        surfaces, AreaStiffness{.local = material.area_modulus, .tension = material.tension}));
+  inside = &system.add(std::make_unique<Cytoplasm>(surfaces, material.bulk_modulus));
+  if (several)
+    touching = &system.add(std::make_unique<SurfaceContacts>(all_surfaces, material.law(), material.friction,
+                                                             material.blend, 0.4e-6));
 }
 
 void DeformableCells::begin_anew(const double first_step) {
@@ -68,6 +96,12 @@ double DeformableCells::step(const double limit) {
 double DeformableCells::energy_lost() const {
   const double stored = energy() - first, size = std::max({std::abs(done), lost, std::abs(stored)});
   return size > 0. ? (done - lost - stored) / size : 0.;
+}
+
+double DeformableCells::slope_of_growth(const std::size_t cell) const {
+  const Particles<3> &p = system.particles;
+  return edges->slope_of_growth(p, cell) + inside->slope_of_growth(p, cell) +
+         (areas != nullptr ? areas->slope_of_growth(p, cell) : 0.);
 }
 
 double DeformableCells::volume() const {

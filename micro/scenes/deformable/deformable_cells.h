@@ -25,9 +25,13 @@
 namespace turgor {
 class DeformableCells final : public SteppedCells {
  public:
-  /// shapes: one a cell, where it begins, free of stress; threads: of the run.
+  /// shapes: one a cell, where it begins, free of stress; threads: of the run; grows: there may be more
+  /// later.
   DeformableCells(const TouchingMaterial &material, const std::vector<DeformableShape> &shapes,
-                  unsigned int threads);
+                  unsigned int threads, bool grows = false);
+  /// Some cells of others, as they are, on one thread: the first `moving` of them move, the rest is held
+  /// where it is and does nothing but touch those. Without bodies.
+  DeformableCells(const DeformableCells &others, const std::vector<std::uint32_t> &some, std::size_t moving);
 
   /// Bodies that the cells meet by a law of contact; before begin().
   template <class... Body>
@@ -52,8 +56,12 @@ class DeformableCells final : public SteppedCells {
   /// What of work and energies is neither stored nor became heat, over the largest of work, heat and stored
   /// energy since the start: what steps of finite length lose; negative: make.
   double energy_lost() const;
-  double work() const { return done; }  ///< J, of the bodies on the cells
-  double volume() const;                ///< m^3, of all cells
+  double work() const { return done; }  ///< J, of the bodies on the cells, and what else put_in() says
+  void put_in(const double energy_in) { done += energy_in; }  ///< J, work on the cells that is not of bodies
+  /// The nodes have other places, newcomers are at rest with what is around them.
+  void settle(const Rearrangement &nodes) { stepper->gather(nodes, true); }
+  double slope_of_growth(std::size_t cell) const;  ///< J, dE/d ln s, s the scale of its lengths at rest
+  double volume() const;                           ///< m^3, of all cells
   /// m^2, of the surfaces of all cells on bodies, by the contact's closeness.
   double contact_area() const;
   double least_angle() const;  ///< rad, of any triangle
@@ -63,13 +71,18 @@ class DeformableCells final : public SteppedCells {
   void archive(Archive &a) override;
 
   std::shared_ptr<CellSurfaces> surfaces = std::make_shared<CellSurfaces>();
+  /// With those that are held behind them; the same where none are.
+  std::shared_ptr<CellSurfaces> all_surfaces = surfaces;
   CortexEdges<LinearSpring> *edges = nullptr;
+  CortexArea *areas = nullptr;  ///< none without membrane and tension
   Cytoplasm *inside = nullptr;
   SurfaceContacts *touching = nullptr;  ///< none of a single cell
   SurfaceObstacles *walls = nullptr;    ///< none without bodies
   SystemMotion<3> motion;
 
  private:
+  void add_terms(bool several);
+
   TouchingMaterial material;
   std::optional<Overdamped<3>> stepper;
   double at = 0., lost = 0., done = 0., power = 0., first = 0.;  ///< s, J, J, W, J

@@ -1,7 +1,7 @@
 #include "micro/scenes/deformable/spreading.h"
 
 #include "micro/geometry/plane.h"
-#include "micro/scenes/deformable/random_turn.h"
+#include "micro/laws/random_turn.h"
 #include "run/input_entries.h"
 #include "run/judged.h"
 

@@ -1,5 +1,6 @@
 #include "micro/scenes/spheroid/spheroid_entries.h"
 
+#include "micro/scenes/life_entries.h"
 #include "run/input_entries.h"
 #include "run/number_text.h"
 #include "run/run_context.h"
@@ -96,41 +97,8 @@ void CultureEntries::declare_contact(InputEntries &prm) {
 }
 
 void CultureEntries::declare_growth(InputEntries &prm) {
-  using namespace Patterns;
-  CellLifeParameters &life = numbers.life;
   prm.enter_subsection("Growth");
-  prm.add_parameter("Rate", life.growth.exponential,
-                    "How the volume of an uncompressed cell grows over its cycle: constant, by the same "
-                    "volume every second, or exponential (C.5). Units: none.",
-                    Selection("constant|exponential"));
-  prm.add_parameter("Inhibition", life.growth.inhibition,
-                    "How compression slows growth down, by the volumetric strain log(V_ref/V): none, hill "
-                    "(5.2) or linear (5.4.2). Units: none.");
-  prm.add_parameter("Threshold", life.growth.threshold,
-                    "Volumetric strain log(V_ref/V), positive when compressed, at which Inhibition leaves "
-                    "half of the free growth. Units: none.",
-                    Double(1e-6, 1e6));
-  prm.add_parameter("Exponent", life.growth.exponent,
-                    "Exponent n of Inhibition = hill: the larger, the sharper the threshold. Units: none.",
-                    Double(0.1, 1e4));
-  prm.add_parameter("Quiescence below", life.cycle.quiescence_below,
-                    "alpha_qui: share of the free growth below which a cell before its restriction point "
-                    "rests. Units: none.",
-                    Double(0., 1.));
-  prm.add_parameter("Reversible rest", life.cycle.reversible,
-                    "Whether resting cells go on with their cycle when they are less compressed; else they "
-                    "rest for good. Units: true or false.",
-                    Bool());
-  prm.add_parameter("Restriction point", life.cycle.restriction,
-                    "Phase of the cycle (0 newborn, 1 divides) from which on a cell does not go to rest any "
-                    "more. Units: none.",
-                    Double(0., 1.));
-  prm.add_parameter(
-      "Division at", life.cycle.timer,
-      "When a cell divides: at twice its volume at birth (size) or after its cycle time (time). Units: none.",
-      Selection("size|time"));
-  prm.add_parameter("Mitosis time", life.cycle.mitosis,
-                    "Time after birth in which cells do not grow. Units: s.", Double(0., 1e12));
+  turgor::declare_growth(prm, numbers.life.growth, numbers.life.cycle);
   prm.leave_subsection();
 }
 
@@ -138,13 +106,7 @@ void CultureEntries::declare_division(InputEntries &prm) {
   using namespace Patterns;
   CellDivision &division = numbers.life.division;
   prm.enter_subsection("Division");
-  prm.add_parameter("Direction", division.direction,
-                    "Line on which daughters lie: random, random_in_plane (z = 0), least_stress (where the "
-                    "mother is pressed least) or given (Axis). Units: none.");
-  prm.add_parameter(
-      "Axis", axis,
-      "Line on which daughters lie with Direction = given, of any length: x, y, z. Units: none.",
-      List(Double(-1e6, 1e6), 3, 3, ","));
+  declare_direction(prm, division, axis);
   prm.add_parameter("Distance", division.least_energy,
                     "How far apart daughters are laid: inside the mother's sphere, or where their contact "
                     "has least_energy. Units: none.",
@@ -250,23 +212,19 @@ void CultureEntries::check() const {
           wrong_adhesion(contact_law(numbers), life.modulus, life.birth_radius, "Birth radius");
       !wrong.empty())
     throw InputError("Contact/" + wrong);
-  if (life.cycle.mitosis > 0.5 * life.cycle_time)
-    throw InputError("Growth/Mitosis time is " + number_text(life.cycle.mitosis) +
-                     " s, but has to be at most half of Cell/Cycle time (" + number_text(life.cycle_time) +
-                     " s).");
+  check_mitosis(life.cycle, life.cycle_time);
+  check_direction(life.division, axis);
   if (seed != std::floor(seed))
     throw InputError("Cell/Seed is " + number_text(seed) + ", but has to be a whole number.");
   if (in_plane && parameters().migration.preferred[2] != 0.)
     throw InputError("Motion/Preferred direction is " + preferred +
                      ", but cells of a monolayer crawl in its plane: x, y, 0.");
-  if (life.division.direction == DivisionDirection::given && !(parameters().life.division.axis.norm() > 0.))
-    throw InputError("Division/Axis is " + axis + ", but Direction = given needs one that is not zero.");
 }
 
 CultureParameters CultureEntries::parameters() const {
   CultureParameters result = numbers;
   CellLifeParameters &life = result.life;
-  life.division.axis = vector_of(axis, "Division/Axis");
+  life.division.axis = division_axis(axis);
   result.migration.preferred = vector_of(preferred, "Motion/Preferred direction");
   result.in_plane = in_plane;
   life.division.seed = life.variability.seed = std::uint64_t(seed);

@@ -18,12 +18,6 @@ double time_integral(const std::vector<double> &time, const std::vector<double> 
 }
 }  // namespace
 
-double doubling_time(const double T, const double spread) {
-  const double s2 = spread * spread;
-  const double growth = s2 > 0. ? (1. - std::sqrt(1. - 2. * s2 * std::numbers::ln2)) / s2 : std::numbers::ln2;
-  return T * std::numbers::ln2 / growth;
-}
-
 SpheroidFree::SpheroidFree() {
   duration = 9. * 61200.;  // cycles
   samples = 400;

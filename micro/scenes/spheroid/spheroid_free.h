@@ -12,6 +12,7 @@
 //                    the volume of the proliferating cells, which shape and fill do not touch
 #pragma once
 
+#include "micro/laws/population_doubling.h"
 #include "micro/scenes/spheroid/body_entries.h"
 #include "micro/scenes/spheroid/spheroid_scene.h"
 
@@ -37,9 +38,6 @@ class SpheroidFree : public SpheroidScene {
 
   BodyEntries body;
 };
-
-/// s; of a population of mean cycle time T (s) and relative spread s.
-double doubling_time(double T, double spread);
 
 std::unique_ptr<Scenario> make_spheroid_free();
 }  // namespace turgor

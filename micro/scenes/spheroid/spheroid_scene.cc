@@ -1,7 +1,6 @@
 #include "micro/scenes/spheroid/spheroid_run.h"
 
 #include "micro/geometry/compact_cluster.h"
-#include "micro/laws/counter_random.h"
 #include "micro/scenes/shared_entries.h"
 #include "run/entry_marks.h"
 #include "run/input_entries.h"
@@ -50,8 +49,7 @@ void SpheroidScene::check() const {
 }
 
 double SpheroidScene::first_phase(const std::size_t i) const {
-  if (phases == FirstPhases::synchronous) return 0.;
-  return -std::log2(1. - 0.5 * random_uniform(mix_bits(std::uint64_t(entries.seed) ^ 0x7068617365ull), i));
+  return phase_at_start(phases, std::uint64_t(entries.seed), i);
 }
 
 double SpheroidScene::largest_first_radius() const {

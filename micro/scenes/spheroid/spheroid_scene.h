@@ -13,6 +13,7 @@
 #pragma once
 
 #include "run/scenario.h"
+#include "micro/laws/first_phases.h"
 #include "micro/scenes/spheroid/growth_table.h"
 #include "micro/scenes/spheroid/spheroid_entries.h"
 
@@ -20,13 +21,6 @@
 #include <string>
 
 namespace turgor {
-/// Of the first cells in their cycle.
-enum class FirstPhases {
-  synchronous,  ///< all newborn
-  spread        ///< ages of exponential growth
-};
-constexpr const char *words_of(FirstPhases) { return "synchronous|spread"; }
-
 class SpheroidScene : public Scenario {
  public:
   void declare_parameters(InputEntries &prm) final;
