@@ -32,7 +32,7 @@ struct Spheres {
 
 std::vector<OutputDefinition> columns_of_growing_cells() {
   return {
-      {"cells", "", "Number of cells."},
+      {"cells", "", "Number of cells at that time."},
       {"proliferating", "", "Number of cells that go through the cycle."},
       {"quiescent", "", "Number of cells that rest, because compression inhibits their growth."},
       {"radius", "m",

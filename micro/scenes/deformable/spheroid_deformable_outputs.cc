@@ -18,7 +18,7 @@ Outputs SpheroidDeformable::outputs() const {
         "Number of cells that is expected without inhibition: of newborn ones by the distribution of their "
         "cycle "
         "times, of ages that are spread by that doubling time."},
-       {"cells_deviation", "1", "Number of cells over its closed form, minus one."},
+       {"cells_deviation", "1", "How far the number of cells is from its closed form, relative."},
        {"division_cpu_time", "s",
         "CPU time that a division takes, mean since the run was started last: laying daughters and their "
         "coming to "
