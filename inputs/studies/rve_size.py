@@ -7,6 +7,9 @@
 steps of 1 %. Boundaries: uniform_traction (softest), periodic, linear_displacement (stiffest), windows cut along walls. Mean over the seeds and its
 95 % confidence (Student's t); moduli are means over all directions. In order: of how many seeds Young's and shear moduli in every direction rise from
 the first boundary to the last, as theory has it (energies: tests/rve/test_boundary.cc).
+
+Answer: periodic Laguerre cells have Young's moduli of 1.23, 1.47 and 1.54 MPa with 4, 9 and 16 cells, the last +- 13 %: not settled at 16. The band is that of
+the mean of four seeds; it does not show the bias of a small RVE. Bricks (jitter 0.06 here) have 1.29, 1.30, 1.31 MPa with 1, 4, 9: one cell is enough.
 """
 import csv
 import math
