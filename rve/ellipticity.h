@@ -2,13 +2,13 @@
 // directions. Where it is negative a band of material slides (or opens) by itself: its width is that of one
 // finite element, whatever the mesh.
 //
-//   A_ac(n) = sum_bd n_b dP_ab/dF_cd n_d,   least over n of the smallest eigenvalue of A(n), with its vector
-//   m
+//   A_ac(n) = 1/J sum_bd N_b dP_ab/dF_cd N_d,   N = F^T n, J = det F,   least over unit vectors n of the
+//   smallest eigenvalue of A(n), with its vector m
 //
-// n is the normal of the band in the undeformed tissue, m the direction in which it moves. In: dP/dF (Pa),
-// entry (2 a + b, 2 c + d). Out: Pa, rad from x, in [0, pi).
+// n is the normal of the band in the tissue as it is deformed, m the direction in which it moves. In: dP/dF
+// (Pa), entry (2 a + b, 2 c + d), and F. Out: Pa, rad from x, in [0, pi).
 //
-//   const LeastAcoustic least(tangent);
+//   const LeastAcoustic least(tangent, F);
 #pragma once
 
 #include "micro/geometry/tensor.h"
