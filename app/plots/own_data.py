@@ -22,13 +22,13 @@ def own_column(table, column):
     return None
 
 
-def draw_data(axis, first, column, unit_first=1.0, unit=1.0):
-    """The user's own points of this column over this first column, where their table has both, in the units of the axis."""
+def draw_data(axis, first, column, unit_first=1.0, unit=1.0, origin=0.0):
+    """The user's own points of this column over this first column less its origin, where their table has both, in the units of the axis."""
     for name, table in DATA:
         x, y = own_column(table, first), own_column(table, column)
         if x is not None and y is not None:
             marker = "DsP^vX"[list(map(bare, table)).index(bare(column)) % 6]  # columns of one file are told apart
-            axis.plot(x * unit_first, y * unit, marker, color=INK, markeredgecolor="white", markeredgewidth=0.5, markersize=5.5,
+            axis.plot((x - origin) * unit_first, y * unit, marker, color=INK, markeredgecolor="white", markeredgewidth=0.5, markersize=5.5,
                       linestyle="none", label=f"{name}: {bare(column).replace('_', ' ')}")
             DRAWN.update((bare(first), bare(column)))
 

@@ -18,6 +18,7 @@ from rve_tangents import draw  # noqa: E402
 
 COMPONENTS = ("xx", "xy", "yx", "yy")
 COLOURS = {"xx": ACCENT, "yy": ALONG, "xy": "#6b8e4e", "yx": "#8a6fb0"}
+WIDTHS = {"xx": 3.4, "xy": 1.8, "yy": 1.8}  # where two are zero both are seen, the later over the broader one
 NAMES = {"xx": "stretch along x", "yy": "stretch along y", "xy": "shear, x over y", "yx": "shear, y over x"}
 
 
@@ -32,6 +33,12 @@ def parts_of_path(strain, found):
     length = {c: steps[c][leading == c].sum() for c in COMPONENTS}
     chosen = [c for c in sorted(COMPONENTS, key=lambda one: -length[one])[:2] if length[c] > 0.02 * max(length.values())]
     return [(c, [(k, k + 1) for k in np.flatnonzero(leading == c)]) for c in chosen]
+
+
+def abscissa(strain, lead):
+    """(sign, words): a component that is mostly pressed is drawn as a compression, to the right."""
+    pressed = lead in ("xx", "yy") and -strain[lead].min() > strain[lead].max()
+    return (-1, f"compression along {lead[0]} [%]") if pressed else (1, f"{NAMES[lead]} [%]")
 
 
 def draw_cells(directory, F):
@@ -83,16 +90,17 @@ def main(directory):
     axes[0].set_ylabel("deformation F - I [%]", color=INK)
     applies = table.get("closed_form_applies", np.zeros(len(time))) > 0.5
     for axis, (lead, rows) in zip(axes[1:], parts):
+        sign, words = abscissa(strain, lead)
         for c in ("xx", "xy", "yy"):
             for k, pair in enumerate(rows):
                 pair = list(pair)
-                axis.plot(strain[lead][pair], table[f"sigma_{c} [Pa]"][pair] / 1e3, color=COLOURS[c], linewidth=1.8,
+                axis.plot(sign * strain[lead][pair], table[f"sigma_{c} [Pa]"][pair] / 1e3, color=COLOURS[c], linewidth=WIDTHS[c],
                           label=f"$\\sigma_{{{c}}}$" if k == 0 else None)
                 if applies[pair].all():
-                    axis.plot(strain[lead][pair], table[f"closed_sigma_{c} [Pa]"][pair] / 1e3, color=INK, linewidth=1,
+                    axis.plot(sign * strain[lead][pair], table[f"closed_sigma_{c} [Pa]"][pair] / 1e3, color=INK, linewidth=1,
                               linestyle=(0, (2, 2)), label="closed form (flat walls)" if c == "yy" and k == 0 else None)
-            draw_data(axis, f"F_{lead} [1]", f"sigma_{c} [Pa]", 100, 1e-3)
-        axis.set_xlabel(f"{NAMES[lead]} [%]", color=INK)
+            draw_data(axis, f"F_{lead} [1]", f"sigma_{c} [Pa]", 100 * sign, 1e-3, float(lead in ("xx", "yy")))
+        axis.set_xlabel(words, color=INK)
         axis.set_ylabel("Cauchy stress, positive in tension [kPa]", color=INK)
     axes[-1].plot(scale * time, table["pressure [Pa]"] / 1e3, color=ALONG, linewidth=1.8)
     axes[-1].set_ylabel("pressure of the cells' fluid [kPa]", color=INK)
@@ -108,7 +116,12 @@ def main(directory):
     figure.savefig(made, dpi=130)
     plt.close(figure)
     cells = draw_cells(directory, np.array([table[f"F_{c} [1]"][-1] for c in COMPONENTS]).reshape(2, 2))
-    return [made] + ([cells] if cells else []) + draw(directory)
+    over = None
+    if len(parts) == 1 and len(parts[0][1]) == len(time) - 1:
+        lead = parts[0][0]
+        sign, words = abscissa(strain, lead)
+        over = (words, time, sign * strain[lead]) if np.all(np.diff(sign * strain[lead]) > 0) else None
+    return [made] + ([cells] if cells else []) + draw(directory, over)
 
 
 if __name__ == "__main__":

@@ -1,7 +1,8 @@
 """Pictures of an rve_response run's tangents: moduli and viscosities against direction (polar.csv), moduli along the path and the smallest
 eigenvalue of the acoustic tensor with the direction of its band (tangent.csv).
 
-draw(directory) -> paths of the pictures made, rve_polar.png and rve_tangents.png.
+draw(directory, over) -> paths of the pictures made, rve_polar.png and rve_tangents.png; over: (words, times, values) of what rises along the path
+and is the abscissa of the latter, time where that is None.
 """
 import os
 
@@ -49,12 +50,13 @@ def draw_polar(directory):
     return [made]
 
 
-def draw_path(directory):
+def draw_path(directory, over):
     table, stress = table_of(directory, "tangent.csv"), table_of(directory, "stress.csv")
     if len(table.get("time [s]", [])) < 2:
         return []
     time = table["time [s]"]
-    unit_of_time, unit = in_prefix("s", [time])
+    factor, unit = in_prefix("s", [time])
+    words, along = (over[0], np.interp(time, over[1], over[2])) if over else (f"time [{unit}]", factor * time)
     panels = [("Tangent modulus, sides free", {"along x": "path_modulus_x [Pa]", "along y": "path_modulus_y [Pa]", "shear, x over y": "path_shear_modulus [Pa]"}),
               ("Tangent modulus, sides held", {"along x": "path_held_modulus_x [Pa]", "along y": "path_held_modulus_y [Pa]"}),
               ("Smallest eigenvalue of the\nacoustic tensor", {"": "acoustic [Pa]"})]
@@ -63,7 +65,7 @@ def draw_path(directory):
         values = [table[name] for name in lines.values()]
         factor, prefixed = in_prefix("Pa", values)
         for (label, name), colour, dash in zip(lines.items(), (ACCENT, ALONG, GREEN), ("-", (0, (5, 3)), "-")):
-            axis.plot(unit_of_time * time, factor * table[name], color=colour, linestyle=dash, linewidth=1.8, label=label or None)
+            axis.plot(along, factor * table[name], color=colour, linestyle=dash, linewidth=1.8, label=label or None)
         axis.set_ylabel(f"{title.replace(chr(10), ' ')} [{prefixed}]", color=INK)
         if min(np.min(v) for v in values) < 0:
             axis.axhline(0, color=INK, linewidth=0.8)
@@ -71,17 +73,17 @@ def draw_path(directory):
             axis.legend(frameon=False, fontsize=9)
     lost = table["acoustic [Pa]"] <= 0
     if lost.any():
-        first = unit_of_time * time[np.argmax(lost)]
-        axes[2].axvspan(first, unit_of_time * time[-1], color=ACCENT, alpha=0.12, linewidth=0)
+        first = along[np.argmax(lost)]
+        axes[2].axvspan(first, along[-1], color=ACCENT, alpha=0.12, linewidth=0)
         axes[2].text(first, axes[2].get_ylim()[1], " no longer elliptic", color=ACCENT, fontsize=8, va="top", ha="right", rotation=90)
     for name, label, colour in (("acoustic_normal [deg]", "normal of the band", ACCENT), ("acoustic_motion [deg]", "its motion", ALONG)):
-        axes[3].plot(unit_of_time * time, table[name], ".", color=colour, markersize=5, label=label)
+        axes[3].plot(along, table[name], ".", color=colour, markersize=5, label=label)
     axes[3].set_ylim(-5, 185)
     axes[3].set_yticks(range(0, 181, 45))
     axes[3].set_ylabel("Direction of that band, from x [°]", color=INK)
     axes[3].legend(frameon=False, fontsize=9)
     for axis in axes:
-        axis.set_xlabel(f"time [{unit}]", color=INK)
+        axis.set_xlabel(words, color=INK)
         style(axis)
     if len(stress.get("time [s]", [])) > len(time):
         figure.text(0.01, 0.005, f"{len(stress['time [s]']) - len(time)} points without a tangent are left out", fontsize=8, color=INK)
@@ -92,5 +94,5 @@ def draw_path(directory):
     return [made]
 
 
-def draw(directory):
-    return draw_polar(directory) + draw_path(directory)
+def draw(directory, over=None):
+    return draw_polar(directory) + draw_path(directory, over)

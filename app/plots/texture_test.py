@@ -49,7 +49,8 @@ def draw_curve(axis, steps, results):
 
 def draw_energies(axis, steps, energies):
     travel = steps["travel [m]"] * 1e3
-    for column, words, colour in (("work", "work of the tool", INK), ("stored", "stored", ALONG), ("dissipated_by_flow", "by yielding walls", "#3f8f7f"),
+    for column, words, colour in (("work", "work of the tool", INK), ("stored", "stored", ALONG), ("contact", "in contact", "#8795a1"),
+                                  ("dissipated_by_flow", "by yielding walls", "#3f8f7f"),
                                   ("dissipated_by_failure", "by failing cells", FAILED), ("released", "dropped on failing", ACCENT)):
         values = energies[f"{column} [J/m]"]
         if column == "dissipated_by_failure":  # what breaks and what leaks after it

@@ -143,7 +143,9 @@ def picture(directory):
     twin.plot(t * 1e3, 100 * impact["bruised_share [1]"], color="#8a4b2a", linewidth=1.4, linestyle=(0, (5, 2)), label="failed cells")
     draw_data(twin, "time [s]", "bruised_share [1]", 1e3, 100)
     twin.set_ylabel("failed cells [%]", color="#8a4b2a", fontsize=9)
-    twin.set_ylim(0, None)
+    top, (low, high) = twin.get_ylim()[1], below.get_ylim()
+    twin.set_ylim(top * low / high, top)  # both zeros at one height
+    twin.set_yticks([tick for tick in twin.get_yticks() if 0 <= tick <= top])
     twin.tick_params(colors="#8a4b2a", labelsize=8)
     twin.spines["top"].set_visible(False)
     lines = [line for line in [*below.get_lines(), *twin.get_lines()] if not line.get_label().startswith("_")]
