@@ -71,6 +71,34 @@ PlaneNet random_net(const double length, const unsigned int columns, const unsig
   return net;
 }
 
+void centre(PlaneNet &net) {
+  std::vector<std::array<int, 2>> moved(net.nodes.size());
+  for (std::size_t i = 0; i < net.nodes.size(); ++i)
+    for (int d = 0; d < 2; ++d) {
+      moved[i][std::size_t(d)] = -int(std::floor(net.nodes[i][d] / net.periods[d]));
+      net.nodes[i][d] += (moved[i][std::size_t(d)] - 0.5) * net.periods[d];
+    }
+  for (PlaneNet::Bond &bond : net.bonds)
+    for (std::size_t d = 0; d < 2; ++d) bond.shift[d] += moved[bond.a][d] - moved[bond.b][d];
+}
+
+void carve(PlaneNet &net, const Vector<2> &place, const double radius) {
+  constexpr std::uint32_t gone = ~std::uint32_t(0);
+  std::vector<std::uint32_t> number(net.nodes.size(), gone);
+  std::vector<Vector<2>> left;
+  for (std::size_t i = 0; i < net.nodes.size(); ++i)
+    if ((net.nodes[i] - place).norm() > radius) {
+      number[i] = std::uint32_t(left.size());
+      left.push_back(net.nodes[i]);
+    }
+  std::vector<PlaneNet::Bond> bonds;
+  for (const PlaneNet::Bond &bond : net.bonds)
+    if (number[bond.a] != gone && number[bond.b] != gone)
+      bonds.push_back({number[bond.a], number[bond.b], bond.shift});
+  net.nodes = std::move(left);
+  net.bonds = std::move(bonds);
+}
+
 void remove_bonds(PlaneNet &net, const double kept, const std::uint64_t seed) {
   std::vector<PlaneNet::Bond> left;
   for (std::size_t k = 0; k < net.bonds.size(); ++k)

@@ -36,6 +36,13 @@ struct PlaneNet {
 PlaneNet sixfold_net(double length, unsigned int columns, unsigned int rows);
 PlaneNet random_net(double length, unsigned int columns, unsigned int rows, std::uint64_t seed);
 
+/// All is moved so that the middle of the period is the origin, each node into the period about it.
+void centre(PlaneNet &net);
+
+/// Nodes within a radius (m) of a place go, and their bonds: where a cell lies in a matrix that has grown
+/// about it.
+void carve(PlaneNet &net, const Vector<2> &place, double radius);
+
 /// Each bond stays with the probability `kept`, whatever becomes of the others.
 void remove_bonds(PlaneNet &net, double kept, std::uint64_t seed);
 }  // namespace turgor

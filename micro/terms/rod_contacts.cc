@@ -68,6 +68,7 @@ RodContact RodContacts::touch(const Law &law, const Pair &pair, unsigned char &t
   c.s = at.s;
   c.t = at.t;
   c.force = does.force;
+  c.overlap = delta;
   c.stiffness = does.stiffness;
   c.area = does.area;
   c.energy = does.energy;
@@ -196,6 +197,22 @@ void RodContacts::rub(MotionMatrix &matrix, const Pair &pair, const RodContact &
                     coefficient);
   };
   push_row(h * std::max(0., c.stiffness));
+  // A rod that is touched along its side resists being tilted towards what touches it: seen from there its
+  // line comes nearer by d theta^2/2. A short one turns far by little motion of its ends.
+  const auto resist_tilt = [&](const std::uint32_t body, const double share, const Vector<3> &towards,
+                               const double sign) {
+    if (is_node(body) || !(share > 0. && share < 1.) || bodies[body].line.u == Vector<3>::Zero()) return;
+    const double d = bodies[pair.i].radius + bodies[pair.j].radius - c.overlap, L = bodies[body].line.L;
+    const std::uint32_t end = rods->a(body - parameters.nodes);
+    for (std::size_t k = 0; k < n; ++k) {
+      g[k] = sign * weight[k] / d * bodies[body].line.u;
+      if (who[k] == end) g[k] -= towards / L;
+      if (who[k] == end + 1) g[k] += towards / L;
+    }
+    push_row(h * std::max(0., c.force) * d);
+  };
+  resist_tilt(pair.i, c.s, -c.n, 1.);
+  resist_tilt(pair.j, c.t, c.n, -1.);
   const auto row_along = [&](const Vector<3> &direction, const double coefficient) {
     for (std::size_t k = 0; k < n; ++k) g[k] = weight[k] * direction;
     push_row(coefficient);

@@ -40,7 +40,7 @@ struct RodContactParameters {
 struct RodContact {
   Vector<3> n = Vector<3>::Zero();        ///< unit vector from i to j
   double s = 0., t = 0.;                  ///< where on i and j, 0 at A
-  double force = 0.;                      ///< N, positive apart
+  double force = 0., overlap = 0.;        ///< N, positive apart; m
   double squeeze_i = 0., squeeze_j = 0.;  ///< N, on R_i and R_j, positive where it makes them less
   double stiffness = 0.;                  ///< N/m
   double area = 0.;                       ///< m^2
