@@ -70,6 +70,8 @@ SCENES = {
     "spheroid_deformable": {"Cell/Frequency": (2, 4), "First cells": (1, 3), "End time": (1e3, 6e3), "Frames": (1, 3), "Longest step": (20, 100), "Cell/Cycle time": (5e3, 2e4)},
     "cell_between_plates": {"Cell/Frequency": (2, 5), "Compression time": (5, 60), "Hold time": (0, 20), "Plate distance": (12e-6, 20e-6)},
     "poiseuille": {"Particles across": (4, 8), "Particles along": (4, 6), "End time": 1e-4, "Packing/Settling steps": (0, 20)},
+    "creep": {"Particles across": (4, 8), "Particles along": (5, 6), "End time": 0.02, "Packing/Settling steps": (0, 20)},
+    "rotating_block": {"Particles": (4, 8), "Stretching steps": (1, 20), "Steps per turn": (4, 40), "Turns": (1, 2)},
     "couette": {"Particles across": (4, 8), "Particles along": (4, 6), "End time": 1e-4, "Packing/Settling steps": (0, 20)},
     "optical_stretcher": {"Cell/Frequency": (2, 4), "Powers": [1.1, 0.3]},
     "network_shear": {"Pore sizes": "2e-6", "Side": 2e-5, "Stiffnesses": [1e-3, 10.0], "Kept bonds": [1.0, 0.9], "Seeds": (1, 2), "Steps": (1, 5)},

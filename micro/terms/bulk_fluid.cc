@@ -32,6 +32,7 @@ void BulkFluid<dim>::declare(Particles<dim> &particles) {
   if (particles.groups.size() != 1 || particles.groups[0].wall_count() > 0)
     throw std::invalid_argument("a bulk fluid is one group of fluid particles");
   for (const char *field : {"density", "pressure", "wall_share"}) particles.declare(field);
+  if (is_solid()) declare_stress(particles);
 }
 
 template <int dim>
@@ -40,8 +41,10 @@ void BulkFluid<dim>::prepare(const Particles<dim> &particles, const Box<dim> &bo
   threads = threads_;
   drag_built = false;
   const Group &g = particles.groups[0];
-  if (origin.stale(particles, g, parameters.skin)) {
+  lay_bodies(false);
+  if (origin.stale(particles, g, parameters.skin) || bodies_left_lists()) {
     origin.take(particles.x, g);
+    for (std::size_t k = 0; k < bodies.size(); ++k) body_of[k].listed = bodies[k]->place();
     built = false;
     ++builds;
   }
@@ -84,10 +87,15 @@ void BulkFluid<dim>::add_forces(Particles<dim> &particles, const Box<dim> &, con
     std::vector<double> &rho = particles.field("density"), &p = particles.field("pressure");
     for (double &one : rho)
       if (one == 0.) one = eos.reference_density();  // the start
-    eos_pressure(&eos, std::uint32_t(rho.size()), rho.data(), p.data());
     std::vector<Vector<dim>> on_nodes(nodes(), Vector<dim>::Zero());
-    drag.push(p, mass / eos.reference_density(), particles.f, on_nodes);
+    if (is_solid())
+      pull_of_stress(particles, on_nodes);
+    else {
+      eos_pressure(&eos, std::uint32_t(rho.size()), rho.data(), p.data());
+      drag.push(p, mass / eos.reference_density(), particles.f, on_nodes);
+    }
     if constexpr (dim == 2) pushed = on_nodes;
+    push_bodies();
     return;
   }
   Frame frame = look();
@@ -115,12 +123,14 @@ void BulkFluid<dim>::add_forces(Particles<dim> &particles, const Box<dim> &, con
     pushed.assign(nodes(), Vector<2>::Zero());
     for (std::uint32_t k = 0; k < layout.fluid; ++k)
       pushed[node_of[k]] += Vector<2>(around.f[0][k], around.f[1][k]);
+    push_bodies();
   }
 }
 
 template <int dim>
 double BulkFluid<dim>::energy(const Particles<dim> &particles, const Box<dim> &, const std::size_t) const {
   const std::vector<double> &rho = particles.field("density");
+  if (is_solid()) return stored_in_solid(particles);
   double total = parameters.volume > 0. && parameters.density == BulkDensity::summation
                      ? parameters.ordering * parameters.volume * (1. - scale)
                      : 0.;
@@ -132,7 +142,8 @@ template <int dim>
 void BulkFluid<dim>::archive(Archive &a, Particles<dim> &particles) {
   a.section("bulk fluid");
   a(origin, builds, scale);
-  a.fixed(particles.field("density"));
+  for (std::vector<double> *field : carried(particles)) a.fixed(*field);
+  archive_bodies(a);
   if (a.loading()) built = drag_built = false;
 }
 

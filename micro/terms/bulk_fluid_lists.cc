@@ -29,6 +29,7 @@ void for_images(const Box<dim> &box, const Visit &visit) {
 template <int dim>
 void BulkFluid<dim>::build_walls(const Box<dim> &box, const double reach) {
   node_of.clear();
+  node_shift.clear();
   gone.clear();
   for (auto &x : around.x) x.clear();
   if constexpr (dim == 2) {
@@ -49,6 +50,7 @@ void BulkFluid<dim>::build_walls(const Box<dim> &box, const double reach) {
           const Vector<2> x = node_place(wall, k, box) + by;
           for (int d = 0; d < 2; ++d) around.x[d].push_back(x[d]);
           node_of.push_back(first + k % count);
+          node_shift.push_back(x - wall.nodes[k % count]);
           gone.push_back(k == count);
         }
       });
@@ -68,7 +70,9 @@ void BulkFluid<dim>::build(const Box<dim> &box) {
       throw std::invalid_argument("the period of " + number_text(box.H(d, d)) +
                                   " m is shorter than the reach of the particles, " + number_text(reach) +
                                   " m: use more particles");
+  lay_bodies(true);
   build_walls(box, reach);
+  lay_bodies(false);
   shift.assign(n, Vector<dim>::Zero());
   ghost_of.clear();
   ghost_shift.clear();
@@ -130,6 +134,11 @@ void BulkFluid<dim>::follow(const Particles<dim> &particles) {
     for (std::size_t i = 0; i < n; ++i) to[i] = particles.x[d][i] + shift[i][d];
     for (std::size_t g = 0; g < ghosts; ++g) to[n + g] = particles.x[d][ghost_of[g]] + ghost_shift[g][d];
   }
+  if (bodies.empty()) return;
+  std::vector<Vector<2>> places;
+  for (const BulkWall &wall : walls) places.insert(places.end(), wall.nodes.begin(), wall.nodes.end());
+  for (std::size_t k = 0; k < node_of.size(); ++k)
+    for (int d = 0; d < 2; ++d) around.x[d][k] = places[node_of[k]][d] + node_shift[k][d];
 }
 
 template class BulkFluid<2>;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace turgor {
 namespace {
@@ -58,9 +59,15 @@ void BulkFluid<dim>::build_drag(const Particles<dim> &particles) {
           const double z = (to_a[0] * along[1] - to_a[1] * along[0]) / along.norm(),
                        fading = std::min(1., z / (0.2 * parameters.support));  // of sph_viscous_edges.inc.h
           for (int q = 0; q < 2; ++q)
-            if (point[2 * q + 1] > 0.)
-              drag.ray(to_a + point[2 * q] * along, point[2 * q + 1], node_of[a], node_of[b], point[2 * q],
-                       fading);
+            if (point[2 * q + 1] > 0.) {
+              const Vector<2> r = to_a + point[2 * q] * along;
+              drag.ray(r, point[2 * q + 1], node_of[a], node_of[b], point[2 * q], fading);
+              if (const auto body = body_at(node_of[a]); body < bodies.size()) {
+                const Vector<2> arm = x + r - node_shift[a] - bodies[body]->centre;
+                drag.on_carrier(std::uint32_t(body), arm);
+                drag.ray_moved(chain(body).way_of(arm));
+              }
+            }
         }
   }
   drag.finish(threads);
@@ -73,8 +80,13 @@ std::vector<typename SphDrag<dim>::Stiffness> BulkFluid<dim>::stiffness(const Pa
   if (parameters.density == BulkDensity::continuity) {
     std::vector<typename SphDrag<dim>::Stiffness> result(n);
     const std::vector<double> &rho = particles.field("density");
+    const double per = h / parameters.viscosity, G = parameters.solid.shear, K = parameters.solid.bulk;
     for (std::size_t i = 0; i < n; ++i)
-      result[i].kappa = h * eos.slope(rho[i]) * rho[i] / parameters.viscosity;
+      if (is_solid()) {
+        result[i].shear = per * G * particles.field("intact")[i];
+        result[i].kappa = per * K - 2. / 3. * result[i].shear;
+      } else
+        result[i].kappa = h * eos.slope(rho[i]) * rho[i] / parameters.viscosity;
     return result;
   }
   std::vector<double> rho(n), pressure(n), gamma(n);
@@ -108,6 +120,8 @@ void BulkFluid<dim>::collect(MotionMatrix &matrix, const Particles<dim> &particl
   moving = false;
   for (const BulkWall &one : walls)
     for (const Vector<2> &velocity : one.velocity) moving = moving || velocity != Vector<2>::Zero();
+  if (moving && is_solid())
+    throw std::logic_error("a bulk solid sticks to walls at rest and to rigid bodies");
   given = 0;
   if constexpr (dim == 2)
     if (moving) {
@@ -120,6 +134,7 @@ void BulkFluid<dim>::collect(MotionMatrix &matrix, const Particles<dim> &particl
         }
     }
   drag.walls(given, moving ? std::uint32_t(nodes()) : 0);
+  drag.set_carriers(rows_of_bodies(matrix.medium.size(), particles.size()));
   matrix.add(drag);
 }
 
@@ -162,6 +177,15 @@ std::vector<BodyVector> BulkFluid<dim>::velocities(const Particles<dim> &particl
       for (const BulkWall &one : walls)
         for (const Vector<2> &velocity : one.velocity) v[node++].v[d] = velocity[d];
   }
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const std::size_t first = behind + first_node(body_of[k].wall);
+    for (std::size_t node = 0; node < arms[k].size(); ++node) {
+      const Vector<2> &arm = arms[k][node];
+      v[first + node].v[0] = bodies[k]->velocity[0] - bodies[k]->spin[0] * arm[1];
+      v[first + node].v[1] = bodies[k]->velocity[1] + bodies[k]->spin[0] * arm[0];
+    }
+  }
+  drag.set_carriers({});
   drag.walls(std::uint32_t(behind), std::uint32_t(nodes()));
   return v;
 }
@@ -169,10 +193,14 @@ std::vector<BodyVector> BulkFluid<dim>::velocities(const Particles<dim> &particl
 template <int dim>
 void BulkFluid<dim>::follow_step(Particles<dim> &particles, const double h, const double way) {
   if (parameters.density == BulkDensity::summation) return;
-  const std::vector<BodyVector> v = velocities(particles);
-  const std::vector<double> divergence = drag.divergence(v.data());
-  std::vector<double> &rho = particles.field("density");
-  for (std::size_t i = 0; i < rho.size(); ++i) rho[i] *= std::exp(-h * divergence[i]);
+  if (is_solid())
+    strain(particles, h);
+  else {
+    const std::vector<BodyVector> v = velocities(particles);
+    const std::vector<double> divergence = drag.divergence(v.data());
+    std::vector<double> &rho = particles.field("density");
+    for (std::size_t i = 0; i < rho.size(); ++i) rho[i] *= std::exp(-h * divergence[i]);
+  }
   const double spacing = std::pow(mass / (eos.reference_density() * parameters.depth), 1. / dim);
   shift_by(particles, parameters.shifting * std::min(way / spacing, 0.2));
 }
@@ -182,19 +210,21 @@ void BulkFluid<dim>::even_out(Particles<dim> &particles, const Box<dim> &box, co
   for (unsigned int k = 0; k < steps; ++k) {
     prepare(particles, box, threads, false);
     build_drag(particles);
-    shift_by(particles, 0.05);
+    shift_by(particles, 0.05, true);
   }
   std::vector<double> &rho = particles.field("density");
   std::fill(rho.begin(), rho.end(), eos.reference_density());
 }
 
 template <int dim>
-void BulkFluid<dim>::shift_by(Particles<dim> &particles, const double share) {
+void BulkFluid<dim>::shift_by(Particles<dim> &particles, const double share, const bool everything) {
   if (!(share > 0.)) return;
   std::vector<double> &rho = particles.field("density");
   const std::vector<double> before = rho;
+  const std::vector<double> *intact = is_solid() && !everything ? &particles.field("intact") : nullptr;
   const double spacing = std::pow(mass / (eos.reference_density() * parameters.depth), 1. / dim);
   for (std::size_t i = 0; i < rho.size(); ++i) {
+    if (intact && (*intact)[i] > 0.) continue;
     Vector<dim> by = -share * spacing * spacing * drag.unevenness(i);
     by *= std::min(1., 0.1 * spacing / std::max(by.norm(), 1e-300));
     for (int d = 0; d < dim; ++d) particles.x[d][i] += by[d];

@@ -19,6 +19,8 @@ void SphDrag<dim>::clear(const DragForm form_, const double scale_) {
   exact.weight.clear();
   other.clear();
   rays.clear();
+  carriers.clear();
+  carried.clear();
   first.assign(1, 0);
   first_ray.assign(1, 0);
   moments.clear();
@@ -53,7 +55,7 @@ template <int dim>
 void SphDrag<dim>::ray(const Vector<dim> &r, const double w, const std::uint32_t a, const std::uint32_t b,
                        const double share, const double fading) {
   Body<DoubleRow> &me = exact.body.back();
-  rays.push_back({a, b, share, w, row_of<dim>(r)});
+  rays.push_back({.a = a, .b = b, .share = share, .w = w, .r = row_of<dim>(r)});
   me.wall += row_of<dim>(w * r);
   me.wall_w += w;
   behind.back() += 0.5 * w / fading * r;
@@ -61,6 +63,20 @@ void SphDrag<dim>::ray(const Vector<dim> &r, const double w, const std::uint32_t
   for (int k = 0; k < dim; ++k) me.central[k] += row_of<dim>(w * e[k] * e);
   moments.back() += w * r * r.transpose();
   first_ray.back() = std::uint32_t(rays.size());
+}
+
+template <int dim>
+void SphDrag<dim>::ray_moved(const Vector<dim> &by) {
+  rays.back().moved = row_of<dim>(by);
+}
+
+template <int dim>
+void SphDrag<dim>::on_carrier(const std::uint32_t carrier, const Vector<dim> &arm) {
+  Ray &ray = rays.back();
+  ray.carrier = carrier;
+  ray.turning[0] = -arm[1];
+  ray.turning[1] = arm[0];
+  carried.push_back({std::uint32_t(rays.size() - 1), std::uint32_t(bodies() - 1)});
 }
 
 template <int dim>
@@ -99,6 +115,7 @@ void SphDrag<dim>::set_stiffness(const std::vector<Stiffness> &of_bodies, const 
   for (std::size_t i = 0; i < bodies(); ++i) {
     Body<DoubleRow> &from = exact.body[i];
     from.kappa = stiff ? of_bodies[i].kappa : 0.;
+    from.shear = fitted_divergence ? of_bodies[i].shear : 0.;
     from.slope = stiff ? row_of<dim>(of_bodies[i].slope) : DoubleRow{};
     Body<FloatRow> &to = single.body[i];
     to.pairs = narrow(from.pairs);
@@ -112,6 +129,7 @@ void SphDrag<dim>::set_stiffness(const std::vector<Stiffness> &of_bodies, const 
     to.wall_w = float(from.wall_w);
     to.kappa = float(from.kappa);
     to.theta = float(from.theta);
+    to.shear = float(from.shear);
   }
 }
 
@@ -131,7 +149,20 @@ void SphDrag<dim>::walls(const std::uint32_t first_, const std::uint32_t nodes) 
 
 template <int dim>
 void SphDrag<dim>::add_blocks(const std::size_t begin_, const std::size_t end, Block *blocks) const {
-  for (std::size_t i = begin_; i < end; ++i) {
+  for (const Carrier &one : carriers)
+    for (const std::uint32_t turns : {0u, 1u}) {
+      const std::size_t row = one.row + turns;
+      if (row < begin_ || row >= end || (turns == 1 && one.length == 0.)) continue;
+      double sum = 0.;
+      for (const Carried &on : carried)
+        if (const Ray &ray = rays[on.ray]; carriers.data() + ray.carrier == &one)
+          sum += scale * (form == DragForm::least_squares ? beta : 1.) * ray.w *
+                 (turns == 0 ? 1. : dot<dim>(ray.turning, ray.turning) / (one.length * one.length));
+      blocks[row - begin_].xx += sum;
+      blocks[row - begin_].yy += sum;  // of a spin: no motion there, but an inverse
+      blocks[row - begin_].zz += sum;
+    }
+  for (std::size_t i = begin_; i < std::min(end, bodies()); ++i) {
     const Body<DoubleRow> &me = exact.body[i];
     Tensor2<dim> A = Tensor2<dim>::Zero();
     const auto outer = [&](const DoubleRow a, const double c) {
@@ -169,6 +200,8 @@ template <int dim>
 void SphDrag<dim>::connect(const std::function<void(std::uint32_t, std::uint32_t)> &join) const {
   for (std::uint32_t i = 0; i < bodies(); ++i)
     for (std::uint32_t k = first[i]; k < first[i + 1]; ++k) join(i, other[k]);
+  if (carriers.empty()) return;
+  for (const Carried &on : carried) join(on.body, carriers[rays[on.ray].carrier].row);
 }
 
 template <int dim>

@@ -15,7 +15,8 @@
 // Stiffness, Gauss-Newton: K = sum_i m (dp/drho)/rho^2 (drho_i)(drho_i)', never negative, with
 //   drho_i = (rho_0/gamma_i) D_i,   D_i = -sum_j w v_ij . r_ij + slope_i . v_i,   slope = -(rho/rho_0) dgamma
 // A scalar a particle: -h kappa D_i is added to T_i, so an implicit step costs no sweep more. Bodies of given
-// velocity count as moving along their own surface there.
+// velocity count as moving along their own surface there. A solid adds h G (G + G^T) to the stress in T, and
+// no theta to that.
 //
 //   drag.clear(form, n);  drag.body(...);  drag.pair(j, r, w);  drag.ray(r, w, a, b, share);  ...
 //   drag.finish();
@@ -47,13 +48,18 @@ class SphDrag final : public OwnProduct {
   /// 2 N/s dOmega, close to the wall.
   void ray(const Vector<dim> &r, double w, std::uint32_t a, std::uint32_t b, double share,
            double fading = 1.);
+  /// m, from where the last ray's point of the wall was when the solid was laid; none: it is there still.
+  void ray_moved(const Vector<dim> &by);
+  /// The last ray's point is on rigid body number `carrier`; arm: m, from its centre.
+  void on_carrier(std::uint32_t carrier, const Vector<dim> &arm);
   void finish(unsigned int threads);
   std::size_t bodies() const { return exact.body.size(); }
   std::size_t pairs() const { return other.size(); }
 
-  /// Of body i: h m (dp/drho) (rho_0/(rho gamma))^2/(mu V), no unit times m^2; and slope (1/m).
+  /// Of body i: h m (dp/drho) (rho_0/(rho gamma))^2/(mu V), no unit times m^2; slope (1/m); and of a solid,
+  /// by the fitted gradients only, h (shear modulus)/mu, kappa then h (K - 2/3 shear modulus)/mu.
   struct Stiffness {
-    double kappa = 0.;
+    double kappa = 0., shear = 0.;
     Vector<dim> slope = Vector<dim>::Zero();
   };
   /// One a body; empty: friction alone. fitted: D is minus the trace of G (`divergence`), slope is not used.
@@ -67,6 +73,20 @@ class SphDrag final : public OwnProduct {
   /// and what walls get of it on their nodes.
   void push(const std::vector<double> &p, double volume, std::array<std::vector<double>, dim> &f,
             std::vector<Vector<dim>> &on_nodes) const;
+  /// The same of stresses (Pa, positive in tension): they do -V sum stress_i : G_i in any flow.
+  void pull(const std::vector<Tensor2<dim>> &stress, double volume, std::array<std::vector<double>, dim> &f,
+            std::vector<Vector<dim>> &on_nodes) const;
+  /// f += forces (N) by which a solid resists what its fitted gradients do not see, an elastic residual
+  /// beside that of least_squares: with X_ij = r_ij - (moved_j - moved_i), moved (m) from where it was laid,
+  /// and F_i of the least squares r = F X with weights w f_j,
+  ///   F_i = V k sum_j w f_i f_j [2 r_ij - (F_i + F_j) X_ij] + V k f_i sum_q w_q (r_q - F_i X_q)
+  /// No force in an affine state, none that turns. V k: N/m; f: share of each body that is intact. The energy
+  /// (J) of each body over its f.
+  std::vector<double> hold(const std::vector<Vector<dim>> &moved, const std::vector<double> &intact,
+                           double Vk, std::array<std::vector<double>, dim> &f,
+                           std::vector<Vector<dim>> &on_nodes) const;
+  /// 1/s, G of every body at velocities v.
+  std::vector<Tensor2<dim>> gradients(const BodyVector *v, unsigned int threads) const;
   /// 1/m; sum w r of body i, that of the wall halved: none where its neighbours stand evenly around it.
   Vector<dim> unevenness(std::size_t i) const;
   /// Least squares gradient (1/m) of a number that each body has, without walls.
@@ -74,6 +94,15 @@ class SphDrag final : public OwnProduct {
 
   /// The walls' nodes are `nodes` bodies of given velocity from `first` on; 0: they are at rest.
   void walls(std::uint32_t first, std::uint32_t nodes);
+
+  /// Rigid bodies whose velocities are unknowns too, in rows of their own: travel, and in the next one
+  /// `length` (m) times the spin where that is > 0 (dragged_bodies.h). None: their points move as the walls'
+  /// nodes.
+  struct Carrier {
+    std::uint32_t row;
+    double length;
+  };
+  void set_carriers(std::vector<Carrier> all) { carriers = std::move(all); }
 
   void begin(const FloatRow *p, unsigned int threads) override;
   void begin(const BodyVector *v, unsigned int threads) override;
@@ -96,7 +125,7 @@ class SphDrag final : public OwnProduct {
     Row pairs{}, wall{}, slope{};  ///< sums of w r; of D
     Row central[dim]{};            ///< monaghan: sum of the walls' w e (x) e
     Row inverse[dim]{};            ///< least_squares: S^-1
-    NumberOf<Row> w = 0, wall_w = 0, kappa = 0, theta = 0;
+    NumberOf<Row> w = 0, wall_w = 0, kappa = 0, theta = 0, shear = 0;
   };
   template <class Row>
   struct Copy  ///< in single or double precision
@@ -111,14 +140,33 @@ class SphDrag final : public OwnProduct {
     std::uint32_t a, b;
     double share, w;
     DoubleRow r;
+    std::uint32_t carrier = none;
+    DoubleRow turning{};  ///< m, velocity of the point over the spin of its carrier
+    DoubleRow moved{};    ///< m
   };
+  static constexpr std::uint32_t none = 0xffffffff;
   template <class Row, class Vectors>
   void tensors(Copy<Row> &copy, const Vectors *v, unsigned int threads);
   template <class Row, class Vectors>
   void multiply(const Copy<Row> &copy, const Vectors *v, std::size_t begin, std::size_t end,
                 Vectors *product) const;
-  DoubleRow velocity_of(const Ray &ray, const BodyVector *v) const;
-  DoubleRow pull_of(const Ray &ray, std::size_t i, const BodyVector *v) const;
+  /// F of body i, and the energy of what it leaves over, over V k f_i.
+  Tensor2<dim> fitted_deformation(std::size_t i, const std::vector<Vector<dim>> &moved,
+                                  const std::vector<double> &intact, double &left) const;
+  template <class By>
+  void push_by(const By &by, double volume, std::array<std::vector<double>, dim> &f,
+               std::vector<Vector<dim>> &on_nodes) const;
+  template <class Row, class Vectors>
+  Row velocity_of(const Ray &ray, const Vectors *v) const;
+  template <class Row, class Vectors>
+  Row pull_of(const Copy<Row> &copy, const Ray &ray, std::size_t i, const Vectors *v) const;
+  template <class Row, class Vectors>
+  void multiply_carriers(const Copy<Row> &copy, const Vectors *v, std::size_t begin, std::size_t end,
+                         Vectors *product) const;
+  template <class Row>
+  bool walls_move() const {
+    return !carriers.empty() || (std::is_same_v<Row, DoubleRow> && given_nodes > 0);
+  }
 
   DragForm form = DragForm::least_squares;
   double scale = 0.;
@@ -130,6 +178,11 @@ class SphDrag final : public OwnProduct {
   Copy<DoubleRow> exact;
   Copy<FloatRow> single;
   std::uint32_t first_node = 0, given_nodes = 0;
+  std::vector<Carrier> carriers;
+  struct Carried {
+    std::uint32_t ray, body;
+  };
+  std::vector<Carried> carried;  ///< rays on carriers, of all bodies
   bool stiff = false, fitted_divergence = false;
 };
 

@@ -1,5 +1,6 @@
-// What follows from the fitted velocity gradients: divergence, pressure's forces, evenness.
+// What follows from the fitted velocity gradients: divergence, forces of pressure and stress, evenness.
 #include "micro/terms/sph_drag_rows.h"
+#include "run/parallel.h"
 
 namespace turgor {
 using namespace drag_rows;
@@ -13,25 +14,47 @@ std::vector<double> SphDrag<dim>::divergence(const BodyVector *v) {
     for (std::uint32_t k = first[i]; k < first[i + 1]; ++k)
       sum += (v[other[k]].v - v[i].v) * times<dim>(me.inverse, exact.u[k]);
     for (std::uint32_t q = first_ray[i]; q < first_ray[i + 1]; ++q)
-      sum += (velocity_of(rays[q], v) - v[i].v) * times<dim>(me.inverse, rays[q].w * rays[q].r);
+      sum += (velocity_of<DoubleRow>(rays[q], v) - v[i].v) * times<dim>(me.inverse, rays[q].w * rays[q].r);
     for (int d = 0; d < dim; ++d) result[i] += sum[d];
   }
   return result;
 }
 
 template <int dim>
-void SphDrag<dim>::push(const std::vector<double> &p, const double volume,
-                        std::array<std::vector<double>, dim> &f, std::vector<Vector<dim>> &on_nodes) const {
+std::vector<Tensor2<dim>> SphDrag<dim>::gradients(const BodyVector *v, const unsigned int threads) const {
+  std::vector<Tensor2<dim>> result(bodies());
+  for_chunks(threads, Chunks(bodies(), 256), [&](const std::size_t begin_, const std::size_t end) {
+    for (std::size_t i = begin_; i < end; ++i) {
+      const Body<DoubleRow> &me = exact.body[i];
+      DoubleRow Y[dim]{};
+      for (std::uint32_t k = first[i]; k < first[i + 1]; ++k)
+        for (int a = 0; a < dim; ++a) Y[a] += (v[other[k]].v - v[i].v) * exact.u[k][a];
+      for (std::uint32_t q = first_ray[i]; q < first_ray[i + 1]; ++q)
+        for (int a = 0; a < dim; ++a)
+          Y[a] += (velocity_of<DoubleRow>(rays[q], v) - v[i].v) * (rays[q].w * rays[q].r[a]);
+      for (int b = 0; b < dim; ++b) {
+        const DoubleRow column = times<dim>(Y, me.inverse[b]);
+        for (int a = 0; a < dim; ++a) result[i](a, b) = column[a];
+      }
+    }
+  });
+  return result;
+}
+
+/// by(i, u): what the stress of body i pulls at a neighbour with, over V; u = w r.
+template <int dim>
+template <class By>
+void SphDrag<dim>::push_by(const By &by, const double volume, std::array<std::vector<double>, dim> &f,
+                           std::vector<Vector<dim>> &on_nodes) const {
   for (std::size_t i = 0; i < bodies(); ++i) {
-    const Body<DoubleRow> &me = exact.body[i];
     DoubleRow own_part{}, sum{};
     for (std::uint32_t k = first[i]; k < first[i + 1]; ++k) {
       own_part += exact.u[k];
-      sum += p[other[k]] * times<dim>(exact.body[other[k]].inverse, exact.u[k]);
+      sum += by(other[k], exact.u[k]);
     }
-    sum += p[i] * times<dim>(me.inverse, own_part);
+    sum += by(i, own_part);
     for (std::uint32_t q = first_ray[i]; q < first_ray[i + 1]; ++q) {
-      const DoubleRow by_wall = p[i] * times<dim>(me.inverse, rays[q].w * rays[q].r);
+      const DoubleRow by_wall = by(i, rays[q].w * rays[q].r);
       sum += by_wall;
       for (int d = 0; d < dim; ++d) {
         on_nodes[rays[q].a][d] += volume * (1. - rays[q].share) * by_wall[d];
@@ -40,6 +63,27 @@ void SphDrag<dim>::push(const std::vector<double> &p, const double volume,
     }
     for (int d = 0; d < dim; ++d) f[d][i] -= volume * sum[d];
   }
+}
+
+template <int dim>
+void SphDrag<dim>::push(const std::vector<double> &p, const double volume,
+                        std::array<std::vector<double>, dim> &f, std::vector<Vector<dim>> &on_nodes) const {
+  push_by([&](const std::size_t i, const DoubleRow u) { return p[i] * times<dim>(exact.body[i].inverse, u); },
+          volume, f, on_nodes);
+}
+
+template <int dim>
+void SphDrag<dim>::pull(const std::vector<Tensor2<dim>> &stress, const double volume,
+                        std::array<std::vector<double>, dim> &f, std::vector<Vector<dim>> &on_nodes) const {
+  push_by(
+      [&](const std::size_t i, const DoubleRow u) {
+        const DoubleRow at = times<dim>(exact.body[i].inverse, u);
+        DoubleRow result{};
+        for (int a = 0; a < dim; ++a)
+          for (int b = 0; b < dim; ++b) result[a] -= stress[i](a, b) * at[b];
+        return result;
+      },
+      volume, f, on_nodes);
 }
 
 template <int dim>

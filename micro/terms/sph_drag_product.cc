@@ -2,15 +2,25 @@
 #include "micro/terms/sph_drag_rows.h"
 #include "run/parallel.h"
 
+#include <algorithm>
 #include <type_traits>
 
 namespace turgor {
 using namespace drag_rows;
 
 template <int dim>
-DoubleRow SphDrag<dim>::velocity_of(const Ray &ray, const BodyVector *v) const {
-  return given_nodes == 0 ? DoubleRow{}
-                          : (1. - ray.share) * v[first_node + ray.a].v + ray.share * v[first_node + ray.b].v;
+template <class Row, class Vectors>
+Row SphDrag<dim>::velocity_of(const Ray &ray, const Vectors *v) const {
+  if (ray.carrier != none && !carriers.empty()) {
+    const Carrier &body = carriers[ray.carrier];
+    Row result = of(v, body.row);
+    if (body.length > 0.) result += of(v, body.row + 1)[0] * as<Row>((1. / body.length) * ray.turning);
+    return result;
+  }
+  if constexpr (std::is_same_v<Row, DoubleRow>)
+    if (given_nodes > 0)
+      return (1. - ray.share) * v[first_node + ray.a].v + ray.share * v[first_node + ray.b].v;
+  return Row{};
 }
 
 template <int dim>
@@ -36,10 +46,10 @@ void SphDrag<dim>::tensors(Copy<Row> &copy, const Vectors *v, const unsigned int
       for (int a = 0; a < dim; ++a) T[a] = Row{};
       if (gradients) {
         for (int a = 0; a < dim; ++a) Y[a] -= vi * me.wall[a];
-        if constexpr (std::is_same_v<Row, DoubleRow>)
-          if (given_nodes > 0)
-            for (std::uint32_t q = first_ray[i]; q < first_ray[i + 1]; ++q)
-              for (int a = 0; a < dim; ++a) Y[a] += velocity_of(rays[q], v) * (rays[q].w * rays[q].r[a]);
+        if (walls_move<Row>())
+          for (std::uint32_t q = first_ray[i]; q < first_ray[i + 1]; ++q)
+            for (int a = 0; a < dim; ++a)
+              Y[a] += velocity_of<Row>(rays[q], v) * Number(rays[q].w * rays[q].r[a]);
         Row G[dim], s[dim]{};
         trace = 0;
         for (int a = 0; a < dim; ++a) {
@@ -51,6 +61,11 @@ void SphDrag<dim>::tensors(Copy<Row> &copy, const Vectors *v, const unsigned int
             for (int b = 0; b < dim; ++b)
               s[a][b] = me.theta * (a == b ? 2 * G[a][a] + trace : G[a][b] + G[b][a]);
           for (int a = 0; a < dim; ++a) T[a] = times<dim>(s, me.inverse[a]) - Number(beta) * G[a];
+        }
+        if (me.shear > 0) {
+          for (int a = 0; a < dim; ++a)
+            for (int b = 0; b < dim; ++b) s[a][b] = me.shear * (G[a][b] + G[b][a]);
+          for (int a = 0; a < dim; ++a) T[a] += times<dim>(s, me.inverse[a]);
         }
         if (fitted_divergence) {
           tau = -me.kappa * trace;
@@ -72,7 +87,7 @@ void SphDrag<dim>::multiply(const Copy<Row> &copy, const Vectors *v, const std::
   const bool fits = form == DragForm::least_squares, central = form == DragForm::monaghan,
              with_tensors = fits || stiff;
   const Number factor = fits ? Number(2. * beta) : Number(2.);
-  for (std::size_t i = begin; i < end; ++i) {
+  for (std::size_t i = begin; i < std::min(end, bodies()); ++i) {
     const Body<Row> &me = copy.body[i];
     const Row vi = of(v, i);
     Row pull{}, by_tensors{};
@@ -92,15 +107,39 @@ void SphDrag<dim>::multiply(const Copy<Row> &copy, const Vectors *v, const std::
       pull += by_tensors + times<dim>(T, me.pairs) + times<dim>(T, me.wall);
       if (!fitted_divergence) pull += copy.tau[i] * (me.wall - me.slope);
     }
-    if constexpr (std::is_same_v<Row, DoubleRow>)
-      if (given_nodes > 0)
-        for (std::uint32_t q = first_ray[i]; q < first_ray[i + 1]; ++q) {
-          const DoubleRow at_wall = velocity_of(rays[q], v), r = rays[q].r;
-          pull += central ? (dim + 2.) * rays[q].w * dot<dim>(at_wall, r) / dot<dim>(r, r) * r
-                          : (fits ? beta : 1.) * rays[q].w * at_wall;
-        }
+    if (walls_move<Row>())
+      for (std::uint32_t q = first_ray[i]; q < first_ray[i + 1]; ++q) {
+        const Row at_wall = velocity_of<Row>(rays[q], v), r = as<Row>(rays[q].r);
+        const Number w = Number(rays[q].w);
+        pull += central ? Number(dim + 2.) * w * dot<dim>(at_wall, r) / dot<dim>(r, r) * r
+                        : Number(fits ? beta : 1.) * w * at_wall;
+      }
     add_to(product[i - begin], Number(-scale) * pull);
   }
+  multiply_carriers(copy, v, begin, end, product);
+}
+
+/// Their rows: what the points on them pull at the particles with.
+template <int dim>
+template <class Row, class Vectors>
+void SphDrag<dim>::multiply_carriers(const Copy<Row> &copy, const Vectors *v, const std::size_t begin,
+                                     const std::size_t end, Vectors *product) const {
+  for (const Carrier &one : carriers)
+    for (const std::uint32_t turns : {0u, 1u}) {
+      const std::size_t row = one.row + turns;
+      if (row < begin || row >= end || (turns == 1 && one.length == 0.)) continue;
+      DoubleRow sum{};
+      for (const Carried &on : carried) {
+        const Ray &ray = rays[on.ray];
+        if (carriers.data() + ray.carrier != &one) continue;
+        const DoubleRow pull = as<DoubleRow>(pull_of(copy, ray, on.body, v));
+        if (turns == 0)
+          sum += pull;
+        else
+          sum[0] += dot<dim>(pull, ray.turning) / one.length;
+      }
+      add_to(product[row - begin], as<Row>(scale * sum));
+    }
 }
 
 template <int dim>
@@ -125,19 +164,24 @@ void SphDrag<dim>::add(const BodyVector *v, const std::size_t begin_, const std:
   multiply(exact, v, begin_, end, product);
 }
 
+/// On body i, over mu V.
 template <int dim>
-DoubleRow SphDrag<dim>::pull_of(const Ray &ray, const std::size_t i, const BodyVector *v) const {
-  const DoubleRow u = velocity_of(ray, v) - v[i].v;
-  switch (form) {
-    case DragForm::monaghan:
-      return (dim + 2.) * ray.w * dot<dim>(u, ray.r) / dot<dim>(ray.r, ray.r) * ray.r;
-    case DragForm::morris:
-      return ray.w * u;
-    case DragForm::least_squares:
-      break;
-  }
-  const DoubleRow viscous = beta * u + times<dim>(exact.T[i].data(), ray.r);
-  return ray.w * (fitted_divergence ? viscous : viscous + exact.tau[i] * ray.r);
+template <class Row, class Vectors>
+Row SphDrag<dim>::pull_of(const Copy<Row> &copy, const Ray &ray, const std::size_t i,
+                          const Vectors *v) const {
+  using Number = NumberOf<Row>;
+  const Row u = velocity_of<Row>(ray, v) - of(v, i), r = as<Row>(ray.r);
+  const Number w = Number(ray.w);
+  Row pull{};
+  if (form == DragForm::monaghan)
+    pull = Number(dim + 2.) * dot<dim>(u, r) / dot<dim>(r, r) * r;
+  else if (form == DragForm::morris)
+    pull = u;
+  else
+    pull = Number(beta) * u;
+  if (form == DragForm::least_squares || stiff) pull += times<dim>(copy.T[i].data(), r);
+  if (stiff && !fitted_divergence) pull += copy.tau[i] * r;
+  return w * pull;
 }
 
 template <int dim>
@@ -145,7 +189,7 @@ std::vector<Vector<dim>> SphDrag<dim>::on_walls(const BodyVector *v, const std::
   std::vector<Vector<dim>> force(nodes, Vector<dim>::Zero());
   for (std::size_t i = 0; i < bodies(); ++i)
     for (std::uint32_t q = first_ray[i]; q < first_ray[i + 1]; ++q) {
-      const DoubleRow pull = pull_of(rays[q], i, v);
+      const DoubleRow pull = pull_of(exact, rays[q], i, v);
       for (int d = 0; d < dim; ++d) {
         force[rays[q].a][d] -= scale * (1. - rays[q].share) * pull[d];
         force[rays[q].b][d] -= scale * rays[q].share * pull[d];

@@ -16,6 +16,15 @@ inline DoubleRow row_of(const Vector<dim> &a) {
 }
 inline FloatRow narrow(const DoubleRow a) { return __builtin_convertvector(a, FloatRow); }
 
+template <class Row>
+Row as(const DoubleRow a) {
+  return __builtin_convertvector(a, Row);
+}
+template <class Row>
+Row as(const FloatRow a) {
+  return __builtin_convertvector(a, Row);
+}
+
 inline FloatRow of(const FloatRow *p, const std::size_t i) { return p[i]; }
 inline DoubleRow of(const BodyVector *p, const std::size_t i) { return p[i].v; }
 inline void add_to(FloatRow &to, const FloatRow a) { to += a; }

@@ -2,6 +2,7 @@
 
 #include "micro/engine/sound_state.h"
 #include "micro/scenes/reference/channel_flow.h"
+#include "micro/scenes/stokes/due.h"
 #include "run/archive.h"
 #include "run/entry_marks.h"
 #include "run/field_output.h"
@@ -224,9 +225,7 @@ void Channel::Run::go() {
       context.series("profile", {{"time", "s"}, {"height", "m"}, {"speed", "m/s"}, {"exact_speed", "m/s"}});
   if (scene.frames > 0) fields.emplace(context, "fluid", resumed, [this] { return flow.frame(); });
   const auto due = [this](std::uint64_t &next, const unsigned int times) {
-    if (times == 0 || flow.time() < scene.end * double(next) / times * (1. - 1e-12)) return false;
-    while (flow.time() >= scene.end * double(next) / times * (1. - 1e-12)) ++next;
-    return true;
+    return is_due(next, times, flow.time(), scene.end);
   };
   loop.more = [this] { return flow.time() < scene.end * (1. - 1e-12); };
   loop.advance = [this] { advance(); };

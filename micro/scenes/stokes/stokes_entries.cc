@@ -52,6 +52,13 @@ void StokesFlowParameters::declare(InputEntries &prm) {
       "Method", method,
       "Stepping of the over-damped motion: euler and heun solve for friction alone, and a stiff "
       "fluid shortens their steps; implicit takes the pressure's stiffness in. Units: none.");
+  declare_steps(prm);
+  prm.leave_subsection();
+  declare_packing(prm);
+}
+
+void StokesFlowParameters::declare_steps(InputEntries &prm) {
+  using namespace Patterns;
   prm.add_parameter("Tolerance", tolerance,
                     "Allowed error of a step over the particles' spacing, half the step times the change of "
                     "velocity. Units: none.",
@@ -64,7 +71,10 @@ void StokesFlowParameters::declare(InputEntries &prm) {
   prm.add_parameter("Solver tolerance", solve_tolerance,
                     "Residual of the velocities' linear system over the forces. Units: none.",
                     Double(1e-12, 1e-2));
-  prm.leave_subsection();
+}
+
+void StokesFlowParameters::declare_packing(InputEntries &prm) {
+  using namespace Patterns;
   prm.enter_subsection("Packing");
   prm.add_parameter(
       "Start", packing,

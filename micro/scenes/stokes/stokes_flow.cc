@@ -1,6 +1,7 @@
 #include "micro/scenes/stokes/stokes_flow.h"
 
 #include "micro/laws/counter_random.h"
+#include "micro/terms/stress_field.h"
 #include "run/archive.h"
 #include "run/input_entries.h"
 
@@ -9,7 +10,8 @@
 
 namespace turgor {
 StokesFlow::StokesFlow(const StokesFlowParameters &parameters_, const StokesBox &box,
-                       std::vector<BulkWall> walls, const unsigned int threads)
+                       std::vector<BulkWall> walls, const unsigned int threads,
+                       std::unique_ptr<RigidChain> rigid)
     : parameters(parameters_),
       spacing(box.spacing),
       motion(system, {.tolerance = parameters_.solve_tolerance, .max_iterations = 20000}) {
@@ -46,8 +48,10 @@ StokesFlow::StokesFlow(const StokesFlowParameters &parameters_, const StokesBox 
                           .shifting = parameters.shifting,
                           .volume = box.area,
                           .ordering = parameters.ordering,
-                          .layer = wall_layer<2>(parameters.support)},
+                          .layer = wall_layer<2>(parameters.support),
+                          .solid = parameters.solid},
       EquationOfState(parameters.density, K, -0.99 * K), mass, std::move(walls)));
+  if (rigid) carried = &fluid->add_body(std::move(rigid));
   body = &system.add(std::make_unique<BodyForce<2>>(acceleration));
   motion.own_length = spacing;
   motion.medium.assign(p.size(), 0.);
@@ -67,6 +71,10 @@ void StokesFlow::begin_anew() {
                            .longest_move = parameters.longest_move},
       motion, system.threads);
   for (auto &v : system.particles.v) std::fill(v.begin(), v.end(), 0.);
+  if (carried) {
+    carried->velocity.setZero();
+    carried->spin.setZero();
+  }
   books = {};
   begun = false;
   at = 0.;
@@ -116,6 +124,10 @@ double StokesFlow::step(const double limit) {
   double moved = 0.;
   for (int d = 0; d < 2; ++d)
     for (std::size_t i = 0; i < p.size(); ++i) moved += acceleration[d] * mass * (p.x[d][i] - before[d][i]);
+  if (carried) {
+    moved += h * (carried->load.dot(carried->velocity) + carried->torque.dot(carried->spin));
+    system.advance(h);
+  }
   last_work = moved / h;
   for (std::size_t k = 0; k < on_wall.size(); ++k) {
     on_wall[k] = Vector<2>::Zero();
@@ -144,6 +156,15 @@ Vector<2> StokesFlow::mean_velocity() const {
   return sum / double(size());
 }
 
+std::vector<double> StokesFlow::von_mises() const {
+  const Particles<2> &p = system.particles;
+  const StressField<2, const double> S(p, "stress");
+  std::vector<double> all(p.size());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = HenckySolid::von_mises<2>(S(i)) * p.field("density")[i] / parameters.density;
+  return all;
+}
+
 FieldFrame StokesFlow::frame() const {
   const Particles<2> &p = system.particles;
   FieldFrame frame;
@@ -160,6 +181,10 @@ FieldFrame StokesFlow::frame() const {
     velocity.values.push_back(0.);
   }
   frame.fields = {std::move(velocity), std::move(pressure)};
+  if (fluid->is_solid()) {
+    frame.fields.push_back({"von_mises_stress [Pa]", 1, von_mises()});
+    frame.fields.push_back({"intact [1]", 1, p.field("intact")});
+  }
   return frame;
 }
 

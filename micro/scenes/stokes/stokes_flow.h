@@ -5,8 +5,10 @@
 //   StokesFlow flow(parameters, {.lengths = {Lx, Ly}, .periodic = {true, false}, .spacing = dx}, walls,
 //   threads); flow.set_body_force({b, 0.}); flow.step(limit);
 //
-// Everything is per metre of depth. Books, J: pressure + kinetic - start + heat = work of the body force and
-// of moving walls + what steps of finite length lose.
+// The same of a viscoelastic solid, whose particles carry elastic stress beside the fluid's friction.
+//
+// Everything is per metre of depth. Books, J: pressure + kinetic - start + heat = work of the body force, of
+// moving walls and of the load on a body + what steps of finite length lose.
 #pragma once
 
 #include "micro/engine/overdamped.h"
@@ -42,9 +44,12 @@ struct StokesFlowParameters {
   StokesPacking packing = StokesPacking::lattice;
   unsigned int seed = 1;
   unsigned int settling = 200;  ///< steps
+  HenckySolid solid{};          ///< a viscoelastic solid where its shear modulus is > 0
 
   /// Subsections Fluid, Motion and Packing.
   void declare(InputEntries &prm);
+  void declare_steps(InputEntries &prm);           ///< of Motion, those of any method
+  void declare_packing(InputEntries &prm);         ///< Packing
   void check() const;                              ///< throws std::invalid_argument
   double reach() const { return support + skin; }  ///< over the spacing, of a particle in the lists
   static constexpr double skin = 0.3;
@@ -64,8 +69,9 @@ struct StokesBooks {
 
 class StokesFlow {
  public:
+  /// body: a rigid one that forces move (BulkFluid::add_body); none: null.
   StokesFlow(const StokesFlowParameters &parameters, const StokesBox &box, std::vector<BulkWall> walls,
-             unsigned int threads);
+             unsigned int threads, std::unique_ptr<RigidChain> body = nullptr);
   StokesFlow(const StokesFlow &) = delete;
   StokesFlow &operator=(const StokesFlow &) = delete;
 
@@ -84,11 +90,13 @@ class StokesFlow {
   Vector<2> momentum_rate() const { return gained; }  ///< N/m, of the last step; 0 without inertia
   /// What the books miss, over the largest of work and heat; 0 where nothing has happened.
   double balance_error() const;
+  std::vector<double> von_mises() const;  ///< Pa, of each particle of a solid, of Cauchy's elastic stress
   FieldFrame frame() const;
   void archive(Archive &a);
 
   ParticleSystem<2> system;
   BulkFluid<2> *fluid = nullptr;
+  RigidChain *carried = nullptr;  ///< the body; null: there is none
   StokesBooks books;
   double last_heat = 0., last_work = 0.;  ///< W/m, of the last step
 
