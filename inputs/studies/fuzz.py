@@ -67,7 +67,7 @@ SCENES = {
     "rbc_tweezers": {"Forces": "1e-11", "Cell/Frequency": (2, 4)},
     "spreading": {"Cell/Frequency": (2, 4), "End time": (1, 1e4)},
     "capsule_compression": {"Cell/Frequency": (2, 4), "Cells": (2, 5), "Last radius": (15e-6, 19e-6), "Compression time": (10, 600), "Hold time": (0, 60)},
-    "spheroid_deformable": {"Cell/Frequency": (2, 4), "First cells": (1, 3), "End time": (1e3, 6e3), "Frames": (1, 3), "Longest step": (20, 100), "Cell/Cycle time": (5e3, 2e4)},
+    "spheroid_deformable": {"Cell/Frequency": (3, 4), "First cells": (1, 3), "End time": (1e3, 6e3), "Frames": (1, 3), "Longest step": (20, 100), "Cell/Cycle time": (5e3, 2e4)},
     "cell_between_plates": {"Cell/Frequency": (2, 5), "Compression time": (5, 60), "Hold time": (0, 20), "Plate distance": (12e-6, 20e-6)},
     "poiseuille": {"Particles across": (4, 8), "Particles along": (4, 6), "End time": 1e-4, "Packing/Settling steps": (0, 20)},
     "creep": {"Particles across": (4, 8), "Particles along": (5, 6), "End time": 0.02, "Packing/Settling steps": (0, 20)},
