@@ -69,9 +69,10 @@ class Archive {
   static constexpr bool has_list = requires(T &value, Archive &a) {
     value.archive(a);
   };
-  template <class T>  // clang-format off
   // A class with a reference is trivially copyable too, but its bytes are an address: it cannot be assigned.
-  static constexpr bool plain = std::is_trivially_copyable_v<T> && std::is_copy_assignable_v<T> && !has_list<T>;  // clang-format on
+  template <class T>
+  static constexpr bool plain =
+      !has_list<T> && std::is_trivially_copyable_v<T> && std::is_copy_assignable_v<T>;
 
   template <class T>
   void one(T &value) {
