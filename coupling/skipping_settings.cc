@@ -40,8 +40,8 @@ void SkippingSettings::check(const RveParameters &rve) const {
   if (rve.structure.gap > 0.)
     throw InputError("Skipping/Skipping is certified, but Structure/Gap is " +
                      number_text(rve.structure.gap) +
-                     " m, and walls that touch across air make the stress too rough for a table: take "
-                     "'Skipping = none', or Structure/Gap = 0.");
+                     " m, and the table takes all of the area for cells, none for air: take 'Skipping = "
+                     "none', or Structure/Gap = 0.");
   if (with(rve).tolerance <= 0.)
     throw InputError(
         "Skipping/Tolerance is 0 and so is Cell/Turgor; allowed is more than 0 Pa for one of them.");

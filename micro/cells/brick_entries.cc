@@ -20,10 +20,8 @@ void BrickParameters::add_parameters(InputEntries &prm) {
       "What is beside the aggregate. free: nothing, it is a block of bricks. cut: nothing, it is a block cut "
       "out of the tissue of the subsection Structure, whose RVEs have the same cells. periodic: itself "
       "without end, a strip of that tissue; it keeps the width that it has at turgor. widening: such a "
-      "strip, "
-      "whose width follows so that the mean stress along x is zero, as slow loading between plates leaves "
-      "it. "
-      "Units: none.");
+      "strip, whose width follows so that the mean stress along x is zero, as slow loading between plates "
+      "leaves it. Units: none.");
   prm.add_parameter("Jitter", jitter,
                     "Sides = free: largest random displacement of a cell corner in x and in y over "
                     "Cell/Period; what is cut out has "

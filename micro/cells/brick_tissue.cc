@@ -61,7 +61,7 @@ CellContactParameters contact_of(const BrickTissue &tissue, const BrickParameter
     const FaceContact law = AirContact::law_of(tissue.layout);
     contact.surface = {law.inset, law.smooth};
     contact.range = law.range;
-    contact.stiffness = law.stiffness * law.range / BrickParameters().contact_ratio;
+    contact.stiffness = law.stiffness * law.range / BrickParameters::usual_contact_ratio;
   } else {
     contact.surface = {0.2 * tissue.spacing, 0.25 * tissue.spacing};
     contact.range = 1.6 * contact.surface.inset;  // below sqrt(3): three cells that meet feel nothing

@@ -34,10 +34,12 @@ struct BrickParameters {
   unsigned int columns = 5, rows = 5;
   TissueSides sides = TissueSides::free;
   TissueStructure structure{.kind = StructureKind::brick};  ///< of what is cut out of an RVE's tissue
-  double jitter = 0.06;        ///< largest displacement of a corner in x and in y / Period
-  double gap = 0.;             ///< m, length without ties at either end of a shared wall; 0: dense
-  unsigned int seed = 1;       ///< of the jitter
-  double contact_ratio = 0.5;  ///< contact stiffness / tangent stiffness of one wall spring at rest
+  double jitter = 0.06;   ///< largest displacement of a corner in x and in y / Period
+  double gap = 0.;        ///< m, length without ties at either end of a shared wall; 0: dense
+  unsigned int seed = 1;  ///< of the jitter
+  static constexpr double usual_contact_ratio = 0.5;
+  double contact_ratio =
+      usual_contact_ratio;  ///< contact stiffness / tangent stiffness of one wall spring at rest
   Yielding yielding = Yielding::none;
   WallYield yield{15., 0.9};
   double critical_stretch = 0.;      ///< of a wall bond; 0: does not break
