@@ -2,9 +2,7 @@
 
 #include "micro/engine/sound_state.h"
 #include "micro/scenes/reference/channel_flow.h"
-#include "micro/scenes/stokes/due.h"
 #include "run/archive.h"
-#include "run/entry_marks.h"
 #include "run/field_output.h"
 #include "run/input_entries.h"
 #include "run/judged.h"
@@ -31,16 +29,7 @@ void Channel::declare_parameters(InputEntries &prm) {
   prm.add_parameter("Particles along", along,
                     "Number of particles along a period of the channel, spaced as across it. Units: none.",
                     Integer(3, 2000));
-  prm.add_parameter("End time", end, "Time at which the run ends. Units: s.", Double(1e-12, 1e12));
-  prm.add_parameter("Samples", samples,
-                    free_to_change("Rows of flow.csv, spread evenly over the run. Units: none."),
-                    Integer(1, 100000));
-  prm.add_parameter("Frames", frames,
-                    free_to_change("Frames of the fields, from the start to the end. Units: none."),
-                    Integer(0, 10000));
-  prm.add_parameter("Checkpoints", checkpoints,
-                    free_to_change("Number of checkpoints spread over the run. Units: none."),
-                    Integer(0, 10000));
+  course.declare(prm, "flow.csv");
   flow.declare(prm);
 }
 
@@ -89,8 +78,8 @@ class Channel::Run {
   const Channel &scene;
   RunContext &context;
   StokesFlow flow;
-  struct At {
-    std::uint64_t step = 0, sample = 1, frame = 1, saved = 1, iterations = 0;
+  struct At : StokesCourse::At {
+    std::uint64_t iterations = 0;
     double late = 0., profile = 0., across = 0., flux = 0., stress = 0., heat = 0.;  ///< sums over samples
     double first = 0., worst = 0., worst_stress = 0., momentum = 0.;
   } at;
@@ -144,7 +133,7 @@ Channel::Run::Errors Channel::Run::errors() const {
 }
 
 void Channel::Run::advance() {
-  run_failed_by([&] { return flow.step(scene.end - flow.time()); });
+  run_failed_by([&] { return flow.step(scene.course.end - flow.time()); });
   at.iterations += flow.iterations();
   if (at.first == 0.) at.first = errors().profile;
 }
@@ -167,7 +156,7 @@ void Channel::Run::sample() {
   at.worst = std::max(at.worst, now.profile);
   at.worst_stress = std::max(at.worst_stress, std::abs(stress));
   at.momentum = std::max(at.momentum, std::abs(momentum));
-  if (flow.time() > 0.5 * scene.end) {
+  if (flow.time() > 0.5 * scene.course.end) {
     at.profile += now.profile;
     at.across += now.across;
     at.flux += now.flux;
@@ -223,19 +212,11 @@ void Channel::Run::go() {
                                   {"iterations", ""}});
   profile =
       context.series("profile", {{"time", "s"}, {"height", "m"}, {"speed", "m/s"}, {"exact_speed", "m/s"}});
-  if (scene.frames > 0) fields.emplace(context, "fluid", resumed, [this] { return flow.frame(); });
-  const auto due = [this](std::uint64_t &next, const unsigned int times) {
-    return is_due(next, times, flow.time(), scene.end);
-  };
-  loop.more = [this] { return flow.time() < scene.end * (1. - 1e-12); };
+  if (scene.course.frames > 0) fields.emplace(context, "fluid", resumed, [this] { return flow.frame(); });
+  scene.course.steer(loop, at, flow);
   loop.advance = [this] { advance(); };
   loop.sample = [this] { sample(); };
-  loop.sample_due = [this, due] { return due(at.sample, scene.samples); };
   loop.frame = [this] { frame(); };
-  loop.frame_due = [this, due] { return due(at.frame, scene.frames); };
-  loop.checkpoint_due = [this, due] { return due(at.saved, scene.checkpoints); };
-  loop.reached = [this] { return "at t = " + number_text(flow.time()) + " s"; };
-  loop.share = [this] { return flow.time() / scene.end; };
   loop.advice =
       "A smaller Fluid/Bulk modulus (explicit steps), fewer particles or a larger Motion/Tolerance lengthens "
       "them.";

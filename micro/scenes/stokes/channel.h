@@ -7,6 +7,7 @@
 // reaches Speed in the middle. couette: the upper plate moves at Speed.
 #pragma once
 
+#include "micro/scenes/stokes/stokes_course.h"
 #include "micro/scenes/stokes/stokes_flow.h"
 #include "run/scenario.h"
 
@@ -29,8 +30,9 @@ class Channel : public Scenario {
 
   bool dragged;  ///< by the upper plate
   StokesFlowParameters flow;
-  double height = 20e-6, speed = 1e-3, end = 0.04;
-  unsigned int across = 20, along = 20, samples = 100, frames = 4, checkpoints = 4;
+  StokesCourse course{.end = 0.04};
+  double height = 20e-6, speed = 1e-3;
+  unsigned int across = 20, along = 20;
 };
 
 std::unique_ptr<Scenario> make_poiseuille();

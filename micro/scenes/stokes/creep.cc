@@ -1,9 +1,7 @@
 #include "micro/scenes/stokes/creep.h"
 
 #include "micro/engine/sound_state.h"
-#include "micro/scenes/stokes/due.h"
 #include "run/archive.h"
-#include "run/entry_marks.h"
 #include "run/field_output.h"
 #include "run/input_entries.h"
 #include "run/judged.h"
@@ -28,16 +26,7 @@ void Creep::declare_parameters(InputEntries &prm) {
   prm.add_parameter("Particles along", along,
                     "Number of particles along a period of the slab, spaced as across it. Units: none.",
                     Integer(3, 2000));
-  prm.add_parameter("End time", end, "Time at which the run ends. Units: s.", Double(1e-12, 1e12));
-  prm.add_parameter("Samples", samples,
-                    free_to_change("Rows of creep.csv, spread evenly over the run. Units: none."),
-                    Integer(1, 100000));
-  prm.add_parameter("Frames", frames,
-                    free_to_change("Frames of the fields, from the start to the end. Units: none."),
-                    Integer(0, 10000));
-  prm.add_parameter("Checkpoints", checkpoints,
-                    free_to_change("Number of checkpoints spread over the run. Units: none."),
-                    Integer(0, 10000));
+  course.declare(prm, "creep.csv");
   solid.declare(prm);
   solid.declare_motion(prm);
 }
@@ -85,8 +74,8 @@ class Creep::Run {
   const int axis;
   StokesFlow flow;
   Particles<2>::Components laid;  ///< m, where particles were laid
-  struct At {
-    std::uint64_t step = 0, sample = 1, frame = 1, saved = 1, iterations = 0;
+  struct At : StokesCourse::At {
+    std::uint64_t iterations = 0;
     double worst = 0., last = 0., drag = 0.;
   } at;
   std::unique_ptr<Series> table, profile;
@@ -188,22 +177,14 @@ void Creep::Run::go() {
                                    {"iterations", ""}});
   profile = context.series(
       "profile", {{"time", "s"}, {"height", "m"}, {"displacement", "m"}, {"exact_displacement", "m"}});
-  if (scene.frames > 0) fields.emplace(context, "solid", resumed, [this] { return flow.frame(); });
-  const auto due = [this](std::uint64_t &next, const unsigned int times) {
-    return is_due(next, times, flow.time(), scene.end);
-  };
-  loop.more = [this] { return flow.time() < scene.end * (1. - 1e-12); };
+  if (scene.course.frames > 0) fields.emplace(context, "solid", resumed, [this] { return flow.frame(); });
+  scene.course.steer(loop, at, flow);
   loop.advance = [this] {
-    run_failed_by([&] { return flow.step(scene.end - flow.time()); });
+    run_failed_by([&] { return flow.step(scene.course.end - flow.time()); });
     at.iterations += flow.iterations();
   };
   loop.sample = [this] { sample(); };
-  loop.sample_due = [this, due] { return due(at.sample, scene.samples); };
   loop.frame = [this] { frame(); };
-  loop.frame_due = [this, due] { return due(at.frame, scene.frames); };
-  loop.checkpoint_due = [this, due] { return due(at.saved, scene.checkpoints); };
-  loop.reached = [this] { return "at t = " + number_text(flow.time()) + " s"; };
-  loop.share = [this] { return flow.time() / scene.end; };
   loop.advice = "Fewer particles or a larger Motion/Longest step make it shorter.";
   loop.tell = [&] { context.progress(loop.share(), "creeping"); };
   loop.run();

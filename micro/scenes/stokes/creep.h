@@ -11,6 +11,7 @@
 #pragma once
 
 #include "micro/scenes/stokes/solid_entries.h"
+#include "micro/scenes/stokes/stokes_course.h"
 #include "run/scenario.h"
 
 namespace turgor {
@@ -34,8 +35,9 @@ class Creep final : public Scenario {
 
   SolidParameters solid;
   CreepLoad load = CreepLoad::shear;
-  double height = 200e-6, strain = 1e-3, end = 0.5;
-  unsigned int across = 20, along = 6, samples = 50, frames = 4, checkpoints = 4;
+  StokesCourse course{.end = 0.5, .samples = 50};
+  double height = 200e-6, strain = 1e-3;
+  unsigned int across = 20, along = 6;
 };
 
 std::unique_ptr<Scenario> make_creep();
