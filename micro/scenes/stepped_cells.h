@@ -1,30 +1,76 @@
-// Cells that a scene moves in over-damped steps, as a run of them sees it (deformable/cells_run.h): what
-// there is, how far it is, what is stored and what became heat.
+// Cells that a scene moves in over-damped steps (linearly implicit, checked against making energy), as it and
+// a run of them (deformable/cells_run.h) see them: how far they are, what is stored and what became heat.
 //
-//   class RodCells final : public SteppedCells { ... };   CellsRun run(context, cells, plan);
+//   class RodCells final : public SteppedCells { ... };
+//   cells.begin(first_step);   cells.step(limit);   CellsRun run(context, cells, plan);
 #pragma once
 
+#include "micro/engine/overdamped.h"
 #include "micro/engine/particle_system.h"
+#include "micro/engine/system_motion.h"
 #include "run/field_file.h"
 
+#include <optional>
+#include <string>
+
 namespace turgor {
+class RunContext;
+
+struct CellSteps {
+  double own_length;    ///< m, what errors and moves are measured by
+  double tolerance;     ///< error of a step, over own_length
+  double longest_step;  ///< s
+  double longest_move;  ///< of a node in a step, over own_length
+  double residual;      ///< of the velocities' equations, over the forces
+};
+
 class SteppedCells {
  public:
-  SteppedCells() = default;
+  SteppedCells(const CellSteps &steps, unsigned int threads);
   SteppedCells(const SteppedCells &) = delete;
   SteppedCells &operator=(const SteppedCells &) = delete;
   virtual ~SteppedCells() = default;
 
   ParticleSystem<3> system;
+  SystemMotion<3> motion;
 
-  /// One step of at most `limit` (s) with all that follows it; its length. Throws std::runtime_error where
-  /// the step would become too short.
+  void begin(double first_step);  ///< s
+  /// The length of the coming steps may be another: where bodies begin to move or stop.
+  virtual void begin_anew(double first_step);
+  /// One step of at most `limit` (s) with all that follows it, forces are then those of where all is; its
+  /// length. Throws std::runtime_error where the step would become too short.
   virtual double step(double limit) = 0;
-  virtual double time() const = 0;                             ///< s, since the start
-  virtual double heat() const = 0;                             ///< J, by all friction since the start
+
+  double time() const { return at; }                           ///< s, since the start
+  double heat() const { return lost; }                         ///< J, by all friction since the start
+  virtual double work() const = 0;                             ///< J, done on the cells since the start
   double energy() const { return system.potential_energy(); }  ///< J
-  double largest_force() const;                                ///< N, on any particle
-  virtual FieldFrame frame() const = 0;                        ///< for pictures and ParaView
+  /// What of work and energies is neither stored nor became heat, over the largest of work, heat, stored
+  /// energy since the start and turned_over(): what steps of finite length lose; negative: make.
+  double energy_lost() const;
+  double next_step() const { return stepper->next_step(); }  ///< s
+  std::uint64_t rejected() const { return stepper->rejected(); }
+  double largest_force() const;          ///< N, on any particle
+  virtual FieldFrame frame() const = 0;  ///< for pictures and ParaView
   virtual void archive(Archive &a) = 0;
+
+ protected:
+  double move(double limit);  ///< the over-damped step alone
+  /// J, of work that comes and goes: the sum of its parts without their signs.
+  virtual double turned_over() const { return 0.; }
+  void archive_steps(Archive &a);
+
+  std::optional<Overdamped<3>> stepper;
+
+ private:
+  CellSteps steps;
+  double at = 0., lost = 0., first = 0.;  ///< s, J, J
 };
+
+/// What then holds where cells come to rest.
+constexpr const char *path_alone =
+    ": where the cells come to rest holds, times and work on the way there do not";
+/// Says so where energy_lost() is above 2 %, never ends a run; holding: what the results are worth then, as
+/// ": ...".
+void judge_energy_lost(RunContext &context, double lost, const std::string &holding = "");
 }  // namespace turgor

@@ -108,13 +108,12 @@ void CapsuleCompression::run(RunContext &context) {
                                std::min(cells.touching->lowest_gap(), material.rest),
                                cells.least_angle()};
   };
-  const std::vector<OutputDefinition> columns = state_columns();
   std::vector<double> stops{compression};
   if (hold > 0.) stops.push_back(compression + hold);
   CellsRun run(context, cells,
                {.stops = stops,
                 .output = output,
-                .columns = columns,
+                .columns = state_columns(),
                 .row = state,
                 .doing = "compressing",
                 .advice = "A larger Longest step or Tolerance lengthens them.",
@@ -125,9 +124,7 @@ void CapsuleCompression::run(RunContext &context) {
     cells.begin_anew(first_step);
   };
   run.go();
-  const std::vector<double> at_end = state();
-  for (std::size_t k = 1; k < columns.size(); ++k)
-    context.result(columns[k].name, at_end[k], columns[k].unit);
+  const std::vector<double> at_end = run.state_as_results(1);
   context.result("wall_work", cells.work(), "J");
   const double crossed = -at_end[5] / material.rest;
   if (crossed > 0.2)

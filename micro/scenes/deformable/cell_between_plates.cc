@@ -1,6 +1,5 @@
 #include "micro/scenes/deformable/cell_between_plates.h"
 
-#include "micro/geometry/plane.h"
 #include "micro/laws/random_turn.h"
 #include "micro/scenes/reference/squeezed_drop.h"
 #include "run/input_entries.h"
@@ -34,28 +33,14 @@ double widest_of(const Particles<3> &p) {
 
 void CellBetweenPlates::declare_parameters(InputEntries &prm) {
   using namespace Patterns;
-  prm.add_parameter("Plate distance", distance,
-                    "Distance of the plates at the end; at the start they just touch the cell. Units: m.",
-                    Double(1e-8, 1e-2));
-  prm.add_parameter("Compression time", compression,
-                    "Time in which the upper plate comes down, with one speed. Units: s.", Double(1e-3, 1e9));
-  prm.add_parameter("Hold time", hold,
-                    "Time for which it stands still then, before the force is measured. Units: s.",
-                    Double(0., 1e9));
+  plates.declare(prm);
   prm.add_parameter("Seed", seed, "Number of the net's random orientation. Units: none.", Integer(0, 100000));
   declare_cells(prm, material, output, false);
 }
 
 void CellBetweenPlates::check() const {
   material.check_contact();
-  const double first = 2. * (material.radius + material.rest);
-  if (!(distance < first))
-    throw InputError("Plate distance (" + number_text(1e6 * distance) + " um) has to be less than the " +
-                     number_text(1e6 * first) + " um at which the plates just touch the cell.");
-  if (!(distance > 0.3 * first))
-    throw InputError("Plate distance (" + number_text(1e6 * distance) +
-                     " um) squeezes the cell flatter than 0.3 of its height, " + number_text(0.3e6 * first) +
-                     " um: its net would be torn to slivers.");
+  plates.check(2. * (material.radius + material.rest), 0.3, "its net would be torn to slivers");
 }
 
 Outputs CellBetweenPlates::outputs() const {
@@ -83,38 +68,26 @@ void CellBetweenPlates::run(RunContext &context) {
       material,
       {placed(sphere_shape(material.nu, material.radius), random_turn(seed, 0), Vector<3>(0., 0., half))},
       context.threads());
-  auto lid = std::make_unique<Plane<3>>(Vector<3>(0., 0., 2. * half), -Vector<3>::UnitZ());
+  auto lid = plates.lid(2. * half);
   Plane<3> &upper = *lid;
-  upper.velocity[2] = -(2. * half - distance) / compression;
-  cells.add_bodies("plates", material.law(),
-                   std::make_unique<Plane<3>>(Vector<3>::Zero(), Vector<3>::UnitZ()), std::move(lid));
-  const double first_step = 1e-4 * compression;
-  cells.begin(first_step);
+  cells.add_bodies("plates", material.law(), plates.floor(), std::move(lid));
+  cells.begin(plates.first_step());
   const Particles<3> &p = cells.system.particles;
   const auto state = [&] {
     return std::vector<double>{upper.centre[2], upper.force()[2], widest_of(p), cells.inside->pressure(p, 0),
                                cells.volume()};
   };
-  std::vector<double> stops{compression};
-  if (hold > 0.) stops.push_back(compression + hold);
-  const std::vector<OutputDefinition> columns = state_columns();
   CellsRun run(context, cells,
-               {.stops = stops,
+               {.stops = plates.stops(),
                 .output = output,
-                .columns = columns,
+                .columns = state_columns(),
                 .row = state,
                 .doing = "squeezing",
                 .advice = "A larger Longest step or Tolerance lengthens them.",
                 .reach = 1e3 * material.radius});
-  run.at_stop = [&](const std::size_t stop) {
-    if (stop > 0 || hold == 0.) return;
-    upper.velocity = Vector<3>::Zero();
-    cells.begin_anew(first_step);
-  };
+  run.at_stop = plates.ends(cells, upper);
   run.go();
-  const std::vector<double> at_end = state();
-  for (std::size_t k = 0; k < columns.size(); ++k)
-    context.result(columns[k].name, at_end[k], columns[k].unit);
+  const std::vector<double> at_end = run.state_as_results();
   const double force = at_end[1], inside = at_end[3], half_height = 0.5 * at_end[0] - material.rest;
   if (!(half_height < at_end[2]))
     throw RunFailed("the cell is not flattened by the plates: no drop has its shape.");

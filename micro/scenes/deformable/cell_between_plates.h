@@ -6,6 +6,7 @@
 #pragma once
 
 #include "micro/scenes/deformable/cells_run.h"
+#include "micro/scenes/plate_descent.h"
 #include "run/scenario.h"
 
 namespace turgor {
@@ -28,7 +29,7 @@ class CellBetweenPlates final : public Scenario {
     m.friction = 0.;
     return m;
   }();
-  double distance = 13e-6, compression = 60., hold = 120.;
+  PlateDescent plates{.distance = 13e-6, .compression = 60., .hold = 120.};
   unsigned int seed = 1;
   CellsOutput output;
 };

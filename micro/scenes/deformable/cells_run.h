@@ -48,6 +48,8 @@ class CellsRun {
   std::function<void(std::size_t)> at_stop = [](std::size_t) {};
   void go();
   std::uint64_t steps() const { return at.step; }
+  /// The row of where the cells are, its columns from `first` on as results too.
+  std::vector<double> state_as_results(std::size_t first = 0) const;
 
  private:
   struct At {

@@ -15,8 +15,7 @@ DeformableShape placed(DeformableShape shape, const Tensor2<3> &turn, const Vect
 DeformableCells::DeformableCells(const TouchingMaterial &material_,
                                  const std::vector<DeformableShape> &shapes, const unsigned int threads,
                                  const bool grows)
-    : motion(system, {.tolerance = material_.residual, .max_iterations = 20000}), material(material_) {
-  system.threads = threads;
+    : SteppedCells(material_.steps(), threads), material(material_) {
   for (const DeformableShape &shape : shapes) surfaces->add(system.particles, shape.mesh, shape.nodes);
   motion.correct_clusters = true;
   add_terms(shapes.size() > 1 || grows);
@@ -28,8 +27,7 @@ DeformableCells::DeformableCells(const TouchingMaterial &material_,
 
 DeformableCells::DeformableCells(const DeformableCells &others, const std::vector<std::uint32_t> &some,
                                  const std::size_t moving)
-    : motion(system, {.tolerance = others.material.residual, .max_iterations = 20000}),
-      material(others.material) {
+    : SteppedCells(others.material.steps(), 1), material(others.material) {
   constexpr double held = 1e9;  // N s/m, of a node: a nanonewton moves it by a femtometre in 1000 s
   all_surfaces = std::make_shared<CellSurfaces>();
   Particles<3> of_moving;
@@ -50,7 +48,6 @@ DeformableCells::DeformableCells(const DeformableCells &others, const std::vecto
 }
 
 void DeformableCells::add_terms(const bool several) {
-  motion.own_length = material.radius;
   edges = &system.add(std::make_unique<CortexEdges<LinearSpring>>(surfaces, LinearSpring{material.spring()},
                                                                   material.dashpots));
   system.add(std::make_unique<CortexHinges>(surfaces, material.hinge()));
@@ -64,26 +61,12 @@ void DeformableCells::add_terms(const bool several) {
 }
 
 void DeformableCells::begin_anew(const double first_step) {
-  stepper.emplace(OverdampedParameters{.method = OverdampedMethod::implicit,
-                                       .tolerance = material.tolerance,
-                                       .first_step = std::min(first_step, material.longest_step),
-                                       .least_step = 1e-12,
-                                       .longest_step = material.longest_step,
-                                       .energy = {.on = true, .longest_move = material.longest_move}},
-                  motion, system.threads);
+  SteppedCells::begin_anew(first_step);
   power = walls != nullptr ? walls->power() : 0.;
 }
 
-void DeformableCells::begin(const double first_step) {
-  system.compute_forces();
-  first = energy();
-  begin_anew(first_step);
-}
-
 double DeformableCells::step(const double limit) {
-  const double h = stepper->step(system.particles, limit);
-  at = h < limit ? at + h : at + limit;
-  lost += h * motion.last_dissipation();
+  const double h = move(limit);
   if (walls == nullptr || !walls->moves()) return h;
   system.advance(h);
   system.compute_forces();
@@ -91,11 +74,6 @@ double DeformableCells::step(const double limit) {
   power = walls->power();
   done += 0.5 * h * (before + power);
   return h;
-}
-
-double DeformableCells::energy_lost() const {
-  const double stored = energy() - first, size = std::max({std::abs(done), lost, std::abs(stored)});
-  return size > 0. ? (done - lost - stored) / size : 0.;
 }
 
 double DeformableCells::slope_of_growth(const std::size_t cell) const {
@@ -136,7 +114,7 @@ double DeformableCells::least_angle() const {
 FieldFrame DeformableCells::frame() const {
   const Particles<3> &p = system.particles;
   FieldFrame frame;
-  frame.time = at;
+  frame.time = time();
   for (std::size_t i = 0; i < p.size(); ++i)
     for (int d = 0; d < 3; ++d) frame.points.push_back(p.x[d][i]);
   frame.nodes_per_cell = 3;
@@ -177,6 +155,7 @@ FieldFrame DeformableCells::frame() const {
 
 void DeformableCells::archive(Archive &a) {
   a.section("deformable_cells");
-  a(at, lost, done, power, first, system, *surfaces, *stepper);
+  archive_steps(a);
+  a(done, power, *surfaces);
 }
 }  // namespace turgor

@@ -9,8 +9,6 @@
 #pragma once
 
 #include "micro/cells/deformable_shapes.h"
-#include "micro/engine/overdamped.h"
-#include "micro/engine/system_motion.h"
 #include "micro/scenes/deformable/touching_material.h"
 #include "micro/scenes/stepped_cells.h"
 #include "micro/terms/cortex_area.h"
@@ -19,8 +17,6 @@
 #include "micro/terms/cytoplasm.h"
 #include "micro/terms/surface_contacts.h"
 #include "micro/terms/surface_obstacles.h"
-
-#include <optional>
 
 namespace turgor {
 class DeformableCells final : public SteppedCells {
@@ -41,22 +37,10 @@ class DeformableCells final : public SteppedCells {
         std::make_unique<SurfaceObstacles>(name, surfaces, law, material.friction, std::move(body)...));
     return *walls;
   }
-  void begin(double first_step);
-  /// The length of the coming steps may be another: where walls begin to move or stop.
-  void begin_anew(double first_step);
-
-  /// One step of at most `limit` (s), then bodies move, and forces are those of where they are; its length.
-  /// Throws std::runtime_error where the step would become too short.
+  void begin_anew(double first_step) override;
   double step(double limit) override;
 
-  double time() const override { return at; }
-  double next_step() const { return stepper->next_step(); }
-  std::uint64_t rejected() const { return stepper->rejected(); }
-  double heat() const override { return lost; }  ///< J, by all friction since the start
-  /// What of work and energies is neither stored nor became heat, over the largest of work, heat and stored
-  /// energy since the start: what steps of finite length lose; negative: make.
-  double energy_lost() const;
-  double work() const { return done; }  ///< J, of the bodies on the cells, and what else put_in() says
+  double work() const override { return done; }  ///< of the bodies on the cells, and what put_in() says
   void put_in(const double energy_in) { done += energy_in; }  ///< J, work on the cells that is not of bodies
   /// The nodes have other places, newcomers are at rest with what is around them.
   void settle(const Rearrangement &nodes) { stepper->gather(nodes, true); }
@@ -78,14 +62,12 @@ class DeformableCells final : public SteppedCells {
   Cytoplasm *inside = nullptr;
   SurfaceContacts *touching = nullptr;  ///< none of a single cell
   SurfaceObstacles *walls = nullptr;    ///< none without bodies
-  SystemMotion<3> motion;
 
  private:
   void add_terms(bool several);
 
   TouchingMaterial material;
-  std::optional<Overdamped<3>> stepper;
-  double at = 0., lost = 0., done = 0., power = 0., first = 0.;  ///< s, J, J, W, J
+  double done = 0., power = 0.;  ///< J, W
 };
 
 /// A cell's shape turned and moved; m.

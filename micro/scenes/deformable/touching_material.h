@@ -10,6 +10,7 @@
 #include "micro/laws/surface_adhesion.h"
 #include "micro/scenes/deformable/deformable_material.h"
 #include "micro/scenes/reference/axial_shell.h"
+#include "micro/scenes/stepped_cells.h"
 
 #include <cmath>
 
@@ -45,6 +46,7 @@ struct TouchingMaterial : DeformableMaterial {
     return 2. / std::sqrt(3.) * modulus * std::pow(thickness, 3) / (12. * (1. - poisson * poisson));
   }
   double edge() const;  ///< m, mean length
+  CellSteps steps() const { return {radius, tolerance, longest_step, longest_move, residual}; }
   SurfaceAdhesion law() const;
   /// Edges over the length sqrt(D/W) in which adhesion bends the cortex at the rim of a contact; above 1.5
   /// the mesh does not resolve how contacts peel.

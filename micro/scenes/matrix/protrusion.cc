@@ -253,9 +253,7 @@ void ProtrusionScene::Run::go() {
   context.result("bonds_rise", double(sums.bonds_rise), "");
   context.result("energy_lost", sums.energy_lost, "1");
   context.result("steps", double(step), "");
-  judged(context, "energy_lost", sums.energy_lost, {0.02, HUGE_VAL},
-         number_text(100. * sums.energy_lost, 3) +
-             " % of the energy at play does not balance over steps of finite length (shorter: Longest step)");
+  judge_energy_lost(context, sums.energy_lost);
   if (sums.limits < scene.stiffnesses.size())
     remarked(
         context, "limits_reached",

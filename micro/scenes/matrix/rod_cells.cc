@@ -7,10 +7,7 @@
 
 namespace turgor {
 RodCells::RodCells(const RodMaterial &material_, const unsigned int threads)
-    : motion(system, {.tolerance = material_.residual, .max_iterations = 20000}), material(material_) {
-  system.threads = threads;
-  motion.own_length = material.radius;
-}
+    : SteppedCells(material_.steps(), threads), material(material_) {}
 
 void RodCells::add_network(const PlaneNet &net, const double stiffness, const double node_friction,
                            const double height, const std::uint64_t seed) {
@@ -42,26 +39,8 @@ Protrusions &RodCells::add_protrusions(const ProtrusionLaw &law, const std::uint
   return *protrusions;
 }
 
-void RodCells::begin_anew(const double first_step) {
-  stepper.emplace(OverdampedParameters{.method = OverdampedMethod::implicit,
-                                       .tolerance = material.tolerance,
-                                       .first_step = std::min(first_step, material.longest_step),
-                                       .least_step = 1e-12,
-                                       .longest_step = material.longest_step,
-                                       .energy = {.on = true, .longest_move = material.longest_move}},
-                  motion, system.threads);
-}
-
-void RodCells::begin(const double first_step) {
-  system.compute_forces();
-  first = energy();
-  begin_anew(first_step);
-}
-
 double RodCells::step(const double limit) {
-  const double h = stepper->step(system.particles, limit);
-  at = h < limit ? at + h : at + limit;
-  lost += h * motion.last_dissipation();
+  const double h = move(limit);
   if (after_step) {
     const double before = energy();
     after_step(h);
@@ -69,7 +48,7 @@ double RodCells::step(const double limit) {
     system.compute_forces();
     const double change = energy() - before;
     fed += change;
-    turned_over += std::abs(change);
+    fed_and_taken += std::abs(change);
   }
   if (plates != nullptr) {
     system.advance(h);
@@ -78,15 +57,9 @@ double RodCells::step(const double limit) {
   return h;
 }
 
-double RodCells::energy_lost() const {
-  const double stored = energy() - first, done = work(),
-               size = std::max({std::abs(done), lost, std::abs(stored), turned_over});
-  return size > 0. ? (done - lost - stored) / size : 0.;
-}
-
 FieldFrame RodCells::frame() const {
   FieldFrame frame;
-  frame.time = at;
+  frame.time = time();
   frame.nodes_per_cell = 2;
   std::vector<double> radius;
   for (std::size_t rod = 0; rod < rods->size(); ++rod) {
@@ -103,7 +76,8 @@ FieldFrame RodCells::frame() const {
 
 void RodCells::archive(Archive &a) {
   a.section("rod_cells");
-  a(at, lost, first, fed, turned_over, system, *stepper);
+  archive_steps(a);
+  a(fed, fed_and_taken);
   if (network) a(*network);
 }
 }  // namespace turgor

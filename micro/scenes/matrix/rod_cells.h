@@ -8,15 +8,12 @@
 // Bodies move after each step by their velocities.
 #pragma once
 
-#include "micro/engine/overdamped.h"
-#include "micro/engine/system_motion.h"
 #include "micro/scenes/matrix/rod_material.h"
 #include "micro/scenes/stepped_cells.h"
 #include "micro/terms/fibre_springs.h"
 #include "micro/terms/protrusions.h"
 
 #include <functional>
-#include <optional>
 
 namespace turgor {
 class RodCells final : public SteppedCells {
@@ -42,19 +39,10 @@ class RodCells final : public SteppedCells {
   /// What happens after each step of h (s) at places that are held: protrusions, degradation, orientation.
   std::function<void(double h)> after_step;
 
-  void begin(double first_step);
-  /// The length of the coming steps may be another: where plates begin to move or stop.
-  void begin_anew(double first_step);
   double step(double limit) override;
 
-  double time() const override { return at; }
-  double heat() const override { return lost; }
-  /// J, of plates, and of what happens between steps: it puts energy in, or takes it out.
-  double work() const { return fed + (plates != nullptr ? plates->work() : 0.); }
-  /// Work less what is stored and what became heat, over the largest of the three and of all that was put in
-  /// and taken out between steps: what steps of finite length lose; negative: make.
-  double energy_lost() const;
-  std::uint64_t rejected() const { return stepper->rejected(); }
+  /// Of plates, and of what happens between steps: it puts energy in, or takes it out.
+  double work() const override { return fed + (plates != nullptr ? plates->work() : 0.); }
   /// The rods' middle lines with their radii.
   FieldFrame frame() const override;
   void archive(Archive &a) override;
@@ -65,13 +53,13 @@ class RodCells final : public SteppedCells {
   FibreSprings *springs = nullptr;
   RodContacts *contacts = nullptr;
   Protrusions *protrusions = nullptr;
-  SystemMotion<3> motion;
 
  private:
+  /// All that was put in and taken out between steps.
+  double turned_over() const override { return fed_and_taken; }
+
   RodMaterial material;
-  std::optional<Overdamped<3>> stepper;
-  double network_stiffness = 0.;                    ///< N/m
-  double at = 0., lost = 0., first = 0., fed = 0.;  ///< s, J, J, J
-  double turned_over = 0.;                          ///< J
+  double network_stiffness = 0.;        ///< N/m
+  double fed = 0., fed_and_taken = 0.;  ///< J, between steps
 };
 }  // namespace turgor

@@ -5,6 +5,7 @@
 //   RodContactParameters p = cell.contacts();
 #pragma once
 
+#include "micro/scenes/stepped_cells.h"
 #include "micro/terms/rod_contacts.h"
 #include "micro/terms/rod_obstacles.h"
 
@@ -29,6 +30,7 @@ struct RodMaterial {
   RodShape shape() const { return {radius, stiffness()}; }
   double inner_friction() const { return relaxation * stiffness(); }           ///< N s/m, mu
   double plane_modulus() const { return modulus / (1. - poisson * poisson); }  ///< Pa
+  CellSteps steps() const { return {radius, tolerance, longest_step, longest_move, residual}; }
   RodContactParameters contacts(const ContactLaw &law, std::uint32_t nodes, double node_radius) const;
   RodObstacleParameters obstacles() const;
 };

@@ -194,10 +194,7 @@ void RodMigration::Run::report() {
         number_text(sums.border) + " of " + number_text(scene.seeds) +
             " cells came near the border of their network before the end: they would have gone farther (a "
             "larger Network/Side)");
-  judged(context, "energy_lost", sums.lost, {0.05, HUGE_VAL},
-         number_text(100. * sums.lost, 3) +
-             " % of the energy at play does not balance over steps of finite length (shorter steps: Longest "
-             "step, Tolerance)");
+  judge_energy_lost(context, sums.lost);
 }
 
 void RodMigration::run(RunContext &context) { Run(*this, context).go(); }

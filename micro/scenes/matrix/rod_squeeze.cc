@@ -1,8 +1,6 @@
 #include "micro/scenes/matrix/rod_squeeze.h"
 
-#include "micro/geometry/plane.h"
 #include "run/input_entries.h"
-#include "run/judged.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,14 +25,7 @@ std::vector<OutputDefinition> state_columns() {
 
 void RodSqueeze::declare_parameters(InputEntries &prm) {
   using namespace Patterns;
-  prm.add_parameter("Plate distance", distance,
-                    "Distance of the plates at the end; at the start they just touch the cell. Units: m.",
-                    Double(1e-8, 1e-2));
-  prm.add_parameter("Compression time", compression,
-                    "Time in which the upper plate comes down, with one speed. Units: s.", Double(1e-3, 1e9));
-  prm.add_parameter("Hold time", hold,
-                    "Time for which it stands still then, before the force is measured. Units: s.",
-                    Double(0., 1e9));
+  plates.declare(prm);
   prm.add_parameter("Angle", angle,
                     "Angle with the plates of the direction in which the cell is a hundredth longer than a "
                     "sphere at the start. Units: degrees.",
@@ -48,14 +39,7 @@ void RodSqueeze::declare_parameters(InputEntries &prm) {
 
 void RodSqueeze::check() const {
   cell.check();
-  const double whole = 2. * cell.radius;
-  if (!(distance < whole))
-    throw InputError("Plate distance (" + number_text(1e6 * distance) + " um) has to be less than the " +
-                     number_text(1e6 * whole) + " um at which the plates just touch the cell.");
-  if (!(distance > 0.2 * whole))
-    throw InputError("Plate distance (" + number_text(1e6 * distance) +
-                     " um) squeezes the cell flatter than a fifth of its height, " +
-                     number_text(2e5 * whole) + " um: no rod's contact is described by spheres there.");
+  plates.check(2. * cell.radius, 0.2, "no rod's contact is described by spheres there");
 }
 
 Outputs RodSqueeze::outputs() const {
@@ -96,12 +80,10 @@ void RodSqueeze::run(RunContext &context) {
   const Vector<3> middle(0., 0., cell.radius),
       half = 0.005 * cell.radius * Vector<3>(std::cos(turned), 0., std::sin(turned));
   cells.add_rods({middle - half}, {middle + half});
-  auto lid = std::make_unique<Plane<3>>(Vector<3>(0., 0., 2. * cell.radius), -Vector<3>::UnitZ());
+  auto lid = plates.lid(2. * cell.radius);
   Plane<3> &upper = *lid;
-  upper.velocity[2] = -(2. * cell.radius - distance) / compression;
-  cells.add_plates(std::make_unique<Plane<3>>(Vector<3>::Zero(), Vector<3>::UnitZ()), std::move(lid));
-  const double first_step = 1e-4 * compression;
-  cells.begin(first_step);
+  cells.add_plates(plates.floor(), std::move(lid));
+  cells.begin(plates.first_step());
   const auto line = [&] { return cells.rods->line(cells.system.particles, 0); };
   const auto state = [&] {
     const RodSet::Line now = line();
@@ -117,27 +99,18 @@ void RodSqueeze::run(RunContext &context) {
                                closed.force_of_rigid_shape(D),
                                closed.force_of_volume(D)};
   };
-  std::vector<double> stops{compression};
-  if (hold > 0.) stops.push_back(compression + hold);
-  const std::vector<OutputDefinition> columns = state_columns();
   CellsRun run(context, cells,
-               {.stops = stops,
+               {.stops = plates.stops(),
                 .output = output,
-                .columns = columns,
+                .columns = state_columns(),
                 .row = state,
                 .doing = "squeezing",
                 .advice = "A larger Longest step or Tolerance lengthens them.",
                 .reach = 1e3 * cell.radius,
                 .shapes = "rods"});
-  run.at_stop = [&](const std::size_t stop) {
-    if (stop > 0 || hold == 0.) return;
-    upper.velocity = Vector<3>::Zero();
-    cells.begin_anew(first_step);
-  };
+  run.at_stop = plates.ends(cells, upper);
   run.go();
-  const std::vector<double> at_end = state();
-  for (std::size_t k = 0; k < columns.size(); ++k)
-    context.result(columns[k].name, at_end[k], columns[k].unit);
+  const std::vector<double> at_end = run.state_as_results();
   context.result("force_error", at_end[1] / at_end[6] - 1., "1");
   context.result("length_error", (at_end[2] - at_end[5]) / cell.radius, "1");
   context.result("volume_error", RodShape::volume(at_end[3], at_end[2]) / cell.shape().volume() - 1., "1");
@@ -145,10 +118,7 @@ void RodSqueeze::run(RunContext &context) {
   context.result("energy_lost", cells.energy_lost(), "1");
   context.result("steps", double(run.steps()), "");
   context.result("rejected_steps", double(cells.rejected()), "");
-  judged(context, "energy_lost", cells.energy_lost(), {0.02, HUGE_VAL},
-         number_text(100. * cells.energy_lost(), 3) +
-             " % of the energy at play does not balance over steps of finite length: where the cell comes to "
-             "rest holds, times and work on the way there do not (shorter steps: Longest step, Tolerance)");
+  judge_energy_lost(context, cells.energy_lost(), path_alone);
 }
 
 std::unique_ptr<Scenario> make_rod_squeeze() { return std::make_unique<RodSqueeze>(); }

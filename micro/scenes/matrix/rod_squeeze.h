@@ -6,6 +6,7 @@
 
 #include "micro/scenes/deformable/cells_run.h"
 #include "micro/scenes/matrix/rod_cells.h"
+#include "micro/scenes/plate_descent.h"
 #include "micro/scenes/reference/squeezed_rod.h"
 #include "run/scenario.h"
 
@@ -21,7 +22,8 @@ class RodSqueeze final : public Scenario {
   SqueezedRod reference() const;
 
   RodMaterial cell;
-  double distance = 5e-6, compression = 600., hold = 600., angle = 20.;
+  PlateDescent plates{.distance = 5e-6, .compression = 600., .hold = 600.};
+  double angle = 20.;  ///< degrees
   CellsOutput output;
 };
 
