@@ -3,30 +3,22 @@ import os
 import sys
 
 import numpy as np
-from matplotlib.colors import Normalize
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from drawing import ACCENT, ALONG, INK, colour_bar, in_prefix, plt, read_table, style  # noqa: E402
+from bulk_particles import draw_coloured, draw_layers  # noqa: E402
+from drawing import ACCENT, ALONG, INK, in_prefix, plt, read_table, style  # noqa: E402
 from fields import frames  # noqa: E402
 
 
 def draw_profiles(axis, profile):
-    """Layers of particles of each frame as points, exact profiles as lines."""
-    of_length, length = in_prefix("m", [profile["height [m]"]])
-    of_speed, speed = in_prefix("m/s", [profile["exact_speed [m/s]"]])
+    """Layers of particles of each frame as points, exact profiles as lines; of a steady flow the last."""
     times = np.unique(profile["time [s]"])
     exact = profile["exact_speed [m/s]"]
     steady = np.allclose([exact[profile["time [s]"] == time].mean() for time in times], exact[profile["time [s]"] == times[-1]].mean(), rtol=1e-2)
     shown = times[-1:] if steady else times[:: max(1, len(times) // 4)]
-    for k, time in enumerate(shown):
-        rows = profile["time [s]"] == time
-        order = np.argsort(profile["height [m]"][rows])
-        height = profile["height [m]"][rows][order] * of_length
-        axis.plot(profile["exact_speed [m/s]"][rows][order] * of_speed, height, color=ALONG, linewidth=1.6, label="exact" if k == 0 else None)
-        axis.plot(profile["speed [m/s]"][rows][order] * of_speed, height, "o", color=ACCENT, markersize=4, label="particles, mean of each layer" if k == 0 else None)
-    axis.set_xlabel(f"velocity along the plates [{speed}]", color=INK, fontsize=9)
-    axis.set_ylabel(f"height over the lower plate [{length}]", color=INK, fontsize=9)
+    speed = draw_layers(axis, profile, "speed", "m/s", "exact", shown)
     of_time, clock = in_prefix("s", [times])
+    axis.set_xlabel(f"velocity along the plates [{speed}]", color=INK, fontsize=9)
     axis.set_title(("steady flow, t = " if steady else "from the start, t = ") + ", ".join(f"{t * of_time:.3g}" for t in shown) + f" {clock}", color=INK, fontsize=10)
     axis.legend(frameon=False, fontsize=8)
     style(axis)
@@ -49,18 +41,8 @@ def draw_errors(axis, flow):
 
 def draw_particles(figure, axis, place, frame):
     """Each particle coloured by its velocity along the plates."""
-    points = np.asarray(frame.points)
-    of_length, length = in_prefix("m", [points[:, :2].ravel()])
-    speeds = np.asarray(frame.field("velocity"))[:, 0]
-    of_speed, speed = in_prefix("m/s", [speeds])
-    norm = Normalize(0, max(speeds.max() * of_speed, 1e-300))
-    axis.scatter(points[:, 0] * of_length, points[:, 1] * of_length, c=speeds * of_speed, cmap="viridis", norm=norm, s=14, linewidths=0)
-    axis.set_aspect("equal")
-    axis.set_xlabel(f"along the plates [{length}]", color=INK, fontsize=9)
-    axis.set_ylabel(f"height [{length}]", color=INK, fontsize=9)
+    draw_coloured(figure, axis, place, frame, np.asarray(frame.field("velocity"))[:, 0], "m/s", "velocity along the plates")
     axis.set_title("particles of one period at the end", color=INK, fontsize=10)
-    style(axis)
-    colour_bar(figure, place, norm, "viridis", f"velocity along the plates [{speed}]")
 
 
 def main(directory):

@@ -3,10 +3,10 @@ import os
 import sys
 
 import numpy as np
-from matplotlib.colors import Normalize
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from drawing import ACCENT, ALONG, INK, colour_bar, in_prefix, plt, read_table, style  # noqa: E402
+from bulk_particles import draw_coloured, draw_layers  # noqa: E402
+from drawing import ACCENT, ALONG, INK, in_prefix, plt, read_table, style  # noqa: E402
 from fields import frames  # noqa: E402
 
 
@@ -27,18 +27,10 @@ def draw_top(axis, creep):
 
 def draw_profiles(axis, profile):
     """Layers of particles of each frame as points, the closed form as lines."""
-    of_length, length = in_prefix("m", [profile["height [m]"]])
-    of_way, way = in_prefix("m", [profile["exact_displacement [m]"]])
     times = np.unique(profile["time [s]"])
-    for k, time in enumerate(times):
-        rows = profile["time [s]"] == time
-        order = np.argsort(profile["height [m]"][rows])
-        height = profile["height [m]"][rows][order] * of_length
-        axis.plot(profile["exact_displacement [m]"][rows][order] * of_way, height, color=ALONG, linewidth=1.6, label="closed form" if k == 0 else None)
-        axis.plot(profile["displacement [m]"][rows][order] * of_way, height, "o", color=ACCENT, markersize=4, label="particles, mean of each layer" if k == 0 else None)
+    way = draw_layers(axis, profile, "displacement", "m", "closed form", times)
     of_time, clock = in_prefix("s", [times])
     axis.set_xlabel(f"displacement along the load [{way}]", color=INK, fontsize=9)
-    axis.set_ylabel(f"height over the plate [{length}]", color=INK, fontsize=9)
     axis.set_title("t = " + ", ".join(f"{t * of_time:.3g}" for t in times[:6]) + f" {clock}", color=INK, fontsize=10)
     axis.legend(frameon=False, fontsize=8, loc="upper left")
     style(axis)
@@ -46,19 +38,9 @@ def draw_profiles(axis, profile):
 
 def draw_particles(figure, axis, place, frame):
     """Each particle coloured by its von Mises stress."""
-    points = np.asarray(frame.points)
-    of_length, length = in_prefix("m", [points[:, :2].ravel()])
-    stress = np.asarray(frame.field("von_mises_stress"))
-    of_stress, unit = in_prefix("Pa", [stress])
-    norm = Normalize(0, max(stress.max() * of_stress, 1e-300))
-    axis.scatter(points[:, 0] * of_length, points[:, 1] * of_length, c=stress * of_stress, cmap="viridis", norm=norm, s=14, linewidths=0)
+    draw_coloured(figure, axis, place, frame, np.asarray(frame.field("von_mises_stress")), "Pa", "von Mises stress")
     axis.axhline(0, color=INK, linewidth=2)
-    axis.set_aspect("equal")
-    axis.set_xlabel(f"along the plate [{length}]", color=INK, fontsize=9)
-    axis.set_ylabel(f"height [{length}]", color=INK, fontsize=9)
     axis.set_title("particles of one period at the end", color=INK, fontsize=10)
-    style(axis)
-    colour_bar(figure, place, norm, "viridis", f"von Mises stress [{unit}]")
 
 
 def main(directory):

@@ -3,10 +3,10 @@ import os
 import sys
 
 import numpy as np
-from matplotlib.colors import Normalize
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from drawing import ACCENT, ALONG, INK, colour_bar, in_prefix, plt, read_table, style  # noqa: E402
+from bulk_particles import draw_coloured  # noqa: E402
+from drawing import ACCENT, ALONG, INK, in_prefix, plt, read_table, style  # noqa: E402
 from fields import frames  # noqa: E402
 
 
@@ -40,24 +40,13 @@ def draw_errors(axis, turn):
 def draw_block(figure, axis, place, all_frames):
     """The block as it is laid and, stretched, on its way, coloured by its stress along x."""
     chosen = all_frames[min(2, len(all_frames) - 1)]
-    points = np.asarray(chosen.points)
-    of_length, length = in_prefix("m", [points[:, :2].ravel()])
-    stress = np.asarray(chosen.field("stress_xx"))
-    of_stress, unit = in_prefix("Pa", [np.abs(stress)])
-    largest = max(np.abs(stress).max() * of_stress, 1e-300)
-    norm = Normalize(-largest, largest)
     start = np.asarray(all_frames[0].points)
-    axis.scatter(start[:, 0] * of_length, start[:, 1] * of_length, s=5, color="#c8c8c8", linewidths=0, label="as laid")
-    axis.scatter(points[:, 0] * of_length, points[:, 1] * of_length, c=stress * of_stress, cmap="RdBu_r", norm=norm, s=12, linewidths=0, label=f"step {chosen.time:.0f}")
-    axis.set_aspect("equal")
-    axis.set_xlabel(f"x [{length}]", color=INK, fontsize=9)
-    axis.set_ylabel(f"y [{length}]", color=INK, fontsize=9)
+    of_length = draw_coloured(figure, axis, place, chosen, np.asarray(chosen.field("stress_xx")), "Pa", "stress along x", signed=True, s=12, label=f"step {chosen.time:.0f}")
+    axis.scatter(start[:, 0] * of_length, start[:, 1] * of_length, s=5, color="#c8c8c8", linewidths=0, label="as laid", zorder=0)
     axis.set_title("particles, stretched and on their way", color=INK, fontsize=10)
     bottom, top = axis.get_ylim()
     axis.set_ylim(bottom, top + 0.12 * (top - bottom))
     axis.legend(frameon=False, fontsize=8, loc="upper center", ncol=2)
-    style(axis)
-    colour_bar(figure, place, norm, "RdBu_r", f"stress along x [{unit}]")
 
 
 def main(directory):
