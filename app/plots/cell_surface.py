@@ -44,17 +44,25 @@ def section(frame, height, values):
 
 def draw_surface(axis, frame, norm, right, up, at=(0.0, 0.0), values=None, colours=COLOURS):
     """Lengths in um. right, up: directions of the picture; at: where the cell's middle is drawn; values: of the nodes, in-plane stress (uN/m) where none are given."""
-    values = stress(frame) if values is None else values
+    x = frame.points * 1e6
+    _draw(axis, x - 0.5 * (x.min(axis=0) + x.max(axis=0)), frame.cells, norm, right, up, at, stress(frame) if values is None else values, colours)
+
+
+def draw_cells(axis, frame, norm, right, up, at, only=None):
+    """The same where the cells lie, moved by `at` (um) along `right`; only: number of the one cell that is drawn."""
+    cells = frame.cells if only is None else frame.cells[frame.field("cell").ravel()[frame.cells[:, 0]] == only]
+    _draw(axis, frame.points * 1e6, cells, norm, right, up, (at, 0.0), stress(frame), COLOURS)
+
+
+def _draw(axis, x, cells, norm, right, up, at, values, colours):
     right, up = (np.array(v, dtype=float) / np.linalg.norm(v) for v in (right, up))
     view = np.cross(right, up)  # towards the viewer
-    x = frame.points * 1e6
-    x = x - 0.5 * (x.min(axis=0) + x.max(axis=0))
-    corners = x[frame.cells]
+    corners = x[cells]
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     normal /= np.linalg.norm(normal, axis=1)[:, None] + 1e-300
     front = normal @ view > 0
     order = np.argsort(corners[front].mean(axis=1) @ view)
-    colour = colours(norm(values[frame.cells][front].mean(axis=1)))
+    colour = colours(norm(values[cells][front].mean(axis=1)))
     colour[:, :3] *= (0.72 + 0.28 * np.clip(normal[front] @ (0.8 * view + 0.5 * up - 0.33 * right), 0, 1))[:, None]
     flat = np.stack([corners[front] @ right, corners[front] @ up], axis=-1) + np.array(at)
     axis.add_collection(PolyCollection(flat[order], facecolors=colour[order], edgecolors=(0, 0, 0, 0.12), linewidths=0.15))

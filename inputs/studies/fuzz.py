@@ -66,6 +66,8 @@ SCENES = {
     "cell_failure": dict(SMALL_ROUND, Speed=(20, 50), Deformation=0.1),
     "rbc_tweezers": {"Forces": "1e-11", "Cell/Frequency": (2, 4)},
     "spreading": {"Cell/Frequency": (2, 4), "End time": (1, 1e4)},
+    "pull_off": {"Cell/Frequency": (2, 4), "Settling time": (1, 1e4), "Pull distance": (1e-7, 2e-6)},
+    "doublet": {"Cell/Frequency": (2, 4), "End time": (1, 1e4)},
     "capsule_compression": {"Cell/Frequency": (2, 4), "Cells": (2, 5), "Last radius": (15e-6, 19e-6), "Compression time": (10, 600), "Hold time": (0, 60)},
     "spheroid_deformable": {"Cell/Frequency": (3, 4), "First cells": (1, 3), "End time": (1e3, 6e3), "Frames": (1, 3), "Longest step": (20, 100), "Cell/Cycle time": (5e3, 2e4)},
     "cell_between_plates": {"Cell/Frequency": (2, 5), "Compression time": (5, 60), "Hold time": (0, 20), "Plate distance": (12e-6, 20e-6)},

@@ -15,21 +15,18 @@
 #include <cmath>
 
 namespace turgor {
-struct TriangleHinge {
+/// Without the angle, which takes longest.
+struct HingeSlope {
   Vector<3> e, n1, n2;  ///< n1, n2: twice the area times the normal
-  double length, n1_squared, n2_squared, angle;
+  double length, n1_squared, n2_squared;
 
-  TriangleHinge(const Vector<3> &a, const Vector<3> &b, const Vector<3> &c, const Vector<3> &d)
+  HingeSlope(const Vector<3> &a, const Vector<3> &b, const Vector<3> &c, const Vector<3> &d)
       : e(b - a),
         n1(e.cross(c - a)),
         n2((d - b).cross(e)),
         length(e.norm()),
         n1_squared(n1.squaredNorm()),
-        n2_squared(n2.squaredNorm()) {
-    // sin and cos times |n1| |n2|
-    const double sine = n2.cross(n1).dot(e) / length, cosine = n1.dot(n2);
-    angle = -std::atan2(sine, cosine);
-  }
+        n2_squared(n2.squaredNorm()) {}
 
   /// d angle/d(a, b, c, d), 1/m
   void gradient(const Vector<3> &a, const Vector<3> &b, const Vector<3> &c, const Vector<3> &d,
@@ -40,6 +37,17 @@ struct TriangleHinge {
     g[3] = -length * m2;
     g[0] = (b - c).dot(e) * inverse * m1 + (b - d).dot(e) * inverse * m2;
     g[1] = (c - a).dot(e) * inverse * m1 + (d - a).dot(e) * inverse * m2;
+  }
+};
+
+struct TriangleHinge : HingeSlope {
+  double angle;
+
+  TriangleHinge(const Vector<3> &a, const Vector<3> &b, const Vector<3> &c, const Vector<3> &d)
+      : HingeSlope(a, b, c, d) {
+    // sin and cos times |n1| |n2|
+    const double sine = n2.cross(n1).dot(e) / length, cosine = n1.dot(n2);
+    angle = -std::atan2(sine, cosine);
   }
 };
 }  // namespace turgor

@@ -32,16 +32,26 @@ double CortexArea::of_whole(const Particles<3> &particles, const std::size_t gro
   return stiffness.whole * (surfaces->area(particles, group) - rest) / rest;
 }
 
+void CortexArea::prepare(const Particles<3> &, const Box<3> &, unsigned int, bool) {
+  energy_of.resize(surfaces->size());
+}
+
 void CortexArea::add_forces(Particles<3> &particles, const Box<3> &, const std::size_t group) {
   if (group >= surfaces->size()) return;
   const std::vector<double> &rest = surfaces->triangle_table.column("rest_area");
   const double same = stiffness.tension + of_whole(particles, group);
+  double local = 0., area = 0.;
   const auto [begin, end] = surfaces->triangles_of(group);
   for (std::uint32_t k = begin; k < end; ++k) {
     const Facet facet(particles, surfaces->triangles[k]);
-    const double sigma = stiffness.local * (facet.area - rest[k]) / rest[k] + same;
+    const double out = facet.area - rest[k], sigma = stiffness.local * out / rest[k] + same;
     for (int m = 0; m < 3; ++m) add_force(particles, surfaces->triangles[k][m], -sigma * facet.g[m]);
+    local += 0.5 * stiffness.local * out * out / rest[k];
+    area += facet.area;
   }
+  const double whole = surfaces->cells.column("rest_area")[group];
+  energy_of[group] =
+      local + stiffness.tension * area + 0.5 * stiffness.whole * (area - whole) * (area - whole) / whole;
 }
 
 void CortexArea::collect(MotionMatrix &matrix, const Particles<3> &particles, const double h) {
@@ -73,18 +83,8 @@ void CortexArea::collect(MotionMatrix &matrix, const Particles<3> &particles, co
   }
 }
 
-double CortexArea::energy(const Particles<3> &particles, const Box<3> &, const std::size_t group) const {
-  if (group >= surfaces->size()) return 0.;
-  const std::vector<double> &rest = surfaces->triangle_table.column("rest_area");
-  double local = 0., area = 0.;
-  const auto [begin, end] = surfaces->triangles_of(group);
-  for (std::uint32_t k = begin; k < end; ++k) {
-    const double a = Facet(particles, surfaces->triangles[k]).area;
-    local += 0.5 * stiffness.local * (a - rest[k]) * (a - rest[k]) / rest[k];
-    area += a;
-  }
-  const double whole = surfaces->cells.column("rest_area")[group];
-  return local + stiffness.tension * area + 0.5 * stiffness.whole * (area - whole) * (area - whole) / whole;
+double CortexArea::energy(const Particles<3> &, const Box<3> &, const std::size_t group) const {
+  return group < surfaces->size() ? energy_of[group] : 0.;
 }
 
 double CortexArea::slope_of_growth(const Particles<3> &particles, const std::size_t cell) const {

@@ -30,6 +30,7 @@ class CortexArea final : public Term<3> {
 
   std::string name() const override { return "cortex_area"; }
   void declare(Particles<3> &) override {}
+  void prepare(const Particles<3> &particles, const Box<3> &box, unsigned int threads, bool trial) override;
   void add_forces(Particles<3> &particles, const Box<3> &box, std::size_t group) override;
   void collect(MotionMatrix &matrix, const Particles<3> &particles, double h) override;
   double energy(const Particles<3> &particles, const Box<3> &box, std::size_t group) const override;
@@ -43,5 +44,6 @@ class CortexArea final : public Term<3> {
 
   std::shared_ptr<CellSurfaces> surfaces;
   AreaStiffness stiffness;
+  std::vector<double> energy_of;  ///< J, of cells, where forces were last asked
 };
 }  // namespace turgor

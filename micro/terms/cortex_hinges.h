@@ -21,6 +21,7 @@ class CortexHinges final : public Term<3> {
 
   std::string name() const override { return "cortex_hinges"; }
   void declare(Particles<3> &) override {}
+  void prepare(const Particles<3> &particles, const Box<3> &box, unsigned int threads, bool trial) override;
   void add_forces(Particles<3> &particles, const Box<3> &box, std::size_t group) override;
   void collect(MotionMatrix &matrix, const Particles<3> &particles, double h) override;
   double energy(const Particles<3> &particles, const Box<3> &box, std::size_t group) const override;
@@ -28,5 +29,8 @@ class CortexHinges final : public Term<3> {
  private:
   std::shared_ptr<CellSurfaces> surfaces;
   double stiffness;
+  // where forces were last asked
+  std::vector<double> softness;   ///< of edges, 1 - cos(theta - theta_0)
+  std::vector<double> energy_of;  ///< J, of cells
 };
 }  // namespace turgor

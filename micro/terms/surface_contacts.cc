@@ -131,7 +131,10 @@ void SurfaceContacts::prepare(const Particles<3> &particles, const Box<3> &, con
     else
       neighbours.emplace(*surfaces);
     lists.forget();
+    found_at = {};
   }
+  if (particles.x == found_at) return;  // but for bodies nothing has moved since
+  found_at = particles.x;
   points.update(particles, threads);
   lists.bring_up_to_date(*surfaces, *neighbours, particles, points, threads);
   const std::size_t cells = surfaces->size();

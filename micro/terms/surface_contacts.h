@@ -84,6 +84,7 @@ class SurfaceContacts final : public Term<3> {
   SurfacePoints points;
   FacetLists lists;
   std::optional<FacetNeighbours> neighbours;
+  Particles<3>::Components found_at;         ///< m, where what follows was found
   std::vector<std::vector<Touch>> touching;  ///< by cells
   std::vector<double> energy_of;             ///< J/m^2, e_q of points
   struct Hit                                 ///< of a facet of a cell by another's point

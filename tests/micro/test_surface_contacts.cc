@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(law_by_hand) {
   BOOST_TEST(law.closeness(0.1e-6) == 1.);
   BOOST_TEST(law.closeness(0.75e-6) == 0.421875, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(law.reach() == 1.25e-6, boost::test_tools::tolerance(1e-14));
-  BOOST_TEST(SurfaceAdhesion::range_for(3e-6, 20e-9) == 0.75e-6, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(SurfaceAdhesion::range_for(3e-6, 20e-9) == 1.5e-6, boost::test_tools::tolerance(1e-14));
   const double h = 1e-12;
   for (const double g : {-0.3e-6, 0.1e-6, 0.4e-6, 0.9e-6, 1.2e-6}) {
     BOOST_TEST((law(g + h).energy - law(g - h).energy) / (2. * h) == law(g).slope,

@@ -169,6 +169,15 @@ Outputs outputs_of_cells(const std::string &row, std::vector<OutputDefinition> c
   return all;
 }
 
+void report_rest(RunContext &context, const DeformableCells &cells, const TouchingMaterial &material) {
+  const double rest = cells.largest_force() / (material.adhesion * material.edge());
+  context.result("rest", rest, "1");
+  if (rest > 0.02)
+    remarked(context, "rest",
+             "the cells are not at rest: forces of " + number_text(100. * rest, 3) +
+                 " % of what adhesion makes are left (End time)");
+}
+
 void report_cells(RunContext &context, const DeformableCells &cells, const TouchingMaterial &material,
                   const std::uint64_t steps) {
   context.result("nodes", double(cells.system.particles.size()), "");

@@ -35,8 +35,8 @@ struct CellsPlan {
   std::string doing, advice;           ///< at the terminal; a sentence of what makes steps longer or fewer
   double reach = 1.;                   ///< m; nodes farther from the origin have left the scene
   std::string shapes = "surface";      ///< name of the frames' file
-  std::function<void(double)> step{};  ///< of at most so long (s); none: of the cells alone
-  std::function<void(Archive &)> population{};  ///< what lasts of it beside the cells, before them
+  std::function<void(double)> step{};  ///< of at most so long (s), and what follows it; none: of the cells
+  std::function<void(Archive &)> population{};  ///< what lasts beside the cells, before them
   std::function<bool()> full{};                 ///< whether the run ends before its last stop
 };
 
@@ -71,6 +71,8 @@ void declare_cells(InputEntries &prm, TouchingMaterial &material, CellsOutput &o
 /// What all of them leave: results of the net, the steps and the energy that steps lose, fields of the
 /// surfaces, columns of history.csv that come before and behind a scene's own.
 Outputs outputs_of_cells(const std::string &row, std::vector<OutputDefinition> columns);
+/// Result rest, of a run until cells that adhere are at rest; says so where they are not.
+void report_rest(RunContext &context, const DeformableCells &cells, const TouchingMaterial &material);
 /// Those results; says so where energy does not balance or the net does not resolve how contacts peel.
 void report_cells(RunContext &context, const DeformableCells &cells, const TouchingMaterial &material,
                   std::uint64_t steps);

@@ -31,6 +31,7 @@ DeformableCell<Spring>::DeformableCell(const DeformableShape &shape,
                        6. * std::numbers::pi * parameters.viscosity * parameters.radius / double(p.size()));
   load = [](double, const Particles<3> &, Particles<3>::Components &) {};
   begin_anew();
+  system.compute_forces();  // which energies are kept with
   energies.start = elastic();
 }
 
@@ -129,6 +130,7 @@ template <class Spring>
 void DeformableCell<Spring>::archive(Archive &a) {
   a.section("deformable_cell");
   a(at, loaded_until, energies, applied, system, *surfaces, *stepper);
+  if (a.loading()) system.compute_forces();
 }
 
 template class DeformableCell<LinearSpring>;

@@ -60,19 +60,22 @@ void DeformableCells::add_terms(const bool several) {
                                                              material.blend, 0.4e-6));
 }
 
-void DeformableCells::begin_anew(const double first_step) {
-  SteppedCells::begin_anew(first_step);
-  power = walls != nullptr ? walls->power() : 0.;
+CentreSpring &DeformableCells::add_spring(const Vector<3> &along, const double stiffness) {
+  spring = &system.add(std::make_unique<CentreSpring>(along, stiffness));
+  return *spring;
+}
+
+double DeformableCells::power_of_bodies() const {
+  return (walls != nullptr ? walls->power() : 0.) + (spring != nullptr ? spring->power() : 0.);
 }
 
 double DeformableCells::step(const double limit) {
   const double h = move(limit);
-  if (walls == nullptr || !walls->moves()) return h;
+  if (!(walls != nullptr && walls->moves()) && !(spring != nullptr && spring->speed != 0.)) return h;
+  const double before = power_of_bodies();  // where the step has led, then where bodies have moved
   system.advance(h);
   system.compute_forces();
-  const double before = power;
-  power = walls->power();
-  done += 0.5 * h * (before + power);
+  done += 0.5 * h * (before + power_of_bodies());
   return h;
 }
 
@@ -91,11 +94,14 @@ double DeformableCells::volume() const {
 
 double DeformableCells::contact_area() const {
   double total = 0.;
-  if (walls == nullptr) return total;
-  const SurfaceAdhesion &law = walls->law_of_contact();
-  for (std::size_t cell = 0; cell < surfaces->size(); ++cell)
-    for (const SurfaceObstacles::Touch &t : walls->touches(cell))
-      total += walls->where().area[t.point] * law.closeness(t.contact.distance);
+  for (std::size_t cell = 0; cell < surfaces->size(); ++cell) {
+    if (walls != nullptr)
+      for (const SurfaceObstacles::Touch &t : walls->touches(cell))
+        total += walls->where().area[t.point] * walls->law_of_contact().closeness(t.contact.distance);
+    if (touching != nullptr)
+      for (const SurfaceContacts::Touch &t : touching->touches(cell))
+        total += t.weight * material.law().closeness(t.gap);
+  }
   return total;
 }
 
@@ -156,6 +162,7 @@ FieldFrame DeformableCells::frame() const {
 void DeformableCells::archive(Archive &a) {
   a.section("deformable_cells");
   archive_steps(a);
-  a(done, power, *surfaces);
+  a(done, *surfaces);
+  if (a.loading()) system.compute_forces();  // which energies are kept with
 }
 }  // namespace turgor

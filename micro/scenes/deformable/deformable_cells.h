@@ -11,6 +11,7 @@
 #include "micro/cells/deformable_shapes.h"
 #include "micro/scenes/deformable/touching_material.h"
 #include "micro/scenes/stepped_cells.h"
+#include "micro/terms/centre_spring.h"
 #include "micro/terms/cortex_area.h"
 #include "micro/terms/cortex_edges.h"
 #include "micro/terms/cortex_hinges.h"
@@ -37,16 +38,18 @@ class DeformableCells final : public SteppedCells {
         std::make_unique<SurfaceObstacles>(name, surfaces, law, material.friction, std::move(body)...));
     return *walls;
   }
-  void begin_anew(double first_step) override;
+  /// On the centre of the one cell, or between those of two; before begin().
+  CentreSpring &add_spring(const Vector<3> &along, double stiffness);
   double step(double limit) override;
 
-  double work() const override { return done; }  ///< of the bodies on the cells, and what put_in() says
+  /// J, of the bodies and of the spring on the cells, and what put_in() says.
+  double work() const override { return done; }
   void put_in(const double energy_in) { done += energy_in; }  ///< J, work on the cells that is not of bodies
   /// The nodes have other places, newcomers are at rest with what is around them.
   void settle(const Rearrangement &nodes) { stepper->gather(nodes, true); }
   double slope_of_growth(std::size_t cell) const;  ///< J, dE/d ln s, s the scale of its lengths at rest
   double volume() const;                           ///< m^3, of all cells
-  /// m^2, of the surfaces of all cells on bodies, by the contact's closeness.
+  /// m^2, of the surfaces of all cells on bodies and on each other (once), by the contact's closeness.
   double contact_area() const;
   double least_angle() const;  ///< rad, of any triangle
   /// Triangles with in-plane stress, contact pressure and the cell's pressure at the nodes.
@@ -62,12 +65,14 @@ class DeformableCells final : public SteppedCells {
   Cytoplasm *inside = nullptr;
   SurfaceContacts *touching = nullptr;  ///< none of a single cell
   SurfaceObstacles *walls = nullptr;    ///< none without bodies
+  CentreSpring *spring = nullptr;       ///< none where none is added
 
  private:
   void add_terms(bool several);
+  double power_of_bodies() const;  ///< W, and of the spring
 
   TouchingMaterial material;
-  double done = 0., power = 0.;  ///< J, W
+  double done = 0.;  ///< J
 };
 
 /// A cell's shape turned and moved; m.

@@ -110,12 +110,7 @@ void Spreading::run(RunContext &context) {
       context.note("axial_radius" + name, error.what());
     }
   }
-  const double rest = cells.largest_force() / (material.adhesion * material.edge());
-  context.result("rest", rest, "1");
-  if (rest > 0.02)
-    remarked(context, "rest",
-             "the cell is not at rest: forces of " + number_text(100. * rest, 3) +
-                 " % of what adhesion makes are left (End time)");
+  report_rest(context, cells, material);
   report_cells(context, cells, material, run.steps());
 }
 

@@ -21,10 +21,10 @@ class Spreading final : public Scenario {
     m.bulk_modulus = 2500.;
     m.tolerance = 0.05;
     m.adhesion = 1e-4;
-    m.longest_step = 1e12;
+    m.longest_step = 1e6;
     return m;
   }();
-  double end = 1e11, first_step = 1e-3;
+  double end = 1e8, first_step = 1e-3;
   unsigned int seed = 1;
   CellsOutput output;
 };

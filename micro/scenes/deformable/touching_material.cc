@@ -44,7 +44,7 @@ void TouchingMaterial::declare_contact(InputEntries &prm) {
   prm.add_parameter("Adhesion", adhesion, "Energy W that an area of contact is worth. Units: J/m^2.",
                     Double(0., 1.));
   prm.add_parameter("Range", range,
-                    "How far beyond the gap at rest adhesion and friction are felt; 0: a quarter of a mean "
+                    "How far beyond the gap at rest adhesion and friction are felt; 0: half of a mean "
                     "edge, which is as short as the net resolves, but no less than 20 nm. Units: m.",
                     Double(0., 1e-4));
   prm.add_parameter("Gap at rest", rest,

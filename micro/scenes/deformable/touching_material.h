@@ -26,7 +26,7 @@ struct TouchingMaterial : DeformableMaterial {
   double dashpots = 1e-4;      ///< N s/m, of each edge
   // contact
   double adhesion = 0.;        ///< J/m^2, W
-  double range = 0.;           ///< m, h; 0: a quarter of an edge
+  double range = 0.;           ///< m, h; 0: half of an edge
   double rest = 0.25e-6;       ///< m, d0
   double stiffness = 3e10;     ///< N/m^3, k_r
   double friction = 5e10;      ///< N s/m^3, gamma

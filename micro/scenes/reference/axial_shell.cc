@@ -33,6 +33,10 @@ AxialShell::AxialShell(const AxialShellParameters &parameters, const unsigned in
     angle0.push_back(pi / M);
     slope0.push_back(std::sin(pi * i / M) * std::cos(0.5 * pi / M));
   }
+  share.setZero(x.size());
+  for (unsigned int i = 0; i <= M; ++i)
+    share[numbers(i)[1]] = i == 0 || i == M ? 0.25 * pi * l0 * l0 : 2. * pi * r0[i] * l0;
+  share /= share.sum();
   for (unsigned int i = 0; i < M; ++i)
     rest_volume += pi / 3. * (std::cos(pi * i / M) - std::cos(pi * (i + 1) / M)) *
                    (r0[i] * r0[i] + r0[i] * r0[i + 1] + r0[i + 1] * r0[i + 1]);
@@ -136,6 +140,14 @@ double AxialShell::evaluate(const Numbers &at, Numbers *gradient, Matrix *second
     volume += volumes.back().value;
   }
   sum += bending(at, gradient, second);
+  if (grip > 0.) {
+    const double k = grip / unit, out = share.dot(at) - held_at / p.radius;
+    sum += 0.5 * k * out * out;
+    if (gradient != nullptr) {
+      *gradient += k * out * share;
+      *second += k * share * share.transpose();
+    }
+  }
   const double v = volume / rest_volume, bulk = p.bulk * p.radius / unit;
   if (!(v > 0.)) return HUGE_VAL;
   v_now = v;
@@ -223,6 +235,8 @@ double AxialShell::contact_radius() const {
     }
   return std::sqrt(area / pi);
 }
+
+double AxialShell::mean_height() const { return p.radius * share.dot(x); }
 
 double AxialShell::widest() const {
   double most = 0.;

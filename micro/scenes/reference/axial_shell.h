@@ -11,6 +11,8 @@
 //
 //   AxialShell shell({10e-6, k, k_b, K_A, tau, K, law}, 200);
 //   shell.relax();   shell.contact_radius();           the floor is z = 0; a lid: shell.lid = 15e-6
+//   shell.grip = 0.01;  shell.held_at = 9e-6;          a spring (N/m) on the mean height of the surface, to
+//     draw it off;  shell.relax();  shell.grip_force()
 //
 // In SI units. Free of stress as a sphere, but for tau, which the content balances.
 #pragma once
@@ -39,7 +41,8 @@ class AxialShell {
   /// The sphere with its lowest point at the contact's gap at rest over the floor.
   AxialShell(const AxialShellParameters &parameters, unsigned int pieces);
 
-  double lid = HUGE_VAL;  ///< m, height of a second plane, met from below
+  double lid = HUGE_VAL;           ///< m, height of a second plane, met from below
+  double grip = 0., held_at = 0.;  ///< N/m, m; of a spring on the mean height
 
   /// To the minimum of the energy next to it; its iterations. Throws std::runtime_error where it is not
   /// found.
@@ -51,6 +54,8 @@ class AxialShell {
   double lid_force() const;                               ///< N, of the cell on the lid; positive: it pushes
   double contact_radius() const;  ///< m, of the disc with the area on the floor, by the contact's closeness
   double widest() const;          ///< m, largest radius
+  double mean_height() const;     ///< m, of the surface as it was at rest
+  double grip_force() const { return grip * (held_at - mean_height()); }  ///< N, positive: it draws up
   /// m, meridian (r, z) from the bottom to the top.
   std::vector<std::array<double, 2>> meridian() const;
 
@@ -69,6 +74,6 @@ class AxialShell {
   unsigned int M;
   double scale_energy, l0, total = 0., rest_volume = 0., v_now = 1.;  ///< lengths over the radius
   std::vector<double> r0, angle0, slope0;
-  Numbers x;
+  Numbers x, share;  ///< share: of each number in the mean height
 };
 }  // namespace turgor
