@@ -7,8 +7,9 @@
 #include <limits>
 
 namespace turgor {
-EquilibriumReport HydrostaticRve::break_bonds(const Tensor2<2> &F, std::vector<double> &x, Scratch &scratch,
+EquilibriumReport HydrostaticRve::break_bonds(const Tensor2<2> &F, RveAnswer<2> &answer, Scratch &scratch,
                                               const EquilibriumSettings &search) const {
+  std::vector<double> &x = answer.trial.unknowns;
   const Tensor2<2> H = F * network.layout().lattice;
   WallHistory &history = scratch.history;
   EquilibriumReport total;
@@ -28,6 +29,9 @@ EquilibriumReport HydrostaticRve::break_bonds(const Tensor2<2> &F, std::vector<d
         }
     }
     if (!any) return total;
+    if (!answer.whole)
+      answer.whole =
+          scratch.equilibrium.last_evaluation().virial.total() * F.inverse().transpose() / reference_volume;
     network.flow(x, history);  // the others have come this far before it broke
     network.evaluate(x, H, NetworkOrder::energy, scratch.evaluation, &history);
     const double before = scratch.evaluation.energy;

@@ -48,14 +48,14 @@ void HydrostaticRve::settle(const RveState<2> &committed, const Tensor2<2> &F, R
   std::vector<double> &x = answer.trial.unknowns;
   EquilibriumReport report = find_equilibrium(committed, F, x, scratch);
   if (report.converged && settings.walls.failure()) {
-    const EquilibriumReport after = break_bonds(F, x, scratch, settings.equilibrium);
+    const EquilibriumReport after = break_bonds(F, answer, scratch, settings.equilibrium);
     report.converged = after.converged;
     report.message = after.message;
     report.iterations += after.iterations;
     report.residual = std::max(report.residual, after.residual);
   }
   if (!report.converged && settings.walls.failure() && scratch.history.failed_cells() > 0) {
-    const EquilibriumReport after = drag_on(committed, F, x, scratch);
+    const EquilibriumReport after = drag_on(committed, F, answer, scratch);
     const std::string first = report.message;
     const int before = report.iterations;
     report = after;
@@ -92,12 +92,14 @@ double HydrostaticRve::taken_by_drag(const RveState<2> &committed, const Tensor2
 }
 
 EquilibriumReport HydrostaticRve::drag_on(const RveState<2> &committed, const Tensor2<2> &F,
-                                          std::vector<double> &x, Scratch &scratch) const {
+                                          RveAnswer<2> &answer, Scratch &scratch) const {
+  std::vector<double> &x = answer.trial.unknowns;
   const CellLayout &layout = network.layout();
   const double spring = layout.spring_stiffness, share = scratch.history.pressure_share;
   EquilibriumReport report;
   for (const double part : {1e-4, 1e-3, 1e-2, 1e-1, 1., 10., 100.}) {
     recall(committed, share, scratch);
+    answer.whole.reset();
     EquilibriumSettings dragged = settings.equilibrium;
     dragged.drag = part * spring;
     map(F * committed.F.inverse(), committed.unknowns, x);
@@ -105,7 +107,7 @@ EquilibriumReport HydrostaticRve::drag_on(const RveState<2> &committed, const Te
     report = scratch.equilibrium.solve(x, F * layout.lattice, dragged);
     if (report.converged) {
       scratch.history.torn_dissipated += taken_by_drag(committed, F, start, x, scratch);
-      const EquilibriumReport after = break_bonds(F, x, scratch, dragged);
+      const EquilibriumReport after = break_bonds(F, answer, scratch, dragged);
       report.converged = after.converged;
       report.message = after.message;
       report.iterations += after.iterations;

@@ -104,10 +104,11 @@ class HydrostaticRve : public Rve<2> {
                    Scratch &scratch) const;
   EquilibriumReport find_equilibrium(const RveState<2> &committed, const Tensor2<2> &F,
                                      std::vector<double> &x, Scratch &scratch) const;
-  EquilibriumReport break_bonds(const Tensor2<2> &F, std::vector<double> &x, Scratch &scratch,
+  /// At rest at F, as the last equilibrium left it: bond after bond; answer.whole, if one breaks.
+  EquilibriumReport break_bonds(const Tensor2<2> &F, RveAnswer<2> &answer, Scratch &scratch,
                                 const EquilibriumSettings &search) const;
   /// Where a torn RVE finds no equilibrium: the least drag with which it comes to rest.
-  EquilibriumReport drag_on(const RveState<2> &committed, const Tensor2<2> &F, std::vector<double> &x,
+  EquilibriumReport drag_on(const RveState<2> &committed, const Tensor2<2> &F, RveAnswer<2> &answer,
                             Scratch &scratch) const;
   double taken_by_drag(const RveState<2> &committed, const Tensor2<2> &F, const std::vector<double> &start,
                        const std::vector<double> &x, Scratch &scratch) const;  ///< J

@@ -167,6 +167,7 @@ RveAnswer<2> MixedControl::advance(RveState<2> &state, double &time, const doubl
                                    LoadingPath::Load &load, Rve<2>::Workspace &workspace) {
   iterations = 0;
   cpu = 0.;
+  parts.clear();
   RveAnswer<2> answer;
   LoadingPath::Load last = load;
   const double whole = end - time;
@@ -184,6 +185,7 @@ RveAnswer<2> MixedControl::advance(RveState<2> &state, double &time, const doubl
       if (!any) at_first = smallest;
       any = true;
       good = answer;
+      parts.push_back({to, to - time, answer});
       load = last = next;
       time = to;
       if (to == end) break;

@@ -39,6 +39,13 @@ class MixedControl {
   double stiffness() const { return smallest; }
   /// The last that was found; belongs to the `load` and `time` of advance().
   const RveAnswer<2> &reached() const { return good; }
+  /// What the last advance() found on its way, in order, each committed for the next: when, and how long
+  /// after the one before (s).
+  struct Part {
+    double time, since;
+    RveAnswer<2> answer;
+  };
+  const std::vector<Part> &way() const { return parts; }
   bool searches() const { return !loading.found().empty(); }
 
  private:
@@ -59,6 +66,7 @@ class MixedControl {
   double smallest = 0., at_first = 0.;  ///< Pa
   bool any = false;
   RveAnswer<2> good;
+  std::vector<Part> parts;
   long iterations = 0;
   double cpu = 0.;
 };

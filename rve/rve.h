@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -70,8 +71,11 @@ struct RveAnswer {
   double energy = 0.;  ///< J/m^3 of reference volume, elastic and of motion that F does not show, 0 at F = I
   Tensor2<dim> viscous =
       Tensor2<dim>::Zero();  ///< Pa, the part of P whose work is all heat; see knows_heating()
-  double heating = 0.;       ///< W/m^3 of reference volume, heat besides, of motion that F does not show
-  double pressure = 0.;      ///< Pa, mean fluid pressure
+  /// Pa, P less `viscous` with which F was reached, where walls broke there: what the work of getting there
+  /// is by. Empty where none broke.
+  std::optional<Tensor2<dim>> whole;
+  double heating = 0.;   ///< W/m^3 of reference volume, heat besides, of motion that F does not show
+  double pressure = 0.;  ///< Pa, mean fluid pressure
   RveCondition condition;
   /// Green strain |dE| from here within which nothing happens to walls and cells for good, a lower bound;
   /// negative: something has happened.
@@ -84,6 +88,7 @@ struct RveAnswer {
     sigma.setZero();
     P.setZero();
     viscous.setZero();
+    whole.reset();
     tangent.setZero();
     rate_tangent.setZero();
     energy = heating = pressure = 0.;

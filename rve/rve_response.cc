@@ -8,6 +8,7 @@
 #include "run/run_context.h"
 #include "rve/closed_form_comparison.h"
 #include "rve/condition_report.h"
+#include "rve/energy_account.h"
 #include "rve/make_rve.h"
 #include "rve/mixed_control.h"
 #include "rve/structure_report.h"
@@ -124,6 +125,9 @@ struct RveResponse::Walk {
         comparison(rve),
         table(context.series("stress", stress_columns(cells_.has_air()))) {
     if (cells.has_history()) condition.emplace(context);
+    if (cells.knows_heating() && !(cells.burst() > 0.))
+      energy.emplace(context, cells, rve.equilibrium_tolerance() * rve.cell.turgor,
+                     search_of(rve).exact_tangent);
   }
 
   const LoadingPath &path;
@@ -135,6 +139,7 @@ struct RveResponse::Walk {
   std::unique_ptr<Series> table;
   std::optional<TangentReport> tangents;
   std::optional<ConditionReport> condition;
+  std::optional<EnergyAccount> energy;
   RveAnswer<2> last;
   double last_time = 0.;  ///< s
   std::size_t points = 0;
@@ -190,6 +195,19 @@ void RveResponse::take(Walk &walk, const LoadingPath::Load &load, const RveAnswe
     walk.unstable = load.time;
 }
 
+/// since: s, of a point with F given.
+void RveResponse::account(Walk &walk, const RveAnswer<2> &found, const double time,
+                          const double since) const {
+  if (!walk.energy) return;
+  std::vector<MixedControl::Part> parts = walk.control.way();
+  if (!walk.control.searches() && found.diagnostics.converged) parts.push_back({time, since, found});
+  for (const MixedControl::Part &part : parts)
+    if (walk.points == 0)
+      walk.energy->start(part.time, part.answer);
+    else
+      walk.energy->step(part.time, part.answer, part.since, *walk.workspace);
+}
+
 void RveResponse::walk(RunContext &context, Walk &walk) const {
   const std::vector<double> times = walk.path.times();
   double time = times.front();
@@ -203,6 +221,7 @@ void RveResponse::walk(RunContext &context, Walk &walk) const {
       load = walk.path.at(next);
       found = answer(walk.cells, walk.state, load, next - time, *walk.workspace, with_tangent);
     }
+    account(walk, found, next, next - time);
     if (!found.diagnostics.converged) {
       if (walk.points > 0 && time > walk.last_time) take(walk, load, walk.control.reached());
       finish(context, walk);
@@ -217,6 +236,7 @@ void RveResponse::walk(RunContext &context, Walk &walk) const {
                        number_text(times.size()) + " points was written.");
   }
   finish(context, walk);
+  if (walk.energy) walk.energy->judge(context);
 }
 
 void RveResponse::finish(RunContext &context, const Walk &walk) const {
@@ -225,6 +245,8 @@ void RveResponse::finish(RunContext &context, const Walk &walk) const {
   const RveAnswer<2> &last = walk.last;
   for (int c = 0; c < 4; ++c)
     context.result(std::string("final_sigma_") + component_names[c], last.sigma(c / 2, c % 2), "Pa");
+  for (int c = 0; c < 4; ++c)
+    context.result(std::string("final_P_") + component_names[c], last.P(c / 2, c % 2), "Pa");
   context.result("final_pressure", last.pressure, "Pa");
   walk.moduli.results(context);
   context.result("evaluations", double(walk.points), "");
@@ -243,6 +265,7 @@ void RveResponse::finish(RunContext &context, const Walk &walk) const {
   walk.comparison.say(context);
   if (walk.tangents) walk.tangents->say(context);
   if (walk.condition) walk.condition->say(context);
+  if (walk.energy) walk.energy->results(context);
   if (walk.unstable) {
     context.result("dead_load_unstable_time", *walk.unstable, "s");
     remarked(context, "dead_load_unstable_time",

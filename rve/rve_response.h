@@ -24,6 +24,8 @@ class RveResponse : public Scenario {
   /// What was found at a point, into tables and results.
   void take(Walk &walk, const LoadingPath::Load &load, const RveAnswer<2> &found,
             bool with_tangent = true) const;
+  /// What was found since the last call, on the way to a point, into the balance of energy.
+  void account(Walk &walk, const RveAnswer<2> &found, double time, double since) const;
   void add_row(Walk &walk, const LoadingPath::Load &load) const;
   void finish(RunContext &context, const Walk &walk) const;
 

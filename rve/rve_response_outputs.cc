@@ -1,6 +1,7 @@
 #include "rve/rve_response.h"
 
 #include "rve/condition_report.h"
+#include "rve/energy_account.h"
 #include "rve/tangent_report.h"
 
 namespace turgor {
@@ -10,6 +11,9 @@ const char *const other = "with Structure other than square";
 std::vector<OutputDefinition> stress_results() {
   return {{"final_sigma_*", "Pa",
            "That component of the RVE's mean Cauchy stress at the last point, positive in tension."},
+          {"final_P_*", "Pa",
+           "That component of the first Piola-Kirchhoff stress, force over undeformed area, at the last "
+           "point."},
           {"final_pressure", "Pa", "Mean pressure of the fluid at the last point."},
           {"shear_modulus", "Pa",
            "Shear stress sigma_xy, less the viscous one, over F_xy + F_yx, at the first point at which only "
@@ -81,6 +85,7 @@ Outputs RveResponse::outputs() const {
   Outputs all;
   TangentReport::define(all);
   ConditionReport::define(all);
+  EnergyAccount::define(all);
   all.results({{"dead_load_unstable_time", "s",
                 "Time of the first point at which the stresses given are balanced, but would not be borne "
                 "stably by dead load.",
