@@ -31,6 +31,20 @@ CellLayout turned(CellLayout layout, const double angle) {
   return layout;
 }
 
+/// side: of a square as large as the cells in the mean; refused where no cell is so large, with the unit that
+/// it may be in.
+void require_metres(const double side) {
+  constexpr double least = 1e-7, most = 1e-2;  // m, as Cell/Period
+  if (side >= least && side <= most) return;
+  const bool micrometres = side >= 1.;
+  std::string text = "its cells are " + number_text(side, 3) + " m wide in the mean, allowed are " +
+                     number_text(least) + " to " + number_text(most) + " m";
+  if (side > most)
+    text += std::string(": it looks like ") + (micrometres ? "micrometres" : "millimetres") +
+            ". Give x and y in m, times " + (micrometres ? "1e-6" : "1e-3");
+  throw std::invalid_argument(text + ".");
+}
+
 /// Rows of one cell after the other: its number, x, y. Corners nearer than a thousandth of the mean size are
 /// one.
 Tiling polygons_of(const std::string &file) {
@@ -46,6 +60,7 @@ Tiling polygons_of(const std::string &file) {
   }
   double area = 0.;
   for (const auto &polygon : polygons) area += std::abs(polygon_area(polygon)) / double(polygons.size());
+  if (area > 0.) require_metres(std::sqrt(area));
   return join_polygons(polygons, nullptr, 1e-3 * std::sqrt(area));
 }
 

@@ -165,6 +165,17 @@ BOOST_AUTO_TEST_CASE(a_table_of_polygons_is_measured) {
   BOOST_CHECK_EXCEPTION(
       run(memory, "subsection Structure\nset Structure = polygons\nset Tissue file = " + file + "\nend\n"),
       InputError, says("2 corners"));
+  for (const auto &[corners, words] :
+       {std::pair{"1,0,0\n1,200,0\n1,200,100\n1,0,100\n",
+                  "cells are 141 m wide in the mean, allowed are 1e-07 to 0.01 m: it looks like micrometres"},
+        std::pair{"1,0,0\n1,0.2,0\n1,0.2,0.1\n1,0,0.1\n",
+                  "it looks like millimetres. Give x and y in m, times 1e-3"},
+        std::pair{"1,0,0\n1,2e-9,0\n1,2e-9,1e-9\n", "cells are 1e-09 m wide"}}) {
+    std::ofstream(file) << "cell,x,y\n" << corners;
+    BOOST_CHECK_EXCEPTION(
+        run(memory, "subsection Structure\nset Structure = polygons\nset Tissue file = " + file + "\nend\n"),
+        InputError, says(words));
+  }
 }
 
 // What a tissue of them will need is told without building one.
