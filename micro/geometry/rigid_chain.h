@@ -24,8 +24,8 @@ class RigidChain final : public Obstacle<2> {
   std::string name() const override { return "rigid_chain"; }
   std::size_t size() const { return laid.size(); }
   Vector<2> arm(const std::size_t k) const { return turn_by * laid[k]; }
-  /// m, from where it was laid, of what is now at `by` (m) from the centre.
-  Vector<2> way_of(const Vector<2> &by) const { return centre - laid_centre + by - turn_by.transpose() * by; }
+  /// m, from where it was laid, of what was at `by` (m) from its centre then.
+  Vector<2> way_of(const Vector<2> &by) const { return centre - laid_centre + turn_by * by - by; }
   Vector<2> node(const std::size_t k) const { return centre + arm(k); }
 
   /// The nearest of its faces; outside alone.

@@ -144,6 +144,7 @@ void BulkFluid<dim>::archive(Archive &a, Particles<dim> &particles) {
   a(origin, builds, scale);
   for (std::vector<double> *field : carried(particles)) a.fixed(*field);
   archive_bodies(a);
+  a(pattern);
   if (a.loading()) built = drag_built = false;
 }
 

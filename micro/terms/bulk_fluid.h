@@ -124,7 +124,6 @@ class BulkFluid final : public Term<dim> {
   void archive_bodies(Archive &a);
   std::vector<typename SphDrag<dim>::Carrier> rows_of_bodies(std::size_t rows, std::size_t n) const;
   void push_bodies();                             ///< what nodes feel of pressure and stress
-  std::vector<double> held;                       ///< J, of a solid's hold, over the intact share
   std::size_t body_at(std::uint32_t node) const;  ///< whose it is; none: their number
   void follow(const Particles<dim> &particles);   ///< images go with their particles
   Frame look();
@@ -137,6 +136,8 @@ class BulkFluid final : public Term<dim> {
   void declare_stress(Particles<dim> &particles);
   std::vector<std::vector<double> *> carried(Particles<dim> &particles) const;  ///< fields that last
   double stored_in_solid(const Particles<dim> &particles) const;                ///< J
+  typename LaidPattern<dim>::State since_laid(const Particles<dim> &particles) const;
+  double holding() const;  ///< N/m, V k of what holds particles (laid_pattern.h)
   void pull_of_stress(Particles<dim> &particles, std::vector<Vector<dim>> &on_nodes);
   void strain(Particles<dim> &particles, double h);  ///< densities and stresses follow a step
   /// Of particles and, behind them, the walls' nodes, as the matrix has them; tells the drag where these are.
@@ -168,7 +169,8 @@ class BulkFluid final : public Term<dim> {
   double scale = 1.;
   SphDrag<dim> drag;
   bool drag_built = false;
-  std::uint32_t given = 0;  ///< first node among the bodies of given velocity
+  LaidPattern<dim> pattern;  ///< of a solid, as it was when forces were asked first
+  std::uint32_t given = 0;   ///< first node among the bodies of given velocity
   bool moving = false;
 };
 

@@ -62,11 +62,8 @@ void BulkFluid<dim>::build_drag(const Particles<dim> &particles) {
             if (point[2 * q + 1] > 0.) {
               const Vector<2> r = to_a + point[2 * q] * along;
               drag.ray(r, point[2 * q + 1], node_of[a], node_of[b], point[2 * q], fading);
-              if (const auto body = body_at(node_of[a]); body < bodies.size()) {
-                const Vector<2> arm = x + r - node_shift[a] - bodies[body]->centre;
-                drag.on_carrier(std::uint32_t(body), arm);
-                drag.ray_moved(chain(body).way_of(arm));
-              }
+              if (const auto body = body_at(node_of[a]); body < bodies.size())
+                drag.on_carrier(std::uint32_t(body), x + r - node_shift[a] - bodies[body]->centre);
             }
         }
   }

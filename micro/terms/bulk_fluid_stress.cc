@@ -1,6 +1,6 @@
 // The bulk fluid as a viscoelastic solid: elastic stress that its particles carry, in parallel with the
 // friction (Kelvin and Voigt), by the fitted gradient, which is exact for affine motion; and what the
-// gradient does not see, by where particles were laid (SphDrag::hold): without it such motion meets friction
+// gradient does not see, by where particles were laid (laid_pattern.h): without it such motion meets friction
 // alone and goes on for ever. That part is explicit in implicit steps, stable below 2 viscosity/shear
 // modulus.
 #include "micro/terms/bulk_fluid.h"
@@ -44,10 +44,33 @@ double BulkFluid<dim>::stored_in_solid(const Particles<dim> &particles) const {
   const StressField<dim, const double> S(particles, "stress");
   const double rho_0 = eos.reference_density();
   double total = 0.;
-  for (std::size_t i = 0; i < held.size(); ++i) total += intact[i] * held[i];
+  if (!pattern.empty())
+    for (const double one : pattern.energies(since_laid(particles), threads)) total += holding() * one;
   for (std::size_t i = 0; i < rho.size(); ++i)
     total += mass / rho_0 * parameters.solid.energy<dim>(rho[i] > 0. ? rho[i] / rho_0 : 1., S(i), intact[i]);
   return total;
+}
+
+template <int dim>
+double BulkFluid<dim>::holding() const {
+  return mass / eos.reference_density() * residual_share * parameters.solid.shear;
+}
+
+template <int dim>
+typename LaidPattern<dim>::State BulkFluid<dim>::since_laid(const Particles<dim> &particles) const {
+  typename LaidPattern<dim>::State state{.moved = std::vector<Vector<dim>>(particles.size()),
+                                         .anchors = {},
+                                         .intact = particles.field("intact"),
+                                         .holds = pattern.holds(particles.field("intact"), nodes())};
+  for (int d = 0; d < dim; ++d)
+    for (std::size_t i = 0; i < state.moved.size(); ++i)
+      state.moved[i][d] = particles.field(moved_names[d])[i];
+  state.anchors.assign(pattern.all_anchors().size(), Vector<dim>::Zero());
+  if constexpr (dim == 2)
+    for (std::size_t q = 0; q < state.anchors.size(); ++q)
+      if (const auto &one = pattern.all_anchors()[q]; one.carrier != LaidPattern<2>::at_rest)
+        state.anchors[q] = chain(one.carrier).way_of(Vector<2>(one.arm[0], one.arm[1]));
+  return state;
 }
 
 template <int dim>
@@ -62,11 +85,8 @@ void BulkFluid<dim>::pull_of_stress(Particles<dim> &particles, std::vector<Vecto
   }
   const double volume = mass / eos.reference_density();
   drag.pull(total, volume, particles.f, on_nodes);
-  std::vector<Vector<dim>> moved(particles.size());
-  for (int d = 0; d < dim; ++d)
-    for (std::size_t i = 0; i < moved.size(); ++i) moved[i][d] = particles.field(moved_names[d])[i];
-  held = drag.hold(moved, particles.field("intact"), volume * residual_share * parameters.solid.shear,
-                   particles.f, on_nodes);
+  if (pattern.empty()) pattern = drag.pattern();
+  pattern.add_forces(since_laid(particles), holding(), threads, particles.f, on_nodes);
 }
 
 template <int dim>

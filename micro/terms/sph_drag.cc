@@ -66,11 +66,6 @@ void SphDrag<dim>::ray(const Vector<dim> &r, const double w, const std::uint32_t
 }
 
 template <int dim>
-void SphDrag<dim>::ray_moved(const Vector<dim> &by) {
-  rays.back().moved = row_of<dim>(by);
-}
-
-template <int dim>
 void SphDrag<dim>::on_carrier(const std::uint32_t carrier, const Vector<dim> &arm) {
   Ray &ray = rays.back();
   ray.carrier = carrier;

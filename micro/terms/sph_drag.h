@@ -26,6 +26,7 @@
 
 #include "micro/geometry/tensor.h"
 #include "micro/solve/own_product.h"
+#include "micro/terms/laid_pattern.h"
 
 #include <array>
 #include <cstdint>
@@ -48,8 +49,6 @@ class SphDrag final : public OwnProduct {
   /// 2 N/s dOmega, close to the wall.
   void ray(const Vector<dim> &r, double w, std::uint32_t a, std::uint32_t b, double share,
            double fading = 1.);
-  /// m, from where the last ray's point of the wall was when the solid was laid; none: it is there still.
-  void ray_moved(const Vector<dim> &by);
   /// The last ray's point is on rigid body number `carrier`; arm: m, from its centre.
   void on_carrier(std::uint32_t carrier, const Vector<dim> &arm);
   void finish(unsigned int threads);
@@ -76,21 +75,15 @@ class SphDrag final : public OwnProduct {
   /// The same of stresses (Pa, positive in tension): they do -V sum stress_i : G_i in any flow.
   void pull(const std::vector<Tensor2<dim>> &stress, double volume, std::array<std::vector<double>, dim> &f,
             std::vector<Vector<dim>> &on_nodes) const;
-  /// f += forces (N) by which a solid resists what its fitted gradients do not see, an elastic residual
-  /// beside that of least_squares: with X_ij = r_ij - (moved_j - moved_i), moved (m) from where it was laid,
-  /// and F_i of the least squares r = F X with weights w f_j,
-  ///   F_i = V k sum_j w f_i f_j [2 r_ij - (F_i + F_j) X_ij] + V k f_i sum_q w_q (r_q - F_i X_q)
-  /// No force in an affine state, none that turns. V k: N/m; f: share of each body that is intact. The energy
-  /// (J) of each body over its f.
-  std::vector<double> hold(const std::vector<Vector<dim>> &moved, const std::vector<double> &intact,
-                           double Vk, std::array<std::vector<double>, dim> &f,
-                           std::vector<Vector<dim>> &on_nodes) const;
   /// 1/s, G of every body at velocities v.
   std::vector<Tensor2<dim>> gradients(const BodyVector *v, unsigned int threads) const;
   /// 1/m; sum w r of body i, that of the wall halved: none where its neighbours stand evenly around it.
   Vector<dim> unevenness(std::size_t i) const;
   /// Least squares gradient (1/m) of a number that each body has, without walls.
   Vector<dim> gradient(const std::vector<double> &values, std::size_t i) const;
+
+  /// What is around every body, to remember (least_squares' weights).
+  LaidPattern<dim> pattern() const;
 
   /// The walls' nodes are `nodes` bodies of given velocity from `first` on; 0: they are at rest.
   void walls(std::uint32_t first, std::uint32_t nodes);
@@ -142,7 +135,6 @@ class SphDrag final : public OwnProduct {
     DoubleRow r;
     std::uint32_t carrier = none;
     DoubleRow turning{};  ///< m, velocity of the point over the spin of its carrier
-    DoubleRow moved{};    ///< m
   };
   static constexpr std::uint32_t none = 0xffffffff;
   template <class Row, class Vectors>
@@ -150,9 +142,6 @@ class SphDrag final : public OwnProduct {
   template <class Row, class Vectors>
   void multiply(const Copy<Row> &copy, const Vectors *v, std::size_t begin, std::size_t end,
                 Vectors *product) const;
-  /// F of body i, and the energy of what it leaves over, over V k f_i.
-  Tensor2<dim> fitted_deformation(std::size_t i, const std::vector<Vector<dim>> &moved,
-                                  const std::vector<double> &intact, double &left) const;
   template <class By>
   void push_by(const By &by, double volume, std::array<std::vector<double>, dim> &f,
                std::vector<Vector<dim>> &on_nodes) const;

@@ -107,6 +107,32 @@ Vector<dim> SphDrag<dim>::gradient(const std::vector<double> &values, const std:
   return S.determinant() > 1e-3 ? Vector<dim>(S.inverse() * rhs) : Vector<dim>(Vector<dim>::Zero());
 }
 
+template <int dim>
+LaidPattern<dim> SphDrag<dim>::pattern() const {
+  LaidPattern<dim> all;
+  const auto vector_of = [](const DoubleRow a) {
+    Vector<dim> result;
+    for (int d = 0; d < dim; ++d) result[d] = a[d];
+    return result;
+  };
+  for (std::size_t i = 0; i < bodies(); ++i) {
+    all.body();
+    for (std::uint32_t k = first[i]; k < first[i + 1]; ++k)
+      all.bond(other[k], vector_of(exact.u[k]) / exact.weight[k], exact.weight[k]);
+    for (std::uint32_t q = first_ray[i]; q < first_ray[i + 1]; ++q) {
+      const Ray &ray = rays[q];
+      all.anchor(vector_of(ray.r), {.a = ray.a,
+                                    .b = ray.b,
+                                    .carrier = ray.carrier,
+                                    .share = ray.share,
+                                    .w = ray.w,
+                                    .X = {},
+                                    .arm = {ray.turning[1], -ray.turning[0], 0.}});
+    }
+  }
+  return all;
+}
+
 template class SphDrag<2>;
 template class SphDrag<3>;
 }  // namespace turgor

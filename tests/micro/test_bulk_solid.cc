@@ -106,11 +106,10 @@ BOOST_AUTO_TEST_CASE(forces_do_what_the_energy_loses_and_keep_both_momenta) {
   FreeBlock block;
   Particles<2> &p = block.particles();
   block.random_velocities();
-  block.move(1e-3);  // a state of stress, so small that what holds the particles is the slope of its energy
+  block.move(0.05);  // a state of stress
   const double before = block.energy(), power = block.power(), h = 1e-7;
   block.move(h);
-  BOOST_TEST(std::abs((block.energy() - before) / h + power) < 1e-2 * std::abs(power));
-  block.move(0.05);
+  BOOST_TEST(std::abs((block.energy() - before) / h + power) < 1e-5 * std::abs(power));
   double force[2] = {}, torque = 0., largest = 0.;
   for (std::size_t i = 0; i < 100; ++i) {
     for (int d = 0; d < 2; ++d) force[d] += p.f[d][i];
