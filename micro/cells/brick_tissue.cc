@@ -54,6 +54,21 @@ std::vector<LamellaTie> ties_of_particles(const BrickTissue &tissue, const std::
   return ties;
 }
 
+/// Rings need not be equally long: a bond and a face for every node.
+std::shared_ptr<WallDamage> whole_walls(const std::vector<Group> &rings) {
+  auto damage = std::make_shared<WallDamage>(rings.size(), 0, 0);
+  for (std::size_t c = 0; c < rings.size(); ++c)
+    for (auto *marks : {&damage->cells[c].bond_broken, &damage->cells[c].face_gone})
+      marks->assign(rings[c].wall_count(), 0);
+  return damage;
+}
+
+std::shared_ptr<WallFlow> unstretched_walls(const std::vector<Group> &rings) {
+  auto flow = std::make_shared<WallFlow>(rings.size(), 0);
+  for (std::size_t c = 0; c < rings.size(); ++c) flow->permanent[c].assign(rings[c].wall_count(), 1.);
+  return flow;
+}
+
 CellContactParameters contact_of(const BrickTissue &tissue, const BrickParameters &brick) {
   CellContactParameters contact;
   contact.soft = brick.structure.gap > 0.;
@@ -106,10 +121,7 @@ std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, co
     system.box.H = layout.lattice;
     system.box.periodic = layout.periodic;
   }
-  const std::size_t cells = layout.cells();
-  const std::uint32_t ring_nodes = layout.rings[0].count,
-                      inside = filled ? sph.particles_per_side * sph.particles_per_side
-                                      : 0;  // rings are all as long
+  const std::uint32_t inside = filled ? sph.particles_per_side * sph.particles_per_side : 0;
   tissue->spacing = layout.spacing;
   tissue->lightest_node = *std::min_element(layout.node_mass.begin(), layout.node_mass.end());
   tissue->spring_stiffness = layout.spring_stiffness;
@@ -117,7 +129,7 @@ std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, co
 
   tissue->wall = &system.add(make_walls(layout));
   if (filled && brick.critical_stretch > 0.) {
-    tissue->damage = std::make_shared<WallDamage>(cells, ring_nodes, ring_nodes);
+    tissue->damage = whole_walls(system.particles.groups);
     tissue->wall->set_damage(tissue->damage);
   }
   if (filled) {
@@ -132,7 +144,7 @@ std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, co
         &system.add(std::make_unique<LamellaTies>(ties_of_particles(*tissue, inside), tissue->lightest_node,
                                                   brick.lamella_strength * tissue->spacing * p.depth));
   if (filled && brick.yielding == Yielding::plastic)
-    tissue->flow = std::make_shared<WallFlow>(cells, ring_nodes);
+    tissue->flow = unstretched_walls(system.particles.groups);
   tissue->contact = &system.add(std::make_unique<CellContact>(contact_of(*tissue, brick), tissue->damage));
   return tissue;
 }

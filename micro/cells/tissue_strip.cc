@@ -85,9 +85,10 @@ void check_strip(const TissueStructure &structure, const ParenchymaParameters &c
                  const StripEnds ends) {
   structure.check();
   if (structure.kind == StructureKind::voronoi || structure.measured())
-    throw std::invalid_argument("Structure/Structure is " + word_of(structure.kind) +
-                                ", but a strip of particles (Sides) has cells with equally many wall nodes: "
-                                "use square, hexagon or brick.");
+    throw std::invalid_argument(
+        "Structure/Structure is " + word_of(structure.kind) +
+        ", but a strip of particles (Sides) has cells that stand in rows: use square, hexagon "
+        "or brick.");
   if (ends == StripEnds::all && rows % 2 != 0 && structure.kind != StructureKind::square)
     throw std::invalid_argument(
         "Rows is " + number_text(rows) + ", but rows of Structure/Structure = " + word_of(structure.kind) +
@@ -97,13 +98,7 @@ void check_strip(const TissueStructure &structure, const ParenchymaParameters &c
     throw std::invalid_argument(
         "Structure/Rotation is " + number_text(structure.rotation) +
         " degrees, but a strip (Sides) is periodic along x, and so is its tissue: use 0.");
-  const CellLayout few = laid_tissue(structure, cell, 2, 2);
-  for (const WallRing &ring : few.rings)
-    if (ring.count != few.rings[0].count)
-      throw std::invalid_argument(
-          "Structure/Corner jitter is " + number_text(structure.jitter) +
-          ", with which cells have unlike numbers of wall nodes; a strip of particles (Sides) needs equal "
-          "ones: use a smaller jitter, or 0.");
+  laid_tissue(structure, cell, 2, 2);
 }
 
 BrickLayout lay_strip(const TissueStructure &structure, const ParenchymaParameters &cell,
@@ -114,11 +109,6 @@ BrickLayout lay_strip(const TissueStructure &structure, const ParenchymaParamete
   static_cast<CellLayout &>(strip) =
       turgid_tissue(structure, cell, columns, rows, block ? Periods::upright : Periods::leaning);
   cut_ends(strip, {!block, false});
-  for (const WallRing &ring : strip.rings)
-    if (ring.count != strip.rings[0].count)
-      throw std::invalid_argument(
-          "The cells of this strip have unlike numbers of wall nodes: use a smaller Structure/Corner jitter, "
-          "or 0.");
   strip.junctions = structure.gap > 0. ? corners_at_air(strip, structure.gap) : junctions_of(strip);
   strip.tie_from_end = from_ends(strip);
   return strip;

@@ -18,7 +18,8 @@ namespace turgor {
 enum class StripEnds { above_and_below, all };
 
 /// cell: with the walls' yielding. Throws std::invalid_argument with a sentence where such a strip cannot be:
-/// cells of unlike rings, a tissue that is turned, a block with an odd number of rows that are moved.
+/// cells that do not stand in rows, a tissue that is turned, a block with an odd number of rows that are
+/// moved.
 BrickLayout lay_strip(const TissueStructure &structure, const ParenchymaParameters &cell,
                       unsigned int columns, unsigned int rows, StripEnds ends = StripEnds::above_and_below);
 
