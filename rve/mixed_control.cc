@@ -12,9 +12,10 @@
 namespace turgor {
 namespace {
 constexpr const char *names[4] = {"xx", "xy", "yx", "yy"};
-constexpr double crushed = 0.5;   // of the size along one direction: there walls are slack
-constexpr double longest = 0.05;  // of a step of Newton's method, in a component of F
-constexpr double farthest = 0.1;  // from one balance to the next: beyond it is another one, not reached so
+constexpr double crushed = 0.5;    // of the size along one direction: there walls are slack
+constexpr double longest = 0.05;   // of a step of Newton's method, in a component of F
+constexpr double farthest = 0.1;   // from one balance to the next: beyond it is another one, not reached so
+constexpr double at_break = 1e-5;  // from a balance to where a wall breaks: that is where it breaks
 }  // namespace
 
 struct MixedControl::Search {
@@ -59,6 +60,8 @@ RveAnswer<2> MixedControl::evaluate(const RveState<2> &from, const double dt, Lo
   answer = rve.evaluate(from, load.F, load.F_dot, request, workspace);
   iterations += answer.diagnostics.iterations;
   cpu += answer.diagnostics.cpu_seconds;
+  const double away = (load.F - from.F).cwiseAbs().maxCoeff();
+  if (answer.diagnostics.converged && answer.whole && away < breaking.away) breaking = {away, answer};
   return answer;
 }
 
@@ -104,6 +107,7 @@ bool MixedControl::newton_step(Search &search, const RveState<2> &from, const do
 RveAnswer<2> MixedControl::find(const RveState<2> &from, const double dt, LoadingPath::Load &load,
                                 Rve<2>::Workspace &workspace) {
   for (const int k : loading.found()) load.F(k / 2, k % 2) = from.F(k / 2, k % 2);  // where the search begins
+  breaking = {};
   Search search;
   search.answer = evaluate(from, dt, load, workspace);
   if (!search.answer.diagnostics.converged) return search.answer;
@@ -121,7 +125,7 @@ RveAnswer<2> MixedControl::find(const RveState<2> &from, const double dt, Loadin
   }
   double jump = 0.;
   for (const int k : loading.found()) jump = std::max(jump, std::abs((load.F - from.F)(k / 2, k % 2)));
-  if (jump > farthest) {
+  if (jump > farthest && !just_broken) {
     search.answer.diagnostics.converged = false;
     search.answer.diagnostics.message =
         "the next balance is a jump of F by " + number_text(jump, 3) + " away";
@@ -186,11 +190,17 @@ RveAnswer<2> MixedControl::advance(RveState<2> &state, double &time, const doubl
       any = true;
       good = answer;
       parts.push_back({to, to - time, answer});
+      just_broken = false;
       load = last = next;
       time = to;
       if (to == end) break;
       state = answer.trial;
       part = std::min(2. * part, whole);
+    } else if (breaking.away < at_break) {
+      state = breaking.answer.trial;
+      parts.push_back({to, to - time, breaking.answer});
+      just_broken = true;
+      time = to;
     } else if (part *= 0.5; !(part > whole / 2048.)) {
       explain(answer, last, next);
       load = last;

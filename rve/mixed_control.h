@@ -9,6 +9,10 @@
 // time is halved, down to 1/1024, and its parts are committed one by one. Where RVEs have a tangent that is
 // no derivative (particles that relax), Broyden's rank-one corrections bring it there.
 //
+// Where a wall breaks the stress jumps, and no F carries what is given before and after. The walls then break
+// where the search comes to within 1e-5 of the last balance, at that F, and what is left of them is brought
+// into balance from there.
+//
 //   const MixedControl control(rve, loading, settings);
 //   control.advance(state, time, load.time, load, workspace)
 //     // answer at load.time; load.F and load.F_dot are those found
@@ -19,6 +23,8 @@
 
 #include "rve/loading_path.h"
 #include "rve/rve.h"
+
+#include <limits>
 
 namespace turgor {
 struct MixedControlSettings {
@@ -50,6 +56,11 @@ class MixedControl {
 
  private:
   struct Search;
+  /// Where walls break, nearest to where a search began.
+  struct Break {
+    double away = std::numeric_limits<double>::infinity();  ///< in a component of F
+    RveAnswer<2> answer;
+  };
   RveAnswer<2> find(const RveState<2> &from, double dt, LoadingPath::Load &load,
                     Rve<2>::Workspace &workspace);
   bool newton_step(Search &search, const RveState<2> &from, double dt, LoadingPath::Load &load,
@@ -67,6 +78,8 @@ class MixedControl {
   bool any = false;
   RveAnswer<2> good;
   std::vector<Part> parts;
+  Break breaking;
+  bool just_broken = false;  ///< since the last balance: the next may be far
   long iterations = 0;
   double cpu = 0.;
 };
