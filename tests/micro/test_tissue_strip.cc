@@ -9,6 +9,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
+#include <set>
 #include <string>
 
 using namespace turgor;
@@ -75,6 +76,35 @@ BOOST_AUTO_TEST_CASE(ties_and_air_of_a_sparse_strip) {
         BOOST_TEST((tie.a != layout.rings[c].first + corner && tie.b != layout.rings[c].first + corner));
   // two bonds of 10 um from the end of a half side, and of a whole one
   for (const std::uint32_t bonds : layout.tie_from_end) BOOST_TEST(bonds >= 2u);
+}
+
+// Corners that are moved give rings of unlike lengths: still the very tissue of the RVE, with a mark for
+// every bond.
+BOOST_AUTO_TEST_CASE(cells_of_unlike_rings) {
+  Strip strip;
+  strip.brick.structure.jitter = 0.15;
+  strip.brick.columns = 2;
+  strip.brick.critical_stretch = 1.3;
+  strip.brick.yielding = Yielding::plastic;
+  for (const double gap : {0., 20e-6}) {
+    strip.brick.structure.gap = gap;
+    const auto tissue = make_brick_tissue(strip.cell, strip.sph, strip.brick);
+    const BrickLayout &layout = tissue->layout;
+    const CellLayout whole =
+        turgid_tissue(strip.brick.structure, strip.brick.yielding_cell(strip.cell), 2, 3);
+    BOOST_TEST(layout.rest_length == whole.rest_length, boost::test_tools::per_element());
+    std::set<std::uint32_t> counts;
+    for (std::size_t c = 0; c < layout.cells(); ++c) {
+      counts.insert(layout.rings[c].count);
+      BOOST_TEST(tissue->system.particles.groups[c].wall_count() == layout.rings[c].count);
+      BOOST_TEST(tissue->damage->cells[c].bond_broken.size() == layout.rings[c].count);
+      BOOST_TEST(tissue->damage->cells[c].face_gone.size() == layout.rings[c].count);
+      BOOST_TEST(tissue->flow->permanent[c].size() == layout.rings[c].count);
+    }
+    BOOST_TEST(counts.size() > 1u);
+    const auto at_rest = rest_of_the_walls(strip.cell, strip.sph, strip.brick, {});
+    BOOST_TEST(at_rest->contact->crossed_bonds() == 0u);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_block_is_cut_on_all_sides) {

@@ -253,6 +253,29 @@ BOOST_AUTO_TEST_CASE(tissue_pressed_flat_is_told_apart_from_torn) {
   BOOST_TEST(less.message == "");
 }
 
+// Bricks pressed with free sides until a wall breaks: its cell drains, the stress jumps, and the path goes on
+// with what is left, in balance at every point.
+BOOST_AUTO_TEST_CASE(what_is_left_of_broken_walls_carries_on) {
+  RveParameters p = small("brick");
+  p.columns = 2;
+  p.rows = 2;
+  p.structure.jitter = 0.06;
+  p.walls.critical_stretch = 1.1;
+  MixedControlSettings settings;
+  settings.stress_accuracy = 1e-3 * p.cell.turgor;
+  const Walked w = walk(*make_rve(p), loading("xx", "", "0 : 1, 0; 0, 1 | 1 : 1, 0; 0, 0.84", 17), settings);
+  BOOST_REQUIRE_MESSAGE(w.answers.size() == 17u && w.answers.back().diagnostics.converged, w.message);
+  double before = 0.;
+  for (const RveAnswer<2> &answer : w.answers) {
+    BOOST_TEST(std::abs(answer.P(0, 0)) < settings.stress_accuracy);
+    BOOST_TEST(answer.condition.failed >= before);
+    if (before == 0. && answer.condition.failed == 0.) BOOST_TEST(answer.P(1, 1) <= 1.);
+    before = answer.condition.failed;
+  }
+  BOOST_TEST(before > 0.);
+  BOOST_TEST(before < 1.);
+}
+
 BOOST_AUTO_TEST_CASE(wrong_components_are_named) {
   const auto refused = [](const LoadingEntries &e, const std::string &words) {
     BOOST_CHECK_EXCEPTION(LoadingPath{e}, InputError, [&](const InputError &error) {
