@@ -175,7 +175,7 @@ RveAnswer<2> MixedControl::advance(RveState<2> &state, double &time, const doubl
   RveAnswer<2> answer;
   LoadingPath::Load last = load;
   const double whole = end - time;
-  double part = whole;
+  double part = whole, balanced = time;
   while (true) {
     const double to = part >= end - time ? end : time + part;
     LoadingPath::Load next = loading.at(to);
@@ -192,7 +192,7 @@ RveAnswer<2> MixedControl::advance(RveState<2> &state, double &time, const doubl
       parts.push_back({to, to - time, answer});
       just_broken = false;
       load = last = next;
-      time = to;
+      time = balanced = to;
       if (to == end) break;
       state = answer.trial;
       part = std::min(2. * part, whole);
@@ -204,6 +204,8 @@ RveAnswer<2> MixedControl::advance(RveState<2> &state, double &time, const doubl
     } else if (part *= 0.5; !(part > whole / 2048.)) {
       explain(answer, last, next);
       load = last;
+      time = balanced;
+      if (any) state = good.trial;
       break;
     }
   }
