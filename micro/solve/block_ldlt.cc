@@ -27,6 +27,7 @@ void store2(double *to, const Two v) { std::memcpy(to, &v, sizeof v); }
 
 /// Left factor of products of blocks, its columns side by side twice.
 struct Left {
+  Left() = default;
   Four first, second;
   explicit Left(const Four l)
       : first(__builtin_shufflevector(l, l, 0, 1, 0, 1)), second(__builtin_shufflevector(l, l, 2, 3, 2, 3)) {}
@@ -35,6 +36,26 @@ struct Left {
            second * __builtin_shufflevector(right, right, 1, 1, 3, 3);
   }
 };
+/// Takes l y^T of some columns that have the same rows off a column under way, rising. at: where each column
+/// begins, its row of l first; that block is taken off d.
+template <int columns>
+void take_off(const std::uint32_t *const at, const std::uint32_t count, const std::uint32_t *const rows,
+              const Block2 *const l_of, const Block2 *const y_of, Four &d, Block2 *const column) {
+  Left l[columns];
+  const Block2 *y[columns];
+  for (int c = 0; c < columns; ++c) {
+    l[c] = Left(load(l_of[at[c]]));
+    y[c] = y_of + at[c];
+    d -= l[c].times(load(y[c][0]));
+  }
+  const std::uint32_t *const row = rows + at[0];
+  for (std::uint32_t p = 1; p < count; ++p) {
+    Block2 &target = column[row[p]];
+    Four t = load(target);
+    for (int c = 0; c < columns; ++c) t -= l[c].times(load(y[c][p]));
+    store(target, t);
+  }
+}
 }  // namespace
 
 // Approximate minimum degree of the graph of blocks.
@@ -144,7 +165,12 @@ Eigen::SparseMatrix<double> BlockLdlt::matrix() const {
 // Column by column, all that the columns before take off it at once: no product then waits for the one
 // before, as it does along a row of L, where each block needs the last. Every block still sees the columns
 // rising.
+//
+// Columns that have the same rows from here on are taken off together, each block then fetched once: a column
+// and the one above it in the elimination tree (the first row of L in it) whose tails are as long; for what
+// the lower one has beyond its parent the parent has too.
 bool BlockLdlt::factorise() {
+  constexpr int most_alike = 4;
   // of its own, or the compiler reads them again after every block that is stored
   const std::uint32_t *const rows = rows_of_L.data(), *const start = start_of_L.data();
   Block2 *const l_of = L.data(), *const y_of = DL.data(), *const column = work.data();
@@ -154,14 +180,30 @@ bool BlockLdlt::factorise() {
     for (std::uint32_t p = start_of_A[i] + 1; p < start_of_A[i + 1]; ++p)
       store(column[rows_of_A[p]], load(input[p]));
     const InRow *const last = row_pattern.data() + start_of_row[i + 1];
-    for (const InRow *of = row_pattern.data() + start_of_row[i]; of < last; ++of) {
-      const std::uint32_t at = of->index, end = start[of->column + 1];
-      const Left l(load(l_of[at]));
-      d -= l.times(load(y_of[at]));
-      for (std::uint32_t p = at + 1; p < end; ++p) {
-        Block2 &target = column[rows[p]];
-        store(target, load(target) - l.times(load(y_of[p])));
+    for (const InRow *of = row_pattern.data() + start_of_row[i]; of < last;) {
+      const std::uint32_t count = start[of->column + 1] - of->index;
+      std::uint32_t at[most_alike] = {of->index};
+      int alike = 1;
+      for (; alike < most_alike && of + alike < last; ++alike) {
+        const InRow &next = of[alike];
+        if (rows[start[of[alike - 1].column]] != next.column || start[next.column + 1] - next.index != count)
+          break;
+        at[alike] = next.index;
       }
+      switch (alike) {
+        case 4:
+          take_off<4>(at, count, rows, l_of, y_of, d, column);
+          break;
+        case 3:
+          take_off<3>(at, count, rows, l_of, y_of, d, column);
+          break;
+        case 2:
+          take_off<2>(at, count, rows, l_of, y_of, d, column);
+          break;
+        default:
+          take_off<1>(at, count, rows, l_of, y_of, d, column);
+      }
+      of += alike;
     }
     const std::uint32_t begin = start[i], end = start[i + 1];
     const double off = 0.5 * (d[1] + d[2]), determinant = d[0] * d[3] - off * off;
