@@ -63,6 +63,9 @@ void refuse_what_cells_lack(const std::map<std::string, std::string> &values, co
     throw InputError(std::string(entry) + " is " + found->second + ", but the scene of all cells (" + cells +
                      ") has walls that neither yield nor break: compare with none, or 0.");
   }
+  if (const auto air = values.find("Structure/Air"); air != values.end() && air->second != "connected")
+    throw InputError("Structure/Air is " + air->second + ", but the scene of all cells (" + cells +
+                     ") has air that leaves freely: compare with connected.");
 }
 
 /// The entry that says how many rows the tissue has.

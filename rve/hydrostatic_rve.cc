@@ -49,6 +49,7 @@ HydrostaticRve::HydrostaticRve(CellLayout turgid, const HydrostaticRveSettings &
     throw std::invalid_argument("Walls that flow or break need 'RVE/Rule = elastic_equilibrium'.");
   network.set_limits(settings.walls);
   require_whole_walls();
+  if (has_air()) network.shut_air(settings.air);
   virgin = network.new_history(reference);
   NetworkEvaluation e;
   network.evaluate(reference, network.layout().lattice, NetworkOrder::energy, e, &virgin);

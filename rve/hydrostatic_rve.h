@@ -25,7 +25,8 @@
 // is the same.
 //
 // Where there are air spaces (air_contact.h) they are at p = 0: the air is connected with the air outside and
-// leaves freely. Stress is over the whole area, air included, the Newtonian one times the cells' share of it;
+// leaves freely; or it is shut in and resists (air_gas.h), from the reference on, also beside torn walls.
+// Stress is over the whole area, air included, the Newtonian one times the cells' share of it;
 // an answer tells the air's share. Walls that have passed through each other are no answer.
 //
 // In: F (no unit), F_dot (1/s). Out: see rve.h. State: node positions (m), x and y interleaved; history:
@@ -50,6 +51,7 @@ struct HydrostaticRveSettings {
   RveBoundary boundary = RveBoundary::periodic;  ///< others need elastic_equilibrium
   EquilibriumSettings equilibrium;
   WallLimits walls;                    ///< needs elastic_equilibrium
+  AirGasLaw air;                       ///< of air spaces; default: connected
   std::vector<Tensor2<2>> symmetries;  ///< of the layout, see rve.h
 };
 

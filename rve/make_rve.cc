@@ -50,6 +50,7 @@ HydrostaticRveSettings hydrostatic_settings(const RveParameters &p) {
   settings.equilibrium = {p.equilibrium_tolerance(), p.max_iterations};
   settings.walls = p.wall_limits();
   settings.symmetries = symmetries(p);
+  settings.air = p.air_gas();
   return settings;
 }
 

@@ -68,6 +68,21 @@ void RveParameters::declare_walls(InputEntries &prm) {
   prm.leave_subsection();
 }
 
+namespace {
+void declare_air(InputEntries &prm, RveAir &air, double &pressure) {
+  prm.add_parameter("Air", air,
+                    "Air in the spaces that Gap opens: connected with the air outside, so that it leaves "
+                    "freely and has no pressure; or shut in, cell walls between, and then isothermal (small "
+                    "spaces between wet walls, slower than some microseconds) or adiabatic (exponent 1.4). "
+                    "Units: none.");
+  prm.add_parameter(
+      "Air pressure", pressure,
+      "Absolute pressure of air that is shut in, in the undeformed tissue, which it then leaves "
+      "free of stress as the air outside does. Units: Pa.",
+      Patterns::Double(1e3, 1e7));
+}
+}  // namespace
+
 void RveParameters::add_parameters(InputEntries &prm) {
   using namespace Patterns;
   prm.enter_subsection("RVE");
@@ -131,6 +146,7 @@ void RveParameters::add_parameters(InputEntries &prm) {
   prm.leave_subsection();
   prm.enter_subsection("Structure");
   structure.add_parameters(prm);
+  declare_air(prm, air, air_pressure);
   prm.leave_subsection();
   prm.enter_subsection("SPH");
   sph.add_parameters(prm);
@@ -139,6 +155,11 @@ void RveParameters::add_parameters(InputEntries &prm) {
   prm.enter_subsection("Cell");
   cell.add_parameters(prm);
   prm.leave_subsection();
+}
+
+AirGasLaw RveParameters::air_gas() const {
+  if (air == RveAir::connected) return {};
+  return {air_pressure, air == RveAir::adiabatic ? 1.4 : 1.};
 }
 
 void RveParameters::check() const {
@@ -154,6 +175,9 @@ void RveParameters::check() const {
          << ") do not touch across air spaces: use 0, or RVE/Fluid = hydrostatic.";
     throw std::invalid_argument(text.str());
   }
+  if (air != RveAir::connected && !(structure.gap > 0.))
+    throw std::invalid_argument("Structure/Air is " + word_of(air) +
+                                ", but with Structure/Gap = 0 there is none: use connected, or a Gap.");
   if (fluid == RveFluid::hydrostatic && rule == RveRule::constrained_runs)
     throw std::invalid_argument(
         "RVE/Rule is " + word_of(rule) +

@@ -3,6 +3,7 @@
 // Declared once, used by every scene that has RVEs.
 #pragma once
 
+#include "micro/cells/air_gas.h"
 #include "micro/cells/sph_parenchyma.h"
 #include "micro/cells/tissue_structure.h"
 #include "micro/cells/wall_history.h"
@@ -28,12 +29,22 @@ enum class RveFluid {
 };
 constexpr const char *words_of(RveFluid) { return "hydrostatic|sph"; }
 
+/// Of the air between the cells (air_gas.h).
+enum class RveAir {
+  connected,   ///< with the air outside: it leaves freely
+  isothermal,  ///< shut in
+  adiabatic    ///< shut in, and keeps its heat
+};
+constexpr const char *words_of(RveAir) { return "connected|isothermal|adiabatic"; }
+
 struct RveParameters {
   RveRule rule = RveRule::elastic_equilibrium;
   RveFluid fluid = RveFluid::hydrostatic;
   RveBoundary boundary = RveBoundary::periodic;
   unsigned int columns = 1, rows = 1;  ///< cells in the RVE
   TissueStructure structure;           ///< how they lie
+  RveAir air = RveAir::connected;      ///< between them
+  double air_pressure = 101325.;       ///< Pa, of air that is shut in, at F = I
   double tolerance = 0.;               ///< as entered, 0: what suits the fluid; see equilibrium_tolerance()
   unsigned int max_iterations = 300;   ///< Newton iterations of one call
   double window = 1e-7;                ///< s, tau_0 of the averaged virial stress (Eq. 3.17)
@@ -57,6 +68,7 @@ struct RveParameters {
   /// The cell with its yielding, and the limits of its walls, as entered.
   ParenchymaParameters yielding_cell() const;
   WallLimits wall_limits() const;
+  AirGasLaw air_gas() const;
 
   /// Declares subsections "RVE", "Structure", "SPH", "Wall" and "Cell" in the current subsection of prm.
   void add_parameters(InputEntries &prm);

@@ -56,6 +56,9 @@ class AirContact {
   /// All nodes on which contact in a space depends: of every face, with one more at either end.
   const std::vector<Node> &nodes(const std::size_t space) const { return spaces[space].nodes; }
 
+  /// Where each face of a space begins in nodes(); one more behind the last.
+  const std::vector<std::uint32_t> &faces(const std::size_t space) const { return spaces[space].first; }
+
   void find(const std::vector<double> &x, const Tensor2<2> &H, bool with_hessian,
             std::vector<AirTouch> &touches) const;
   double energy(const std::vector<double> &x, const Tensor2<2> &H) const;

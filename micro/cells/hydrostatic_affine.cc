@@ -76,5 +76,6 @@ void HydrostaticNetwork::affine_response(const std::vector<double> &x, const Ten
     add(tie.b, tie.stiffness * dd);
   }
   air.add_affine(e.touches, L, forces, curvature);
+  gas.add_affine(e.pushes, L, forces, curvature);
 }
 }  // namespace turgor

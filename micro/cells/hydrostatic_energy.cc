@@ -104,6 +104,7 @@ double HydrostaticNetwork::energy(const std::vector<double> &x, const Tensor2<2>
   for (const LamellaTie &tie : geometry.ties)
     sum += LamellaSpring{tie.stiffness}.energy(LamellaSpring::gap(at(x, tie.a), at(x, tie.b), tie.shift, H));
   if (contact_on && !air.empty()) sum += air.energy(x, H);
+  if (!gas.empty()) sum += gas.energy(x, H);
   if (!body.isZero())
     for (std::size_t i = 0; i < n; ++i)
       for (int c = 0; c < 2; ++c) sum -= geometry.node_mass[i] * body[c] * x[2 * i + c];

@@ -175,6 +175,11 @@ void HydrostaticNetwork::evaluate(const std::vector<double> &x, const Tensor2<2>
     air.add_forces(out.touches, out.gradient, out.virial.contact);
     out.virial.touching = !out.touches.empty();
   }
+  if (!gas.empty()) {
+    gas.find(x, H, out.pushes);
+    gas.add_forces(out.pushes, out.gradient, out.virial.contact);
+    out.virial.touching = true;
+  }
   if (!body.isZero())
     for (std::size_t i = 0; i < n; ++i)
       for (int c = 0; c < 2; ++c) out.gradient[2 * i + c] -= geometry.node_mass[i] * body[c];

@@ -48,6 +48,11 @@ double HydrostaticNetwork::air_share(const std::vector<double> &x, const Tensor2
   return 1. - cells / H.determinant();
 }
 
+void HydrostaticNetwork::shut_air(const AirGasLaw &law) {
+  gas = AirGas(air, law, depth());
+  gas.shut(geometry.positions(), geometry.lattice);
+}
+
 bool HydrostaticNetwork::air_lost(const std::vector<double> &x, const Tensor2<2> &H) const {
   return std::any_of(geometry.air.begin(), geometry.air.end(), [&](const AirSpace &space) {
     return air_area(geometry, space, x, H) < -2. * air.law().inset * air_rim(geometry, space, x);

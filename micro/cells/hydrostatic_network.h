@@ -6,11 +6,12 @@
 //           + sum over ties   k |x_b + H n - x_a|^2/2         lamella_tie.h
 //           + sum over cells  m e(m/V),  V = z0 * polygon area  hydrostatic_pressure.h
 //           + sum over air spaces  k/3 (rho - d)^3            air_contact.h; only where there are any
+//           + sum over air spaces  gas shut up in them        air_gas.h; only where it is
 //           - sum over cells m b . centroid - sum over nodes (m_w b + f) . x    body acceleration b, dead
 //             forces f
 //
 // Only ties and contact know the lattice H (m, columns are periods): rings are never wrapped. Air has no
-// pressure (it is connected with the air outside).
+// pressure (it is connected with the air outside) unless it is shut in.
 // Wall edges enter through e_i = x_(i+1) - x_i: t_i = dE/de_i, S_i = d2E/de_i2, C_i = d2E/(de_i de_(i+1)).
 // The volume term gives one rank-one matrix per cell, which stays outside the sparse part:
 //   d2E/dx2 = K + sum over cells b_c b_c^T,  b_c = sqrt(d2E/dV2) dV/dx
@@ -25,6 +26,7 @@
 #pragma once
 
 #include "micro/cells/air_contact.h"
+#include "micro/cells/air_gas.h"
 #include "micro/cells/cell_layout.h"
 #include "micro/cells/wall_history.h"
 #include "micro/laws/hydrostatic_pressure.h"
@@ -39,7 +41,7 @@ struct NetworkVirial {
   Tensor2<2> wall = Tensor2<2>::Zero(), bending = Tensor2<2>::Zero(), tie = Tensor2<2>::Zero(),
              fluid = Tensor2<2>::Zero();
   Tensor2<2> contact = Tensor2<2>::Zero();
-  bool touching = false;  ///< there is contact
+  bool touching = false;  ///< there is contact, or gas shut in air spaces, whose virial is with it
   Tensor2<2> total() const {
     const Tensor2<2> apart = wall + bending + tie + fluid;
     return touching ? Tensor2<2>(apart + contact) : apart;
@@ -68,6 +70,7 @@ struct NetworkEvaluation {
   std::vector<double> gx, gy;         ///< 1/m, gradient of the edge's direction angle
   std::vector<double> Sxx, Sxy, Syy;  ///< N/m
   std::vector<AirTouch> touches;      ///< of walls across air spaces
+  std::vector<AirPush> pushes;        ///< of gas shut in them
 };
 
 class HydrostaticNetwork {
@@ -87,6 +90,9 @@ class HydrostaticNetwork {
   /// Walls pass through each other across air spaces, or (as at first) do not.
   void set_contact(bool on) { contact_on = on; }
   const AirContact &air_contact() const { return air; }
+  /// Gas of the pressure outside is shut in the air spaces as they are now.
+  void shut_air(const AirGasLaw &law);
+  const AirGas &air_gas() const { return gas; }
   /// Share of the period's area that no cell covers; what ties give way counts as well. 0 without air spaces.
   double air_share(const std::vector<double> &x, const Tensor2<2> &H) const;
   /// Whether walls have passed through each other: a space is smaller than 0 by more than the thickness 2 h
@@ -176,5 +182,6 @@ class HydrostaticNetwork {
   std::optional<double> held;  ///< Pa
   AirContact air;
   bool contact_on = true;
+  AirGas gas;
 };
 }  // namespace turgor

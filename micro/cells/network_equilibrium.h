@@ -82,6 +82,9 @@ class NetworkEquilibrium {
   void assemble(double shift);
   void place_contact();
   void add_contact();  ///< of the last evaluation
+  void add_gas();      ///< likewise
+  /// A block of what acts across an air space, of two of its nodes.
+  void add_across(std::size_t space, std::uint32_t i, std::uint32_t j, const Tensor2<2> &part);
   bool factorise(double shift);
   double residual(const NetworkEvaluation &at) const;
   bool leave_saddle(std::vector<double> &x, const Tensor2<2> &H);

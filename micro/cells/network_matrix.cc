@@ -126,6 +126,7 @@ void NetworkEquilibrium::assemble(const double shift) {
     }
   }
   add_contact();
+  add_gas();
 }
 
 void NetworkEquilibrium::place_contact() {
@@ -140,24 +141,33 @@ void NetworkEquilibrium::place_contact() {
       }
 }
 
+void NetworkEquilibrium::add_across(const std::size_t space, const std::uint32_t i, const std::uint32_t j,
+                                    const Tensor2<2> &part) {
+  const std::vector<AirContact::Node> &nodes = network.air_contact().nodes(space);
+  const BlockLdlt::Place at = across[space][i * nodes.size() + j];
+  // one triangle is kept: every pair of nodes once, a node with itself (or its image) as a whole
+  if (at.index == fixed || (at.transposed && nodes[i].node != nodes[j].node)) return;
+  Block2 &to = solver.values()[at.index];
+  to[0] += part(0, 0);
+  to[1] += part(1, 0);
+  to[2] += part(0, 1);
+  to[3] += part(1, 1);
+}
+
 void NetworkEquilibrium::add_contact() {
-  std::vector<Block2> &value = solver.values();
-  for (const AirTouch &touch : now.touches) {
-    const std::vector<AirContact::Node> &nodes = network.air_contact().nodes(touch.space);
+  for (const AirTouch &touch : now.touches)
     for (std::size_t a = 0; a < 7; ++a)
-      for (std::size_t b = 0; b < 7; ++b) {
-        const std::uint32_t i = touch.local[a], j = touch.local[b];
-        const BlockLdlt::Place at = across[touch.space][i * nodes.size() + j];
-        // one triangle is kept: every pair of nodes once, a node with itself (or its image) as a whole
-        if (at.index == fixed || (at.transposed && nodes[i].node != nodes[j].node)) continue;
-        const auto part = touch.hessian.block<2, 2>(Eigen::Index(2 * a), Eigen::Index(2 * b));
-        Block2 &to = value[at.index];
-        to[0] += part(0, 0);
-        to[1] += part(1, 0);
-        to[2] += part(0, 1);
-        to[3] += part(1, 1);
-      }
-  }
+      for (std::size_t b = 0; b < 7; ++b)
+        add_across(touch.space, touch.local[a], touch.local[b],
+                   touch.hessian.block<2, 2>(Eigen::Index(2 * a), Eigen::Index(2 * b)));
+}
+
+void NetworkEquilibrium::add_gas() {
+  const AirGas &gas = network.air_gas();
+  for (std::size_t s = 0; s < gas.size(); ++s)
+    for (std::size_t a = 0; a < gas.rim(s).size(); ++a)
+      for (std::size_t b = 0; b < gas.rim(s).size(); ++b)
+        add_across(s, gas.rim(s)[a].local, gas.rim(s)[b].local, gas.hessian(now.pushes[s], a, b));
 }
 
 Eigen::SparseMatrix<double> NetworkEquilibrium::system(const std::vector<double> &x, const Tensor2<2> &H) {
