@@ -110,8 +110,23 @@ void SurfaceObstacles::advance(const Particles<3> &, const double dt) {
   if (dt > 0.) settle(dt);
 }
 
-double SurfaceObstacles::power() const {
+double SurfaceObstacles::friction_power(const Particles<3> &particles) const {
   double total = 0.;
+  for (std::size_t cell = 0; cell < touching.size(); ++cell)
+    for (const Touch &t : touching[cell]) {
+      const Vector<3> own = bodies[t.body]->velocity_at(points.position[t.point], t.contact);
+      if (own == Vector<3>::Zero()) continue;
+      const SurfacePoints::Nodes of = points.nodes_of(cell, t.point);
+      Vector<3> slip = own;
+      for (std::size_t m = 0; m < of.count; ++m)
+        for (int d = 0; d < 3; ++d) slip[d] -= of.share * particles.v[d][of.node[m]];
+      total += friction * points.area[t.point] * law.closeness(t.contact.distance) * slip.dot(own);
+    }
+  return total;
+}
+
+double SurfaceObstacles::power(const Particles<3> &particles) const {
+  double total = friction > 0. ? friction_power(particles) : 0.;
   for (const auto &body : bodies)
     total +=
         body->pressing() * body->growth - body->force().dot(body->velocity) - body->moment().dot(body->spin);

@@ -51,8 +51,9 @@ class SurfaceObstacles final : public Term<3> {
   Obstacle<3> &operator[](const std::size_t k) { return *bodies[k]; }
   const Obstacle<3> &operator[](const std::size_t k) const { return *bodies[k]; }
 
-  /// W, what the bodies do on the cells by their velocities, where forces were last asked.
-  double power() const;
+  /// W, what the bodies do on the cells by their velocities, where forces were last asked: by what presses on
+  /// them, and by friction with surfaces of the velocities that the particles carry.
+  double power(const Particles<3> &particles) const;
   bool moves() const;  ///< whether any body does
 
   struct Touch {
@@ -66,6 +67,7 @@ class SurfaceObstacles final : public Term<3> {
   const SurfaceAdhesion &law_of_contact() const { return law; }
 
  private:
+  double friction_power(const Particles<3> &particles) const;
   /// Bodies whose shape answers, into balance with what presses on them; dt (s): 0 at once.
   void settle(double dt);
 

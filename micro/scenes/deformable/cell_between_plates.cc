@@ -2,8 +2,10 @@
 
 #include "micro/laws/random_turn.h"
 #include "micro/scenes/reference/squeezed_drop.h"
+#include "micro/solve/bisection.h"
 #include "run/input_entries.h"
 #include "run/judged.h"
+#include "run/run_failed_by.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +30,23 @@ double widest_of(const Particles<3> &p) {
   for (std::size_t i = 0; i < p.size(); ++i)
     most = std::max(most, std::hypot(p.x[0][i] - middle[0], p.x[1][i] - middle[1]));
   return most;
+}
+
+/// The round cell begins as large as its tension and its content leave it, where the sum of f . x is zero,
+/// and not by shrinking at once; nothing else acts on it yet.
+void balance(DeformableCells &cells, const Vector<3> &centre) {
+  Particles<3> &p = cells.system.particles;
+  const Particles<3>::Components free = p.x;
+  const auto spreads = [&](const double size) {
+    for (int d = 0; d < 3; ++d)
+      for (std::size_t i = 0; i < p.size(); ++i) p.x[d][i] = centre[d] + size * (free[d][i] - centre[d]);
+    cells.system.compute_forces();
+    double outwards = 0.;
+    for (int d = 0; d < 3; ++d)
+      for (std::size_t i = 0; i < p.size(); ++i) outwards += p.f[d][i] * (p.x[d][i] - centre[d]);
+    return outwards > 0.;
+  };
+  spreads(bisect(0.3, 1., spreads, "the size of the tense cell over that free of stress"));
 }
 }  // namespace
 
@@ -68,6 +87,7 @@ void CellBetweenPlates::run(RunContext &context) {
       material,
       {placed(sphere_shape(material.nu, material.radius), random_turn(seed, 0), Vector<3>(0., 0., half))},
       context.threads());
+  if (material.tension > 0.) run_failed_by([&] { balance(cells, Vector<3>(0., 0., half)); });
   auto lid = plates.lid(2. * half);
   Plane<3> &upper = *lid;
   cells.add_bodies("plates", material.law(), plates.floor(), std::move(lid));

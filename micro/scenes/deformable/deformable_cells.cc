@@ -65,17 +65,26 @@ CentreSpring &DeformableCells::add_spring(const Vector<3> &along, const double s
   return *spring;
 }
 
-double DeformableCells::power_of_bodies() const {
-  return (walls != nullptr ? walls->power() : 0.) + (spring != nullptr ? spring->power() : 0.);
+void DeformableCells::begin_anew(const double first_step) {
+  SteppedCells::begin_anew(first_step);
+  power = power_of_walls();
 }
 
+// Cells give way to walls in the same step as walls move, so that both are where they belong at its end, and
+// the work, of pressure and of friction, is that between two ends. The spring's end moves with the cells at
+// rest, from a pull to a larger one.
 double DeformableCells::step(const double limit) {
   const double h = move(limit);
-  if (!(walls != nullptr && walls->moves()) && !(spring != nullptr && spring->speed != 0.)) return h;
-  const double before = power_of_bodies();  // where the step has led, then where bodies have moved
+  const bool walls_move = walls != nullptr && walls->moves(),
+             draws = spring != nullptr && spring->speed != 0.;
+  if (!walls_move && !draws) return h;
+  if (draws) done += 0.5 * h * spring->power();
   system.advance(h);
   system.compute_forces();
-  done += 0.5 * h * (before + power_of_bodies());
+  if (draws) done += 0.5 * h * spring->power();
+  done += 0.5 * h * power;
+  power = power_of_walls();
+  done += 0.5 * h * power;
   return h;
 }
 
@@ -162,7 +171,7 @@ FieldFrame DeformableCells::frame() const {
 void DeformableCells::archive(Archive &a) {
   a.section("deformable_cells");
   archive_steps(a);
-  a(done, *surfaces);
+  a(done, power, *surfaces);
   if (a.loading()) system.compute_forces();  // which energies are kept with
 }
 }  // namespace turgor

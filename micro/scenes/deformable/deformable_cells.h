@@ -40,6 +40,7 @@ class DeformableCells final : public SteppedCells {
   }
   /// On the centre of the one cell, or between those of two; before begin().
   CentreSpring &add_spring(const Vector<3> &along, double stiffness);
+  void begin_anew(double first_step) override;
   double step(double limit) override;
 
   /// J, of the bodies and of the spring on the cells, and what put_in() says.
@@ -69,10 +70,10 @@ class DeformableCells final : public SteppedCells {
 
  private:
   void add_terms(bool several);
-  double power_of_bodies() const;  ///< W, and of the spring
+  double power_of_walls() const { return walls != nullptr ? walls->power(system.particles) : 0.; }  ///< W
 
   TouchingMaterial material;
-  double done = 0.;  ///< J
+  double done = 0., power = 0.;  ///< J; W, of the walls where the last step has ended
 };
 
 /// A cell's shape turned and moved; m.

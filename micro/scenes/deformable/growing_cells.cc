@@ -89,7 +89,12 @@ void GrowingCells::step(const double limit) {
     until = dt < limit ? cells.time() + dt : cells.time() + limit;
     live(dt);
   }
-  cells.step(std::min(limit, until - cells.time()));
+  const Particles<3>::Components before = cells.system.particles.f;
+  const double energy = cells.energy(), heat = cells.heat(),
+               h = cells.step(std::min(limit, until - cells.time())),
+               lost = newborn_share(energy - cells.energy() - (cells.heat() - heat), h, before);
+  newborn_lost += lost;
+  cells.put_in(-lost);
   if (cells.time() < until * (1. - 1e-12)) return;
   for (std::size_t cell = 0; cell < size(); ++cell) book_growth(cell);
 }
@@ -104,6 +109,25 @@ void GrowingCells::live(const double dt) {
     table.column("growth")[cell] = std::log(table.column("rest_volume")[cell] / before[cell]) / 3.;
   for (const auto &one : due) book_growth(one.mother);
   if (!due.empty()) divide(due);
+  cells.system.compute_forces();  // lengths at rest are others
+}
+
+double GrowingCells::newborn_share(const double lost, const double h,
+                                   const Particles<3>::Components &before) const {
+  if (life.divisions == 0) return 0.;
+  const Particles<3> &p = cells.system.particles;
+  const std::vector<double> &phase = cells.surfaces->cells.column("phase"),
+                            &T = cells.surfaces->cells.column("cycle_time");
+  double young = 0., all = 0.;
+  for (std::size_t cell = 0; cell < size(); ++cell) {
+    const Group &group = p.groups[cell];
+    double own = 0.;
+    for (std::uint32_t i = group.begin; i < group.end; ++i)
+      for (int d = 0; d < 3; ++d) own += 0.5 * h * p.v[d][i] * (before[d][i] - p.f[d][i]);
+    all += std::max(own, 0.);
+    if (phase[cell] * T[cell] < parameters.life.cycle.mitosis) young += std::max(own, 0.);
+  }
+  return all > 0. ? lost * young / all : 0.;
 }
 
 void GrowingCells::book_growth(const std::size_t cell) {
@@ -119,6 +143,6 @@ void GrowingCells::book_growth(const std::size_t cell) {
 void GrowingCells::archive_population(Archive &a) {
   cells.surfaces->archive_joints(a, cells.system.particles);
   a.section("growing_cells");
-  a(until, life, growth_work, division_work, division_dropped, divided);
+  a(until, life, growth_work, division_work, division_dropped, newborn_lost, divided);
 }
 }  // namespace turgor

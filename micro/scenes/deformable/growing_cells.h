@@ -15,7 +15,10 @@
 // Books, J: growth_work, what the growing reference state puts into the cells, by the trapezoidal rule of
 // dE/d ln s over d ln s between the start and the end of intervals (s: scale of lengths at rest);
 // division_work, the energy of two daughters in their halves less that of their mother; division_dropped,
-// what they lose of it in their sub-simulations, to friction and to steps of finite length.
+// what they lose of it in their sub-simulations, to friction and to steps of finite length; newborn_lost,
+// what steps of the population, longer than daughters take to relax, lose of it afterwards instead of turning
+// it to heat: of what a step loses the share of those that have not begun to grow again, where a cell loses
+// h v . (F - F')/2 over its nodes (or nothing, where that is negative) in a step of h from forces F to F'.
 //
 //   GrowingCells tissue(parameters, centres, phases, threads);
 //   tissue.step(limit);
@@ -54,7 +57,7 @@ class GrowingCells {
 
   DeformableCells cells;
   DeformableLife life;
-  double growth_work = 0., division_work = 0., division_dropped = 0.;  ///< J
+  double growth_work = 0., division_work = 0., division_dropped = 0., newborn_lost = 0.;  ///< J
   /// Of all divisions: steps of their sub-simulations, those rejected, and how they leave the daughters.
   struct Divisions {
     std::uint64_t steps = 0, rejected = 0;
@@ -71,6 +74,8 @@ class GrowingCells {
   void live(double dt);
   /// The growth of a cell since the interval began has done its work, where the cell is now.
   void book_growth(std::size_t cell);
+  /// J, of what a step of h (s) from these forces (N) has lost: of newborn cells.
+  double newborn_share(double lost, double h, const Particles<3>::Components &before) const;
   void divide(const std::vector<DeformableLife::Due> &due);
   Vector<3> direction(std::uint32_t mother) const;
   /// The mother's place is the first daughter's, the second is behind all cells. Returns what the

@@ -51,8 +51,10 @@ std::vector<OutputDefinition> columns_of_growing_cells() {
        "Energy of all pairs of daughters where they were laid less that of their mothers, since the start."},
       {"division_dropped", "J",
        "What daughters lost of it when they came to rest among their neighbours, which is neither in heat "
-       "nor "
-       "in energy_lost."}};
+       "nor in energy_lost."},
+      {"newborn_lost", "J",
+       "What daughters lost of it afterwards, until they begin to grow, to steps of finite length, which is "
+       "neither in heat nor in energy_lost."}};
 }
 
 std::vector<double> measured(const GrowingCells &tissue) {
@@ -80,7 +82,8 @@ std::vector<double> measured(const GrowingCells &tissue) {
           core_volume > 0. ? core / core_volume : 0.,
           tissue.growth_work,
           tissue.division_work,
-          tissue.division_dropped};
+          tissue.division_dropped,
+          tissue.newborn_lost};
 }
 
 void write_profile(RunContext &context, const GrowingCells &tissue) {
