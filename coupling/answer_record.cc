@@ -6,13 +6,12 @@ namespace turgor {
 template <int dim>
 AnswerRecord<dim> AnswerRecord<dim>::from(const Tensor2<dim> &F, const Tensor2<dim> &P,
                                           const Tensor4<dim> &tangent, const double energy,
-                                          const double pressure, const StrainFolding<dim> &folding) {
+                                          const double pressure, const StrainFolding<dim> &folding,
+                                          const std::optional<CellContent> &content) {
   const Tensor2<dim> F_inverse = F.inverse(), S = F_inverse * P;
   AnswerRecord record;
   record.E = green_strain<dim>(F);
   record.S = to_vector<dim>(S);
-  record.energy = energy;
-  record.pressure = pressure;
   // Column by column: S changes by C : D for D = sym(F^T dF), that is dF = F^-T D.
   for (int k = 0; k < strain_size<dim>; ++k) {
     const Tensor2<dim> dF = F_inverse.transpose() * to_tensor<dim>(StrainVector<dim>::Unit(k));
@@ -22,6 +21,11 @@ AnswerRecord<dim> AnswerRecord<dim>::from(const Tensor2<dim> &F, const Tensor2<d
     record.C.col(k) = to_vector<dim>(F_inverse * (dP - dF * S));
   }
   record.C = (0.5 * (record.C + record.C.transpose())).eval();  // but for round-off it is, and then S = dW/dE
+  const VolumeLaw<dim> water(content, record.E);
+  record.energy = energy - water.energy();
+  record.pressure = pressure - water.pressure();
+  record.S -= water.stress();
+  record.C -= water.tangent();
   const StrainMatrix<dim> &image = folding.image(folding.fold(record.E));
   record.S = (image * record.S).eval();
   record.C = (image * record.C * image.transpose()).eval();

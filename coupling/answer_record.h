@@ -1,6 +1,8 @@
-// What an elastic RVE answered at one strain, with its derivative: all that a point near by needs.
+// What an elastic RVE answered at one strain, with its derivative: all that a point near by needs. What its
+// fluid does against a change of volume is known at any strain (volume_law.h); the rest is extrapolated:
 //
-//   S(E) = S_0 + C : (E - E_0),   W(E) = W_0 + S_0 : (E - E_0) + (E - E_0) : C : (E - E_0) / 2,   P = F S
+//   S(E) = dU/dE + S_0 + C : (E - E_0),   W(E) = U + W_0 + S_0 : (E - E_0) + (E - E_0) : C : (E - E_0) / 2
+//   P = F S,   S_0, C and W_0: what dU/dE, d2U/dE2 and U leave of the RVE's at E_0
 //
 // S = dW/dE, so the energy of a point that stays with a record balances to the last digit; P follows a
 // rotation of F exactly and its moments balance, without a polar decomposition. C = dS/dE follows from the
@@ -12,7 +14,7 @@
 // strain_folding.h has them. Out: the same kinds.
 #pragma once
 
-#include "coupling/strain_folding.h"
+#include "coupling/volume_law.h"
 
 namespace turgor {
 class Archive;
@@ -20,22 +22,29 @@ template <int dim>
 struct AnswerRecord {
   StrainVector<dim> E, S;
   StrainMatrix<dim> C;
-  double energy = 0., pressure = 0.;
-  double radius = 0.;      ///< |E - E_0| up to which it answers
-  double curvature = 0.;   ///< Pa; the largest seen 2 |error of S| / |E - E_0|^2
-  double registered = 0.;  ///< the radius with which it lies in the table: radii only shrink
+  double energy = 0., pressure = 0.;  ///< J/m^3, Pa
+  double radius = 0.;                 ///< |E - E_0| up to which it answers
+  double curvature = 0.;              ///< Pa; the largest seen 2 |error of S| / |E - E_0|^2
+  double registered = 0.;             ///< the radius with which it lies in the table: radii only shrink
 
-  /// What was answered at F, folded.
+  /// What was answered at F, folded, but for what the content does.
   static AnswerRecord from(const Tensor2<dim> &F, const Tensor2<dim> &P, const Tensor4<dim> &tangent,
-                           double energy, double pressure, const StrainFolding<dim> &folding);
+                           double energy, double pressure, const StrainFolding<dim> &folding,
+                           const std::optional<CellContent> &content);
 
   void archive(Archive &a);
 
-  StrainVector<dim> stress_at(const StrainVector<dim> &strain) const { return S + C * (strain - E); }
+  /// What is extrapolated of the stress.
+  StrainVector<dim> rest_at(const StrainVector<dim> &strain) const { return S + C * (strain - E); }
 
-  double energy_at(const StrainVector<dim> &strain) const {
+  /// All of it; water: at this strain. Its pressure and its tangent are the record's own and water's.
+  StrainVector<dim> stress_at(const StrainVector<dim> &strain, const VolumeLaw<dim> &water) const {
+    return rest_at(strain) + water.stress();
+  }
+
+  double energy_at(const StrainVector<dim> &strain, const VolumeLaw<dim> &water) const {
     const StrainVector<dim> d = strain - E;
-    return energy + d.dot(S + 0.5 * (C * d));
+    return energy + d.dot(S + 0.5 * (C * d)) + water.energy();
   }
 };
 

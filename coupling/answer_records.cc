@@ -93,7 +93,7 @@ std::size_t AnswerRecords<dim>::add(AnswerRecord<dim> record, const double most)
   each_near(record.E, none, [&](const std::size_t j, const double d2) {
     const AnswerRecord<dim> &other = records[j];
     const double error =
-        std::max((other.stress_at(record.E) - record.S).norm(), (record.stress_at(other.E) - other.S).norm());
+        std::max((other.rest_at(record.E) - record.S).norm(), (record.rest_at(other.E) - other.S).norm());
     around = std::max(around, other.curvature);
     if (error < least_share * tolerance) return;
     ++told;
@@ -118,7 +118,7 @@ void AnswerRecords<dim>::learn(const std::size_t first) {
   for (std::size_t k = first; k < records.size(); ++k)
     each_near(records[k].E, k, [&](const std::size_t j, const double d2) {
       AnswerRecord<dim> &other = records[j];
-      const double error = (other.stress_at(records[k].E) - records[k].S).norm();
+      const double error = (other.rest_at(records[k].E) - records[k].S).norm();
       if (error < least_share * tolerance || 2. * error / d2 <= other.curvature) return;
       other.curvature = 2. * error / d2;
       other.radius = std::min(other.radius, radius_of(other.curvature));

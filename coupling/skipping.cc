@@ -10,7 +10,8 @@
 
 namespace turgor {
 namespace {
-constexpr double guess_over_stiffness = 10.;  // curvature to begin with over the stiffness of the RVE
+// Curvature to begin with over the stiffness of the RVE, where the fluid's is known and where it is not.
+constexpr double guess_with_fluid = 1., guess_without = 10.;
 constexpr double apart = 0.5;  // of a first radius: calls of one batch that are nearer wait for each other
 // A look-up takes as long as 3 unknowns in an iteration of Newton's method (0.3 us and 0.1 us,
 // doc/skipping.md).
@@ -34,7 +35,7 @@ Skipping<dim>::Skipping(const Rve<dim> &rve, const SkippingSettings &settings_)
       keeps_history(rve.has_history()),
       unknowns(double(rve.initial_state().unknowns.size())),
       folding(rve.symmetries()),
-      table(settings.tolerance, guess_over_stiffness * rve.wave_modulus()) {}
+      table(settings.tolerance, (settings.content ? guess_with_fluid : guess_without) * rve.wave_modulus()) {}
 
 template <int dim>
 void Skipping<dim>::set_points(const std::size_t n) {
@@ -121,9 +122,10 @@ void Skipping<dim>::learn(const std::vector<dealii::Tensor<2, dim>> &F_dot, cons
       if (teaches)
         findings.push_back({ask.record, (P - elastic_P(ask)).norm(), (ask.E - table[ask.record].E).norm()});
     } else if (safe > 0.)
-      ask.record = table.add(AnswerRecord<dim>::from(ask.F, P, answers.tangent(p) - flow.tangent(),
-                                                     answers.energy(p), answers.pressure(p), folding),
-                             safe);
+      ask.record =
+          table.add(AnswerRecord<dim>::from(ask.F, P, answers.tangent(p) - flow.tangent(), answers.energy(p),
+                                            answers.pressure(p), folding, settings.content),
+                    safe);
   }
   now.clear();
   std::vector<std::size_t> missing, were_waiting;
@@ -140,7 +142,9 @@ void Skipping<dim>::learn(const std::vector<dealii::Tensor<2, dim>> &F_dot, cons
 
 template <int dim>
 Tensor2<dim> Skipping<dim>::elastic_P(const Ask &ask) const {
-  return ask.F * to_tensor<dim>(folding.image(ask.symmetry).transpose() * table[ask.record].stress_at(ask.E));
+  const VolumeLaw<dim> water(settings.content, ask.E);
+  return ask.F *
+         to_tensor<dim>(folding.image(ask.symmetry).transpose() * table[ask.record].stress_at(ask.E, water));
 }
 
 template <int dim>
@@ -149,19 +153,19 @@ RveAnswer<dim> Skipping<dim>::answer(const std::size_t point, const Tensor2<dim>
   const Ask &ask = asked[point];
   const AnswerRecord<dim> &record = table[ask.record];
   const AffineFlow<dim> flow(viscosity, ask.F, F_dot);
+  const VolumeLaw<dim> water(settings.content, ask.E);
+  const StrainMatrix<dim> &image = folding.image(ask.symmetry);
+  const StrainVector<dim> S = image.transpose() * record.stress_at(ask.E, water);
   RveAnswer<dim> a;
   a.viscous = flow.P();
-  a.P = elastic_P(ask) + a.viscous;
+  a.P = ask.F * to_tensor<dim>(S) + a.viscous;
   a.sigma = a.P * ask.F.transpose() / ask.F.determinant();
-  a.energy = record.energy_at(ask.E);
-  a.pressure = record.pressure;
+  a.energy = record.energy_at(ask.E, water);
+  a.pressure = record.pressure + water.pressure();
   if (request.rate_tangents) a.rate_tangent = flow.rate_tangent();
-  if (request.tangents) {
-    const StrainMatrix<dim> &image = folding.image(ask.symmetry);
-    a.tangent = elastic_tangent<dim>(ask.F, image.transpose() * record.stress_at(ask.E),
-                                     image.transpose() * record.C * image) +
+  if (request.tangents)
+    a.tangent = elastic_tangent<dim>(ask.F, S, image.transpose() * (record.C + water.tangent()) * image) +
                 flow.tangent();
-  }
   return a;
 }
 

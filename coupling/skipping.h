@@ -11,8 +11,8 @@
 //   for p with skipping.from_table(p): RveAnswer = skipping.answer(p, F_dot, request);
 //   skipping.end();
 //
-// - The viscous stress of the affine flow is computed exactly; E, S, energy, pressure and tangent are those
-// of one record.
+// - The viscous stress of the affine flow is computed exactly, and what the fluid of the cells does against a
+// change of volume; E, S, energy, pressure and tangent are those of one record.
 // - One answer in 1/audit_share, be its record old or of this batch, is computed after all and tells the
 // error (skipping_audit.h); a record that it refutes shrinks.
 // - A batch of the committed time (a probe) asks again what was asked before: it teaches nothing. Records
