@@ -90,11 +90,14 @@ double EnergyAccount::gap_share() const {
 
 void EnergyAccount::row(const double time) const {
   const RveCondition &a = first.condition, &b = now.condition;
+  const auto without_round_off = [this](const double value) {
+    return std::abs(value) < 1e-12 * largest ? 0. : value;
+  };
   std::vector<double> values = {time, work(), stored(), heat};
   if (rve.has_history())
     values.insert(values.end(),
                   {b.flow_dissipated - a.flow_dissipated, b.failure_dissipated - a.failure_dissipated,
-                   b.torn_dissipated - a.torn_dissipated});
+                   without_round_off(b.torn_dissipated - a.torn_dissipated)});
   values.insert(values.end(), {released(), gap()});
   table->add_row(values);
 }
