@@ -142,6 +142,7 @@ BY_SCENE = {
     "poiseuille": [("Particles along", "3", ["longer than 3.9", "Fluid/Support"]), ("Motion/Method", "heun", ["Fluid/Density by = summation"]), ("Fluid/Viscous form", "moris", ["one of least_squares, morris, monaghan"]), ("Speed", "0", ["a finite number from"])],
     "creep": [("Particles along", "3", ["longer than 3.9", "Solid/Support"]), ("Load", "shears", ["Did you mean 'shear'?"]), ("Solid/Poisson's ratio", "0.5", ["a finite number from 0"])],
     "rotating_block": [("Stretch along", "3", ["from 0.5 to 2"]), ("Steps per turn", "3", ["from 4"])],
+    "cylinder_array": [("Porosity", "0.3", ["from 0.45"]), ("Particles across", "4", ["from 8"]), ("Motion/Method", "heun", ["Fluid/Density by = summation"])],
     "matrix_migration": [("Spacing", "3e-5", ["half of Cell/Radius"]), ("Start", "0.05", ["from the cell's centre", "Length, Width or Start"]), ("Motion/Longest step", "1", ["the viscosity over the shear modulus"]),
                          ("Spacing", "1e-6", ["at most 60000"])],
     "couette": [("Motion/Method", "heun", ["Fluid/Density by = summation"])],

@@ -1,6 +1,7 @@
 #include "micro/scenes/stokes/matrix_migration.h"
 
 #include "micro/engine/sound_state.h"
+#include "micro/geometry/circle_nodes.h"
 #include "micro/laws/random_normal.h"
 #include "micro/processes/polarity.h"
 #include "micro/scenes/reference/disc_in_medium.h"
@@ -16,20 +17,6 @@
 #include <numbers>
 
 namespace turgor {
-namespace {
-/// Nodes of a circle of the same area as the disc, about the origin.
-std::vector<Vector<2>> circle(const double R, const double spacing, const bool clockwise) {
-  const unsigned int n = std::max(24u, unsigned(std::lround(2. * std::numbers::pi * R / spacing)));
-  const double step = 2. * std::numbers::pi / n, r = R * std::sqrt(step / std::sin(step));
-  std::vector<Vector<2>> nodes;
-  for (unsigned int k = 0; k < n; ++k) {
-    const double a = (clockwise ? -1. : 1.) * step * k;
-    nodes.emplace_back(r * std::cos(a), r * std::sin(a));
-  }
-  return nodes;
-}
-}  // namespace
-
 class MatrixMigration::Run {
  public:
   Run(const MatrixMigration &scene_, RunContext &context_);
@@ -70,7 +57,7 @@ BulkWall MatrixMigration::Run::rim() const {
   BulkWall one;
   const Vector<2> box = scene.extent();
   if (scene.domain == MatrixDomain::disc)
-    for (const Vector<2> &arm : circle(0.5 * scene.width, scene.spacing, false))
+    for (const Vector<2> &arm : circle_nodes(0.5 * scene.width, scene.spacing, false))
       one.nodes.push_back(0.5 * box + arm);
   else {
     const Vector<2> corners[5] = {{0., 0.}, {box[0], 0.}, box, {0., box[1]}, {0., 0.}};
@@ -87,7 +74,7 @@ BulkWall MatrixMigration::Run::rim() const {
 std::unique_ptr<RigidChain> MatrixMigration::Run::cell() const {
   Vector<2> middle = 0.5 * scene.extent();
   if (scene.domain == MatrixDomain::rectangle) middle[0] = scene.start * scene.length;
-  auto one = std::make_unique<RigidChain>(middle, circle(scene.radius, 0.5 * scene.spacing, true));
+  auto one = std::make_unique<RigidChain>(middle, circle_nodes(scene.radius, 0.5 * scene.spacing, true));
   one->drag = 1e-9 * scene.solid.viscosity;  // N s/m per m: nothing beside the matrix
   one->turning_drag = one->drag * scene.radius * scene.radius;
   return one;
