@@ -45,9 +45,10 @@ void EnergyAccount::step(const double time, const RveAnswer<2> &answer, const do
   length += dF.norm();
   heat += product(answer.viscous, dF);
   const double scale = std::max({largest, std::abs(done), std::abs(done + work_between(from, to))});
-  const Step here{now.trial, answer.trial.F_dot, since, std::max(balanced * scale, resolution * dF.norm()),
-                  workspace};
+  Step here{now.trial, answer.trial.F_dot, since, std::max(balanced * scale, resolution * dF.norm()),
+            workspace};
   std::optional<Place> begin;
+  if (answer.diagnostics.dragged) here.asks = 0;
   if (deepest > 0 && std::abs(missing_between(from, to)) > here.allowed) begin = ask(here, from.F);
   if (begin) {
     if (const double fell = from.energy - begin->energy; fell > 0.1 * here.allowed) fallen += fell;
@@ -64,14 +65,17 @@ EnergyAccount::Place EnergyAccount::reached(const RveAnswer<2> &answer) {
   return {answer.trial.F, answer.whole.value_or(answer.P - answer.viscous), held_by(answer)};
 }
 
-std::optional<EnergyAccount::Place> EnergyAccount::ask(const Step &step, const Tensor2<2> &F) const {
+std::optional<EnergyAccount::Place> EnergyAccount::ask(Step &step, const Tensor2<2> &F) const {
+  if (step.asks-- <= 0) return std::nullopt;
   RveRequest request;
   request.time_since_commit = step.since;
   const RveAnswer<2> answer = rve.evaluate(step.committed, F, step.F_dot, request, step.workspace);
-  return answer.diagnostics.converged ? std::optional(reached(answer)) : std::nullopt;
+  if (answer.diagnostics.converged && !answer.diagnostics.dragged) return reached(answer);
+  step.asks = 0;
+  return std::nullopt;
 }
 
-void EnergyAccount::follow(const Step &step, const Place &from, const Place &to, const int depth) {
+void EnergyAccount::follow(Step &step, const Place &from, const Place &to, const int depth) {
   const double missing = missing_between(from, to);
   if (std::abs(missing) > step.allowed && depth < deepest)
     if (const std::optional<Place> middle = ask(step, 0.5 * (from.F + to.F))) {

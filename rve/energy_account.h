@@ -10,9 +10,10 @@
 //
 // Where a step does not balance to 5e-5 of the largest work so far, its integral is taken finer: the RVE is
 // asked at F between, from the same committed state, in halves down to 1/1024 where the energy still does not
-// follow the work. What is then missing from energy that has gone without work is a fall from one equilibrium
-// to another, at one F: walls that buckle or snap, cells that relax because their fluid has leaked. It is
-// released (in a real tissue motion and heat). Energy that comes from nothing stays in the gap.
+// follow the work, 32 times at most. What is then missing from energy that has gone without work is a fall
+// from one equilibrium to another, at one F: walls that buckle or snap, cells that relax because their fluid
+// has leaked. It is released (in a real tissue motion and heat). Energy that comes from nothing stays in the
+// gap.
 //
 // Particles that relax are not asked again: that costs too much, and from one state to the next they end
 // elsewhere. The gap of their coarse steps is told, and ends no run.
@@ -66,6 +67,7 @@ class EnergyAccount {
     Tensor2<2> F_dot;
     double since, allowed;  ///< s; J/m^3, that may be missing
     Rve<2>::Workspace &workspace;
+    int asks = 32;  ///< left; none where an RVE has no answer, or one that drag holds, which follows no law
   };
   static double dissipated(const RveAnswer<2> &answer) { return answer.condition.dissipated(); }
   static double held_by(const RveAnswer<2> &answer) { return answer.energy + dissipated(answer); }
@@ -77,9 +79,9 @@ class EnergyAccount {
     return work_between(a, b) - (b.energy - a.energy);
   }
   /// None where the RVE has no answer.
-  std::optional<Place> ask(const Step &step, const Tensor2<2> &F) const;
+  std::optional<Place> ask(Step &step, const Tensor2<2> &F) const;
   /// From one place to the next: work into `done`, what falls into `fallen`.
-  void follow(const Step &step, const Place &from, const Place &to, int depth);
+  void follow(Step &step, const Place &from, const Place &to, int depth);
   void row(double time) const;
 
   const Rve<2> &rve;
