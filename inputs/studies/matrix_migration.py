@@ -71,7 +71,7 @@ def draw(fits, table):
                 axis.axhline(float(forms[name]), color=INK, linewidth=0.8, linestyle=":", label=label)
         axis.set_title(f"degraded {text}", color=INK, fontsize=10)
         axis.set_xlabel("rate of degradation, 1/τ [1/s]", color=INK, fontsize=9)
-        axis.legend(frameon=False, fontsize=7)
+        axis.legend(frameon=True, edgecolor="none", framealpha=1, fontsize=7)
         style(axis)
     axes[0].set_ylabel("mean speed of the cell [µm/min]", color=INK, fontsize=9)
     figure.tight_layout()
@@ -94,6 +94,7 @@ def main():
         fits[series] = (low, high, half, n, rates, speeds)
         intact, degraded = kept[0]["intact closed form um/min"], float(kept[0]["degraded closed form um/min"])
         plateaus.append({"series": series, "runs": str(len(kept)), "low um/min": f"{low:.4g}", "low over its closed form": f"{low / float(intact):.4f}" if intact else "", "high um/min": f"{high:.4g}",
+                         "slowest run over closed form": f"{speeds[0] / float(intact):.4f}" if intact else "", "fastest run over closed form": f"{speeds[-1] / degraded:.4f}",
                          "high over its closed form": f"{high / degraded:.4f}", "half way 1/s": f"{half:.3g}", "exponent": f"{n:.3g}", "largest miss of the fit": f"{np.max(np.abs(np.log(speeds) - (np.log(low) + np.log(high / low) / (1 + (half / rates) ** n)))):.2g}"})
     write_table("matrix/plateaus.csv", plateaus)
     for row in plateaus:
