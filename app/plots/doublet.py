@@ -1,4 +1,4 @@
-"""The picture of a doublet run: both cells at the start and at rest, coloured by in-plane stress, one of them seen from the contact, and the contact angle over time beside Young-Dupre."""
+"""The picture of a doublet run: both cells at the start and at the end, coloured by in-plane stress, one of them seen from the contact, and the contact angle over time beside Young-Dupre."""
 import json
 import os
 import sys
@@ -18,7 +18,7 @@ def draw_shapes(figure, shapes):
     axis = figure.add_axes([0.0, 0.2, 0.5, 0.78])
     high = max(shape.points[:, 2].max() for shape in shapes) * 1e6
     length = np.ptp(shapes[0].points[:, 0]) * 1e6
-    for shape, at, title in ((shapes[0], 0.0, "at the start"), (last, 1.12 * length, "at rest")):
+    for shape, at, title in ((shapes[0], 0.0, "at the start"), (last, 1.12 * length, "at the end")):
         draw_cells(axis, shape, norm, (1, 0, 0), (0, 0, 1), at)
         axis.text(at, high + 2, title, color=INK, fontsize=9, ha="center")
     face = 1.12 * length + 0.5 * length + 0.45 * length

@@ -38,7 +38,7 @@ def draw_matrix(axis, frame, norm, cell, radius, way):
     size = max(0.4, 9000 / len(points))
     axis.scatter(points[:, 0] * of_length, points[:, 1] * of_length, c=stress * norm.of, cmap="viridis", norm=norm, s=size, linewidths=0)
     gone = intact < 0.5
-    axis.scatter(points[gone, 0] * of_length, points[gone, 1] * of_length, s=size, facecolors="none", edgecolors="#ff3b30", linewidths=0.7, label="more than half degraded")
+    axis.scatter(points[gone, 0] * of_length, points[gone, 1] * of_length, s=size, color="#ff3b30", linewidths=0, label="more than half degraded")
     axis.add_patch(Circle(cell * of_length, radius * of_length, facecolor="#d9d9d9", edgecolor=INK, linewidth=1))
     if len(way):
         axis.plot(way[:, 0] * of_length, way[:, 1] * of_length, color=INK, linewidth=1)
@@ -58,8 +58,7 @@ def draw_way(axis, migration):
     axis.set_xlabel(f"time [{clock}]", color=INK, fontsize=9)
     axis.set_ylabel(f"way of the cell [{way}]", color=INK, fontsize=9)
     axis.legend(frameon=False, fontsize=8)
-    mean = migration["x [m]"][-1] / migration["time [s]"][-1] * 60e6
-    axis.set_title(f"mean speed {mean:.4g} µm/min", color=INK, fontsize=10)
+    axis.set_title(f"{migration['x [m]'][-1] * of_way:.3g} {way} in {migration['time [s]'][-1] * of_time:.3g} {clock}", color=INK, fontsize=10)
     style(axis)
 
 
