@@ -39,14 +39,14 @@ void EnergyAccount::start(const double time, const RveAnswer<2> &answer) {
 }
 
 void EnergyAccount::step(const double time, const RveAnswer<2> &answer, const double since,
-                         Rve<2>::Workspace &workspace) {
+                         const Given &given, Rve<2>::Workspace &workspace) {
   const Place from{now.trial.F, now.P - now.viscous, held_by(now)}, to = reached(answer);
   const Tensor2<2> dF = to.F - from.F;
   length += dF.norm();
   heat += product(answer.viscous, dF);
   const double scale = std::max({largest, std::abs(done), std::abs(done + work_between(from, to))});
   Step here{now.trial, answer.trial.F_dot, since, std::max(balanced * scale, resolution * dF.norm()),
-            workspace};
+            given,     workspace};
   std::optional<Place> begin;
   if (answer.diagnostics.dragged) here.asks = 0;
   if (deepest > 0 && std::abs(missing_between(from, to)) > here.allowed) begin = ask(here, from.F);
@@ -55,6 +55,10 @@ void EnergyAccount::step(const double time, const RveAnswer<2> &answer, const do
     follow(here, *begin, to, 1);
   } else
     follow(here, from, to, deepest);
+  if (now.whole && here.unheld < -here.allowed) {
+    done -= here.unheld;
+    fallen -= here.unheld;
+  }
   now = answer;
   moved = true;
   largest = std::max(largest, std::abs(done));
@@ -84,6 +88,10 @@ void EnergyAccount::follow(Step &step, const Place &from, const Place &to, const
       return;
     }
   done += work_between(from, to);
+  for (const int k : step.given.components) {
+    const int a = k / 2, b = k % 2;
+    step.unheld += (0.5 * (from.P(a, b) + to.P(a, b)) - step.given.P(a, b)) * (to.F(a, b) - from.F(a, b));
+  }
   if (missing > step.allowed && deepest > 0 && depth == deepest) fallen += missing;
 }
 

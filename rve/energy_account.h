@@ -15,6 +15,10 @@
 // has leaked. It is released (in a real tissue motion and heat). Energy that comes from nothing stays in the
 // gap.
 //
+// Where walls break under a given stress, they break at one F and what is left is brought into balance from
+// there: over that step nobody pushes but the given stress, whose work alone counts; what the cells give
+// beyond it is released too.
+//
 // Particles that relax are not asked again: that costs too much, and from one state to the next they end
 // elsewhere. The gap of their coarse steps is told, and ends no run.
 //
@@ -41,9 +45,15 @@ class EnergyAccount {
   EnergyAccount(RunContext &context, const Rve<2> &rve, double resolution, bool refined);
   static void define(Outputs &outputs);
 
+  /// The stress that is given: components 2 a + b, and P (Pa).
+  struct Given {
+    std::vector<int> components;
+    Tensor2<2> P = Tensor2<2>::Zero();
+  };
   void start(double time, const RveAnswer<2> &answer);
   /// since: s, from the answer before, from which this one was reached.
-  void step(double time, const RveAnswer<2> &answer, double since, Rve<2>::Workspace &workspace);
+  void step(double time, const RveAnswer<2> &answer, double since, const Given &given,
+            Rve<2>::Workspace &workspace);
 
   void results(RunContext &context) const;
   /// Throws RunFailed where the balance means nothing. After results().
@@ -66,7 +76,9 @@ class EnergyAccount {
     const RveState<2> &committed;
     Tensor2<2> F_dot;
     double since, allowed;  ///< s; J/m^3, that may be missing
+    const Given &given;
     Rve<2>::Workspace &workspace;
+    double unheld = 0.;  ///< J/m^3, work of the stress beyond what is given
     int asks = 32;  ///< left; none where an RVE has no answer, or one that drag holds, which follows no law
   };
   static double dissipated(const RveAnswer<2> &answer) { return answer.condition.dissipated(); }

@@ -207,7 +207,8 @@ void RveResponse::account(Walk &walk, const RveAnswer<2> &found, const double ti
     if (walk.points == 0)
       walk.energy->start(part.time, part.answer);
     else
-      walk.energy->step(part.time, part.answer, part.since, *walk.workspace);
+      walk.energy->step(part.time, part.answer, part.since, {walk.path.found(), walk.path.at(part.time).P},
+                        *walk.workspace);
 }
 
 void RveResponse::walk(RunContext &context, Walk &walk) const {
