@@ -150,7 +150,7 @@ BY_SCENE = {
     "spreading": [("Contact/Adhesion", "0", ["does not adhere"]), ("Contact/Range", "3e-6", ["more than a quarter of Cell/Radius", "make Contact/Range shorter"]),
                   ("Contact/Gap at rest", "1e-9", ["deviate from the sphere", "finer net (Cell/Frequency)"]), ("First step", "2e3", ["a finite number from"])],
     "pull_off": [("Contact/Adhesion", "0", ["nothing holds the cell"]), ("From", "plain", ["Did you mean 'plane'?"]), ("Settling time", "1e-4", ["shorter than Settling time"]),
-                 ("Pull distance", "1e-4", ["two diameters"])],
+                 ("Pull distance", "1e-4", ["two diameters"]), ("Pull speed", "2.5e-7", ["more than a twentieth of Pull distance", "Pull speed or Longest step smaller"])],
     "doublet": [("Contact/Adhesion", "0", ["nothing holds the two cells"]), ("Contact/Adhesion", "1.9e-3", ["spread on each other without end"]), ("End time", "1e-5", ["shorter than End time"])],
     "capsule_compression": [("Last radius", "4e-5", ["just encloses the cells"]), ("Last radius", "1e-5", ["less than half of their volume"])],
     "spheroid_deformable": [("Longest step", "3e3", ["a fiftieth of Cell/Cycle time"]), ("Most cells", "1", ["larger, or 0 for no limit"]),

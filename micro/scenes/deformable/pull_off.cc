@@ -57,6 +57,11 @@ void PullOff::check() const {
   if (!(first_step < settling))
     throw InputError("First step (" + number_text(first_step) + " s) has to be shorter than Settling time (" +
                      number_text(settling) + " s).");
+  if (speed * material.longest_step > 0.05 * way)
+    throw InputError("In a step of Longest step (" + number_text(material.longest_step) +
+                     " s) the spring's end goes " + number_text(1e6 * speed * material.longest_step) +
+                     " um: more than a twentieth of Pull distance (" + number_text(1e6 * way) +
+                     " um), too few steps for a force. Make Pull speed or Longest step smaller.");
   if (!(way < 4. * material.radius))
     throw InputError("Pull distance (" + number_text(1e6 * way) + " um) is more than two diameters of the " +
                      "cell, " + number_text(4e6 * material.radius) + " um.");
