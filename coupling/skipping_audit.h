@@ -37,7 +37,9 @@ class SkippingAudit {
   double worst() const { return most; }
   double rms() const;
   double percentile() const;  ///< the 99th
-  /// Upper bounds that hold with 95 %; HUGE_VAL while too few have been drawn.
+  /// Upper bounds that hold with 95 %; HUGE_VAL while too few have been drawn. That of the percentile
+  /// whatever errors are like, that of the rms unless a few answers, of which the sample has none, are far
+  /// worse.
   double rms_bound() const;
   double percentile_bound() const;
 

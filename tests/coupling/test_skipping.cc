@@ -333,12 +333,12 @@ BOOST_AUTO_TEST_CASE(bounds_hold_in_95_of_100) {
   BOOST_TEST(percentile_holds >= 91);
 }
 
-// Errors with a heavy tail, and of known percentile: the sample alone.
+// Errors with an exponential tail, and of known percentile: the sample alone.
 BOOST_AUTO_TEST_CASE(bounds_of_heavy_tails) {
   int rms_holds = 0, percentile_holds = 0;
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
     SkippingAudit audit;
-    for (std::uint64_t k = 0; k < 60000; ++k)  // lognormal, e^2 of skewness 6
+    for (std::uint64_t k = 0; k < 60000; ++k)
       if (skipping_drawn(seed, k, 0.01)) {
         const double u = (double(k) + 0.5) / 60000.;
         audit.add(std::pow(-std::log(1. - u), 1.));  // exponential: rms sqrt(2), percentile ln 100
