@@ -3,7 +3,7 @@
 
 Verdict: one element a row of bricks is the coarsest within 2 % of the finest (1.5 %). There a strip of 2 cells across costs particles 137 x FE2 if it
 is dense, RVE calls are skipped and no fields are written, 4 x if it is sparse: 1000 x is missed by such a strip. What FE2 costs does not depend on the
-cells across: dense it is 1000 x from 15 cells across on (1650 x as wide as high), sparse from 480 on (50 x as wide as high).
+cells across, as nothing does across such a strip; particles that used it too are the 2 cells above. So dense it is 1000 x from 15 cells across on (1650 x with 24), sparse from 480 on (50 x with 24).
 
     /usr/bin/python3 inputs/studies/brick_strips_cost.py        writes doc/results/rve/strips_cost.md
 
@@ -54,7 +54,7 @@ def forces(run, along, row):
 def lines_of(tissue, runs, row):
     finest = forces(runs[f"{tissue}_{ELEMENTS[0]}"], ELEMENTS[0], row)
     particles = float(runs[f"{tissue}_particles"]["cpu_time_s"])
-    yield f"| {tissue}: elements along | RVE calls | largest error | CPU s | particles over it | the same for each cell across | as wide as high |"
+    yield f"| {tissue}: elements along | RVE calls | largest error | CPU s | particles over it | the same for each cell across | 24 cells across |"
     yield "|---|---|---|---|---|---|---|"
     for name, run in runs.items():
         if not name.startswith(tissue) or name.endswith("particles"):

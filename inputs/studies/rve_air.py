@@ -130,7 +130,9 @@ def main():
     print("\n".join(text))
 
 
-NOTES = """What this says of the trial's own numbers for bricks whose first tie is at 25 um, 88 / 188 / 551 with free sides and 135 / 1011 / 7688 with held
+NOTES = """Shares of air are areas between rings as drawn; where tied walls overlap they count negative. The room that shut air has is the sum of its own voids, which stays positive.
+
+What this says of the trial's own numbers for bricks whose first tie is at 25 um, 88 / 188 / 551 with free sides and 135 / 1011 / 7688 with held
 ones (in four by four cells, 150 / 1075 / 8424):
 
 - Held sides, until the air is gone: the same tissue gives the same stress, whatever walls do where they touch. Laid as the trial's (its nodes, its
