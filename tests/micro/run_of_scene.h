@@ -15,6 +15,7 @@ namespace turgor::test {
 struct Outcome {
   std::vector<std::vector<double>> rows;
   std::map<std::string, double> results;
+  std::map<std::string, std::string> notes;
 };
 
 template <class Scene>
@@ -37,7 +38,7 @@ Outcome run(const std::string &text, const unsigned int threads = 1, const unsig
     context.stop_at = resume ? 0 : stop_at;
     try {
       scene.run(context);
-      return {disk.series.at(table), context.results};
+      return {disk.series.at(table), context.results, context.notes};
     } catch (const RunStopped &) {
       BOOST_REQUIRE(!resume);
     }

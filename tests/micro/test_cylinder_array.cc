@@ -29,6 +29,15 @@ BOOST_AUTO_TEST_CASE(drag_of_particles) {
   BOOST_TEST(std::abs(usual.at("energy_balance")) < 1e-3);
 }
 
+BOOST_AUTO_TEST_CASE(a_fluid_too_soft_is_told) {
+  const std::string text =
+      "set Samples = 4\nset Frames = 0\nset End time = 0.01\nset Particles across = 12\n";
+  BOOST_TEST(!test::run<CylinderArray>(text, 1, 0, "drag").notes.count("drag"));
+  const auto soft =
+      test::run<CylinderArray>(text + "subsection Fluid\n set Bulk modulus = 1\nend\n", 1, 0, "drag");
+  BOOST_TEST(soft.notes.at("drag").find("Fluid/Bulk modulus (1 Pa) is less than 100 times") == 0);
+}
+
 BOOST_AUTO_TEST_CASE(same_bits_on_threads_and_after_a_stop) {
   const std::string text =
       "set Samples = 4\nset Frames = 0\nset End time = 0.02\nset Particles across = 24\n";

@@ -172,6 +172,13 @@ void CylinderArray::Run::report() {
   context.result("drag_error", at.drag / at.late / exact - 1., "1");
   context.result("drag_error_worst", at.worst, "1");
   context.result("momentum_balance", at.momentum, "1");
+  const double drop = exact * scene.flow.viscosity * scene.speed / scene.period;  // Pa over a period
+  if (scene.flow.bulk_modulus < 100. * drop)
+    remarked(context, "drag",
+             "Fluid/Bulk modulus (" + number_text(scene.flow.bulk_modulus) +
+                 " Pa) is less than 100 times what "
+                 "the pressure falls by over a period (" +
+                 number_text(drop) + " Pa): the fluid gives way and its drag is wrong. Make it larger.");
   context.result("energy_balance", flow.balance_error(), "1");
   judged(context, "energy_balance", flow.balance_error(), {0.02, 0.2},
          number_text(100. * flow.balance_error()) +
