@@ -1,6 +1,5 @@
 #include "micro/scenes/stokes/matrix_migration.h"
 
-#include "micro/engine/sound_state.h"
 #include "micro/geometry/circle_nodes.h"
 #include "micro/laws/random_normal.h"
 #include "micro/processes/polarity.h"
@@ -158,8 +157,7 @@ void MatrixMigration::Run::advance() {
 
 void MatrixMigration::Run::sample() {
   const Particles<2> &p = flow.system.particles;
-  if (const std::string wrong = unsound(p, {}); !wrong.empty())
-    throw RunFailed("the matrix came apart at t = " + number_text(flow.time()) + " s: " + wrong);
+  flow.require_sound("the matrix");
   const Vector<2> x = body().centre, way = x - at.last;
   const double since = flow.time() - at.last_time;
   const std::vector<double> stress = flow.von_mises(), &intact = p.field("intact");
@@ -186,10 +184,7 @@ void MatrixMigration::Run::go() {
     a.section("run");
     a(at, flow);
   };
-  run_failed_by([&] {
-    if (scene.solid.steps.packing == StokesPacking::disordered) flow.settle();
-    return 0;
-  });
+  flow.settle();
   degrade_ring();
   const bool resumed = context.load_checkpoint(loop.lasting);
   table = context.series("migration", {{"time", "s"},

@@ -1,9 +1,12 @@
 #include "micro/scenes/stokes/stokes_flow.h"
 
+#include "micro/engine/sound_state.h"
 #include "micro/laws/counter_random.h"
 #include "micro/terms/stress_field.h"
 #include "run/archive.h"
 #include "run/input_entries.h"
+#include "run/number_text.h"
+#include "run/run_failed_by.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,8 +89,22 @@ void StokesFlow::set_body_force(const Vector<2> &acceleration_) {
 }
 
 void StokesFlow::settle() {
-  if (parameters.known_by == BulkDensity::continuity)
-    return fluid->even_out(system.particles, system.box, parameters.settling);
+  if (parameters.packing != StokesPacking::disordered) return;
+  run_failed_by([&] {
+    if (parameters.known_by == BulkDensity::continuity)
+      fluid->even_out(system.particles, system.box, parameters.settling);
+    else
+      settle_by_steps();
+    return 0;
+  });
+}
+
+void StokesFlow::require_sound(const std::string &what, const double fastest) const {
+  if (const std::string wrong = unsound(system.particles, {.fastest = fastest}); !wrong.empty())
+    throw RunFailed(what + " came apart at t = " + number_text(time()) + " s: " + wrong);
+}
+
+void StokesFlow::settle_by_steps() {
   const Vector<2> driven = acceleration;
   set_body_force(Vector<2>::Zero());
   std::vector<std::vector<Vector<2>>> moving(on_wall.size());

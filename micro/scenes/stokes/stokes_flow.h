@@ -18,7 +18,9 @@
 #include "run/field_file.h"
 
 #include <functional>
+#include <limits>
 #include <optional>
+#include <string>
 
 namespace turgor {
 class InputEntries;
@@ -76,8 +78,10 @@ class StokesFlow {
   StokesFlow &operator=(const StokesFlow &) = delete;
 
   void set_body_force(const Vector<2> &acceleration);  ///< m/s^2
-  /// Without driving, walls at rest, until the packing has settled.
+  /// Without driving, walls at rest, until the packing has settled: a disordered one. Throws RunFailed.
   void settle();
+  /// Throws RunFailed where velocities (fastest: m/s) or places are none: `what` came apart.
+  void require_sound(const std::string &what, double fastest = std::numeric_limits<double>::max()) const;
   double step(double limit);  ///< s; throws std::runtime_error
 
   double time() const { return at; }
@@ -102,6 +106,7 @@ class StokesFlow {
 
  private:
   void begin_anew();
+  void settle_by_steps();
   double kinetic() const;
 
   StokesFlowParameters parameters;
