@@ -71,8 +71,9 @@ bool MixedControl::newton_step(Search &search, const RveState<2> &from, const do
   const Eigen::VectorXd step = -lu.solve(search.r);
   const double size = step.cwiseAbs().maxCoeff();
   if (!lu.isInvertible() || !std::isfinite(size)) return false;
-  search.found =
-      size <= settings.strain_accuracy || search.r.cwiseAbs().maxCoeff() <= settings.stress_accuracy;
+  const double enough =
+      torn ? std::max(settings.stress_accuracy, settings.torn_accuracy) : settings.stress_accuracy;
+  search.found = size <= settings.strain_accuracy || search.r.cwiseAbs().maxCoeff() <= enough;
   if (search.found) return true;
   const LoadingPath::Load here = load;
   for (double part = std::min(1., longest / size); part > 1e-3; part *= 0.5) {
@@ -189,6 +190,7 @@ RveAnswer<2> MixedControl::advance(RveState<2> &state, double &time, const doubl
       if (!any) at_first = smallest;
       any = true;
       good = answer;
+      torn = torn || answer.whole;
       parts.push_back({to, to - time, answer});
       just_broken = false;
       load = last = next;
@@ -199,7 +201,7 @@ RveAnswer<2> MixedControl::advance(RveState<2> &state, double &time, const doubl
     } else if (breaking.away < at_break) {
       state = breaking.answer.trial;
       parts.push_back({to, to - time, breaking.answer});
-      just_broken = true;
+      just_broken = torn = true;
       time = to;
     } else if (part *= 0.5; !(part > whole / 2048.)) {
       explain(answer, last, next);

@@ -30,6 +30,9 @@ namespace turgor {
 struct MixedControlSettings {
   bool exact_tangent = true;                             ///< of the RVE: else Broyden's corrections
   double strain_accuracy = 1e-10, stress_accuracy = 0.;  ///< 1, Pa: found when one is met
+  /// Pa, instead of stress_accuracy once walls have broken: slack ends of torn ones snap from one state to
+  /// the next.
+  double torn_accuracy = 0.;
 };
 
 class MixedControl {
@@ -80,6 +83,7 @@ class MixedControl {
   std::vector<Part> parts;
   Break breaking;
   bool just_broken = false;  ///< since the last balance: the next may be far
+  bool torn = false;         ///< some wall, on the path so far
   long iterations = 0;
   double cpu = 0.;
 };

@@ -154,8 +154,7 @@ struct RveResponse::Walk {
     search.exact_tangent = rve.fluid == RveFluid::hydrostatic || rve.rule == RveRule::cauchy_born;
     // Particles count as balanced up to 50 times their tolerance; what that leaves of the stress is less.
     if (!search.exact_tangent) search.stress_accuracy = 5. * rve.equilibrium_tolerance() * rve.cell.turgor;
-    // Slack ends of torn walls snap from one state to the next; what a snap changes is less.
-    if (rve.walls.failure()) search.stress_accuracy = 1e-3 * rve.cell.turgor;
+    search.torn_accuracy = 1e-3 * rve.cell.turgor;  // what a snap changes is less
     return search;
   }
 };
