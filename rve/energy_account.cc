@@ -54,7 +54,7 @@ void EnergyAccount::step(const double time, const RveAnswer<2> &answer, const do
     if (const double fell = from.energy - begin->energy; fell > 0.1 * here.allowed) fallen += fell;
     follow(here, *begin, to, 1);
   } else
-    follow(here, from, to, deepest);
+    follow(here, from, to, deepest + 1);  // not taken finer: what is missing stays in the gap
   if (now.whole && here.unheld < -here.allowed) {
     done -= here.unheld;
     fallen -= here.unheld;
