@@ -89,7 +89,7 @@ NOTES = """- Skipped calls change no force by more than 0.0014 % (48 elements); 
 - Half as many elements are 4 to 5 % off, at the other plate and in the first window most: fronts get as wide as elements.
 - The step is the longest that is stable (explicit); it grows with the elements.
 - Sparse: an RVE with contact takes some 40 us a call, 3 times the dense one, and is called at every point in every step, since tissue with air refuses
-  Skipping (walls that touch across air make the stress too rough for its table, doc/skipping.md). That is what 4 x is made of; no number of elements within 2 % changes it."""
+  Skipping (its table takes all of the area for cells, doc/skipping.md). That is what 4 x is made of; no number of elements within 2 % changes it."""
 
 if __name__ == "__main__":
     main()
