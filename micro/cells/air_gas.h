@@ -13,9 +13,9 @@
 //
 //   dE/dX = -p z0 A',   d2E/dX2 = gamma (p + p_0) z0/A A' A'^T - p z0 A''
 //
-//   AirGas gas(contact, law, depth);           // law.outside = 0: connected with the air outside, nothing is
-//   paid gas.shut(x, H); gas.find(x, H, spaces);                    // pressure and derivatives of every
-//   space
+//   AirGas gas(contact, law, depth);           // law.outside = 0: connected with the air outside, no cost
+//   gas.shut(x, H);
+//   gas.find(x, H, spaces);                    // pressure and derivatives of every space
 //
 // In: x (m, interleaved), H (m). Out: J, N, N/m, Pa.
 #pragma once
