@@ -46,19 +46,12 @@ void EnergyAccount::step(const double time, const RveAnswer<2> &answer, const do
   heat += product(answer.viscous, dF);
   const double scale = std::max({largest, std::abs(done), std::abs(done + work_between(from, to))});
   Step here{now.trial, answer.trial.F_dot, since, std::max(balanced * scale, resolution * dF.norm()),
-            given,     workspace};
-  std::optional<Place> begin;
+            workspace};
   if (answer.diagnostics.dragged) here.asks = 0;
-  if (deepest > 0 && std::abs(missing_between(from, to)) > here.allowed) begin = ask(here, from.F);
-  if (begin) {
-    if (const double fell = from.energy - begin->energy; fell > 0.1 * here.allowed) fallen += fell;
-    follow(here, *begin, to, 1);
-  } else
-    follow(here, from, to, deepest + 1);  // not taken finer: what is missing stays in the gap
-  if (now.whole && here.unheld < -here.allowed) {
-    done -= here.unheld;
-    fallen -= here.unheld;
-  }
+  if (now.whole && !given.components.empty())
+    fall(given, answer.viscous, from, to);
+  else if (!(deepest > 0 && std::abs(missing_between(from, to)) > here.allowed && finer(here, from, to)))
+    follow(here, from, to, deepest + 1);
   now = answer;
   moved = true;
   largest = std::max(largest, std::abs(done));
@@ -79,6 +72,19 @@ std::optional<EnergyAccount::Place> EnergyAccount::ask(Step &step, const Tensor2
   return std::nullopt;
 }
 
+bool EnergyAccount::finer(Step &step, const Place &from, const Place &to) {
+  const std::optional<Place> begin = ask(step, from.F);
+  if (!begin) return false;
+  const double done_before = done, fallen_before = fallen;
+  if (const double fell = from.energy - begin->energy; fell > 0.1 * step.allowed) fallen += fell;
+  follow(step, *begin, to, 1);
+  const double from_nothing = to.energy - from.energy - (done - done_before) + fallen - fallen_before;
+  if (from_nothing <= std::max(step.allowed, std::abs(missing_between(from, to)))) return true;
+  done = done_before;
+  fallen = fallen_before;
+  return false;
+}
+
 void EnergyAccount::follow(Step &step, const Place &from, const Place &to, const int depth) {
   const double missing = missing_between(from, to);
   if (std::abs(missing) > step.allowed && depth < deepest)
@@ -88,11 +94,15 @@ void EnergyAccount::follow(Step &step, const Place &from, const Place &to, const
       return;
     }
   done += work_between(from, to);
-  for (const int k : step.given.components) {
-    const int a = k / 2, b = k % 2;
-    step.unheld += (0.5 * (from.P(a, b) + to.P(a, b)) - step.given.P(a, b)) * (to.F(a, b) - from.F(a, b));
-  }
   if (missing > step.allowed && deepest > 0 && depth == deepest) fallen += missing;
+}
+
+void EnergyAccount::fall(const Given &given, const Tensor2<2> &viscous, const Place &from, const Place &to) {
+  Tensor2<2> P = 0.5 * (from.P + to.P);
+  for (const int k : given.components) P(k / 2, k % 2) = given.P(k / 2, k % 2) - viscous(k / 2, k % 2);
+  const double by = product(P, to.F - from.F), free = by - (to.energy - from.energy);
+  done += by;
+  fallen += std::max(free, 0.);
 }
 
 double EnergyAccount::gap_share() const {

@@ -16,7 +16,7 @@
 // gap.
 //
 // Where walls break under a given stress, they break at one F and what is left is brought into balance from
-// there: over that step nobody pushes but the given stress, whose work alone counts; what the cells give
+// there: over that step nobody pushes but the given stress, whose work alone counts; what the cells lose
 // beyond it is released too.
 //
 // Particles that relax are not asked again: that costs too much, and from one state to the next they end
@@ -76,9 +76,7 @@ class EnergyAccount {
     const RveState<2> &committed;
     Tensor2<2> F_dot;
     double since, allowed;  ///< s; J/m^3, that may be missing
-    const Given &given;
     Rve<2>::Workspace &workspace;
-    double unheld = 0.;  ///< J/m^3, work of the stress beyond what is given
     int asks = 32;  ///< left; none where an RVE has no answer, or one that drag holds, which follows no law
   };
   static double dissipated(const RveAnswer<2> &answer) { return answer.condition.dissipated(); }
@@ -92,8 +90,13 @@ class EnergyAccount {
   }
   /// None where the RVE has no answer.
   std::optional<Place> ask(Step &step, const Tensor2<2> &F) const;
+  /// Asks between; false where that makes more energy from nothing than the step itself: the answers then lie
+  /// on another way, as those of torn cells may, and tell nothing of this one.
+  bool finer(Step &step, const Place &from, const Place &to);
   /// From one place to the next: work into `done`, what falls into `fallen`.
   void follow(Step &step, const Place &from, const Place &to, int depth);
+  /// From where walls broke under a given stress to the next balance; viscous: Pa, there.
+  void fall(const Given &given, const Tensor2<2> &viscous, const Place &from, const Place &to);
   void row(double time) const;
 
   const Rve<2> &rve;
