@@ -62,7 +62,7 @@ block what the sides take. 5, 10 %: ends 1.63, 1.62 and sides 1.57, 1.76 with n 
 (121, 376, 1429 over 67, 206, 847 kPa), and struck at 5 m/s FE2 over particles 0.78, 1.55, 1.54.
 At half the speed 6 x 6 change by 4 and 2 % at 5 and 10 %, and by a third at 20 %: the trial saw free blocks shear sideways above 15 % when they are
 given the time. So the last column says how fast that goes, and not what sides take.
-From 8 to 16 cells what is more than 1 in RVE over block falls to 0.4 of itself (0.5 would be 1/n). 5 x 5 cannot be: rows come in twos. Blocks that are struck were not run."""
+From 8 to 16 cells what is more than 1 in RVE over block falls to 0.4 of itself (0.5 would be 1/n). 5 x 5 cannot be: rows come in twos. Blocks that are struck: strips_free_struck.md."""
 
 if __name__ == "__main__":
     main()

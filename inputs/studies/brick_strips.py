@@ -229,8 +229,8 @@ Dense, struck and held, the force is nearly all the fluid's (hexagons give the s
 How far the two lines, through all heights and through the two tallest, lie apart is how well a slow extrapolation is known: 1 to 4 %, as much as the target of 3 %.
 16 rows of particles cost 8116 x (dense) and 6716 x (sparse) the RVE alone, once. Struck, FE2 with one element a row is to be compared: at 24 rows particles
 cost 16.5/1.99 = 8 x dense and 18.4/5.68 = 3 x sparse, both with the fields that pictures need, so that the 1000 x aimed at is missed there by far.
-How few elements and RVE calls do: strips_cost.md. Walls that break: strips_failure.md. Free blocks, pressed slowly: strips_free.md; struck ones are
-in none of them.
+How few elements and RVE calls do: strips_cost.md. Walls that break: strips_failure.md. Free blocks, pressed slowly: strips_free.md; struck:
+strips_free_struck.md.
 The held dense strip of 16 rows, slow, diverged at 18 % (a wall node faster than sound), at about twice the stress of the table's end; why was not looked into."""
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@
 #include "micro/cells/tiled_layout.h"
 #include "micro/cells/turgid_layout.h"
 #include "micro/cells/turgid_limit.h"
+#include "micro/cells/turned_cells.h"
 #include "micro/geometry/joined_polygons.h"
 #include "micro/geometry/laguerre_tiling.h"
 #include "micro/geometry/regular_tilings.h"
@@ -23,14 +24,6 @@
 
 namespace turgor {
 namespace {
-CellLayout turned(CellLayout layout, const double angle) {
-  Tensor2<2> turn;
-  turn << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
-  layout.lattice = (turn * layout.lattice).eval();
-  for (Vector<2> &node : layout.nodes) node = (turn * node).eval();
-  return layout;
-}
-
 /// side: of a square as large as the cells in the mean; refused where no cell is so large, with the unit that
 /// it may be in.
 void require_metres(const double side) {
