@@ -10,6 +10,7 @@
 #include "app/study_runner.h"
 #include "run/atomic_file.h"
 #include "run/number_text.h"
+#include "run/progress_bar.h"
 
 #include <cmath>
 #include <cstdio>
@@ -74,6 +75,7 @@ std::string study_text(const CompareOptions &options, const Counterpart &cells,
          << "\nend\n";
   };
   run(all_cells, cells_file, {});
+  given.insert(given.end(), cells.tissue.begin(), cells.tissue.end());
   run(as_it_is, options.file, given);
   for (const auto &[name, entries] : cells.refinements) {
     Counterpart::Entries all = given;
@@ -86,7 +88,21 @@ std::string study_text(const CompareOptions &options, const Counterpart &cells,
   const auto measure = [&](const std::string &name, const std::string &what) {
     text << "subsection Measure " << name << "\n" << what << "end\n";
   };
-  if (cells.moves) {
+  if (cells.struck) {
+    const std::string table = "  set Table = blow\n  set Columns = ";
+    measure("tool",
+            table + "stress_tool\n  set Weight = mean\n  set Title = mean stress on the plate that hits\n");
+    measure("support",
+            table + "stress_support\n  set Weight = mean\n  set Title = mean stress on the other plate\n");
+    measure("history",
+            table +
+                "stress_tool, stress_support\n  set Parts = 20\n  set Title = course of both stresses "
+                "(rms over 20 parts)\n");
+    if (cells.breaks)
+      measure("failed", table +
+                            "failed_share\n  set Weight = end\n  set Relative to = 1\n  set Title = share of "
+                            "failed cells at the end\n");
+  } else if (cells.moves) {
     const std::string table = "  set Table = probe\n  set Columns = displacement_y\n  set Weight = ";
     measure("amplitude", table + "amplitude\n  set Title = amplitude of the probe's first swing\n");
     measure("period", table + "period\n  set Title = period of the probe's first swing\n");
@@ -95,6 +111,17 @@ std::string study_text(const CompareOptions &options, const Counterpart &cells,
     measure("tip", "  set Result = tip_over_width\n  set Title = deflection of the tip over the width\n");
   }
   return text.str();
+}
+
+/// Of a finished run's blow.csv.
+Compared::Failed failure_in(const std::filesystem::path &run) {
+  const CsvTable blow = read_csv(run / "blow.csv");
+  const std::vector<double> strain = blow.column("strain"), failed = blow.column("failed_share");
+  Compared::Failed found;
+  for (std::size_t row = 0; row < failed.size() && !found.first; ++row)
+    if (failed[row] > 0.) found.first = strain[row];
+  found.share = failed.empty() ? 0. : failed.back();
+  return found;
 }
 
 std::map<std::string, Compared> results(const CompareOptions &options,
@@ -115,6 +142,8 @@ std::map<std::string, Compared> results(const CompareOptions &options,
       const MeasuredRun value = measure(asked_of(run, each), found.directory, directories.at(all_cells));
       if (each.weight_name() == "rms")
         one.history = value.error.value_or(NAN);
+      else if (each.weight_name() == "end")
+        one.failed = failure_in(found.directory);
       else
         one.values[each.name] = value.value;
     }
@@ -146,7 +175,7 @@ void write_split(const ErrorSplit &split, const std::filesystem::path &directory
   write_text(directory / "split.csv", csv_of(rows));
 }
 
-void tell(const ErrorSplit &split, const double history) {
+void tell(const ErrorSplit &split, const double history, const std::string &course) {
   std::printf("\n%-28s", "");
   for (const auto &[name, value] : split.lines[0].share) std::printf("%12s", name.c_str());
   std::printf("%12s\n", "CPU s");
@@ -161,8 +190,25 @@ void tell(const ErrorSplit &split, const double history) {
   }
   for (const auto &[name, remark] : split.remarks) std::printf("%s: %s\n", name.c_str(), remark.c_str());
   if (std::isfinite(history))
-    std::printf("History of the probe: root mean square of the difference %.3g %% of the cells' own.\n",
+    std::printf("%s: root mean square of the difference %.3g %% of the cells' own.\n", course.c_str(),
                 100. * history);
+}
+
+/// Failed cells of every run: on the terminal and in failed.csv. Shares of nothing would say nothing, so the
+/// numbers themselves.
+void tell_failures(const std::map<std::string, Compared> &runs, const std::filesystem::path &directory) {
+  std::vector<std::vector<std::pair<std::string, std::string>>> rows;
+  std::printf("\n%-28s%20s%20s\n", "failed cells", "first, at a way of", "share at the end");
+  for (const auto &[label, run] : runs) {
+    if (!run.failed) continue;
+    const auto &[first, share] = *run.failed;
+    std::printf("%-28s%20s%18s %%\n", label.c_str(), first ? (rounded(100. * *first) + " %").c_str() : "none",
+                rounded(100. * share).c_str());
+    rows.push_back({{"run", label},
+                    {"strain_at_first_failure", first ? number_text(*first) : ""},
+                    {"failed_share", number_text(share)}});
+  }
+  write_text(directory / "failed.csv", csv_of(rows));
 }
 }  // namespace
 
@@ -170,6 +216,11 @@ int compare_command(const CompareOptions &options, const ScenarioRegistry &regis
   const Input tissue = load_input(options.file, options.overrides, registry);
   const Counterpart cells = counterpart_of(tissue, registry);
   if (!cells.remark.empty()) std::cout << cells.remark << std::endl;
+  if (cells.cpu > 0.)
+    std::cout << "All cells take about " << ProgressBar::in_words(cells.cpu)
+              << " of CPU time (within a factor of two; half as many along either side about a quarter of it "
+                 "in a strip, an eighth in a block)."
+              << std::endl;
   const std::string stem = options.file.stem().string() + "_compared";
   const std::filesystem::path directory =
       options.directory.empty() ? std::filesystem::path("runs") / stem : options.directory;
@@ -187,7 +238,8 @@ int compare_command(const CompareOptions &options, const ScenarioRegistry &regis
   const std::map<std::string, Compared> runs = results(options, study_file, registry);
   const ErrorSplit split = error_split(cells, runs);
   write_split(split, directory);
-  tell(split, runs.at(as_it_is).history);
+  tell(split, runs.at(as_it_is).history, cells.struck ? "Course of both stresses" : "History of the probe");
+  if (cells.breaks) tell_failures(runs, directory);
   return draw(directory, "split.py", {}) == Drawn::yes ? 0 : 1;
 }
 }  // namespace turgor

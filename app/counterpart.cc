@@ -1,25 +1,17 @@
 #include "app/counterpart.h"
 
+#include "app/counterpart_entries.h"
+#include "app/struck_counterpart.h"
 #include "run/input_entries.h"
 #include "run/number_text.h"
 #include "run/run_context.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
-#include <stdexcept>
 
 namespace turgor {
 namespace {
-/// All entries of an input by Section/Name.
-std::map<std::string, std::string> values_of(const Input &input) {
-  std::map<std::string, std::string> values;
-  for (const auto *list : {&input.identity.deciding, &input.identity.ends, &input.identity.free})
-    values.insert(list->begin(), list->end());
-  return values;
-}
-
 struct Scenes {
   const char *tissue, *cells;
   bool moves;
@@ -51,6 +43,7 @@ const Scenes &scenes_of(const Input &tissue) {
     if (one.tissue == tissue.scenario_name) return one;
     names += (names.empty() ? "" : ", ") + std::string(one.tissue);
   }
+  names += ", tissue_bruise";
   throw InputError("There is no scene that has every cell of " + tissue.scenario_name +
                    "; compared are inputs of " + names + ".");
 }
@@ -74,16 +67,6 @@ std::string rows_from(const std::map<std::string, std::string> &values, const Sc
   return own != values.end() && own->second != "0" ? own->first : scenes.same.front().first;
 }
 
-bool divides(const int factor, const std::string &whole) {
-  return std::fmod(read_number(whole).value_or(1.), factor) == 0.;
-}
-
-std::string halved(const std::string &number) { return number_text(0.5 * read_number(number).value_or(1.)); }
-std::string without_blanks(std::string text) {
-  std::erase(text, ' ');
-  return text;
-}
-
 /// All cells are loaded by their weight alone, downwards and at once.
 void refuse_other_loads(const std::map<std::string, std::string> &values) {
   for (const auto &[entry, wanted] :
@@ -94,51 +77,6 @@ void refuse_other_loads(const std::map<std::string, std::string> &values) {
           std::string(entry) + " is " + found->second +
           ", but a block of all cells is loaded by a body force downwards, all of it at once: compare with " +
           wanted + ".");
-}
-
-std::string doubled(const std::string &whole) { return number_text(2. * read_number(whole).value_or(1.)); }
-
-/// The sentence with the names that entries have in the input of the tissue.
-std::string renamed(const std::string &sentence,
-                    const std::vector<std::pair<std::string, std::string>> &names) {
-  const auto joins = [&](const std::size_t place) {
-    return place < sentence.size() &&
-           (std::isalnum(static_cast<unsigned char>(sentence[place])) != 0 || sentence[place] == '/');
-  };
-  std::string text;
-  for (std::size_t at = 0; at < sentence.size();) {
-    const auto name = std::find_if(names.begin(), names.end(), [&](const auto &one) {
-      return sentence.compare(at, one.first.size(), one.first) == 0 && !joins(at + one.first.size()) &&
-             (at == 0 || !joins(at - 1));
-    });
-    text += name == names.end() ? sentence.substr(at, 1) : name->second;
-    at += name == names.end() ? 1 : name->first.size();
-  }
-  return text;
-}
-
-/// Asks the scene of all cells itself, before a file that nobody has written is refused.
-void require_possible(const Counterpart &cells, const ScenarioRegistry &registry,
-                      const std::vector<std::pair<std::string, std::string>> &names) {
-  const std::unique_ptr<Scenario> scene = registry.make(cells.scene);
-  InputEntries prm;
-  scene->declare_parameters(prm);
-  const auto refuse = [&](const std::string &why) {
-    throw InputError("The block of all cells (" + cells.scene + ") cannot be had: " + renamed(why, names));
-  };
-  try {
-    for (const auto &[path, value] : cells.entries) {
-      const std::size_t slash = path.find('/');
-      if (slash != std::string::npos) prm.enter_subsection(path.substr(0, slash));
-      prm.set(path.substr(slash + 1), value);
-      if (slash != std::string::npos) prm.leave_subsection();
-    }
-    scene->check();
-  } catch (const InputError &problem) {
-    refuse(problem.what());
-  } catch (const std::invalid_argument &problem) {
-    refuse(problem.what());
-  }
 }
 
 /// Pa. Below it the cells of a block at rest do not feel their load.
@@ -168,6 +106,7 @@ std::string tolerance_for(const std::map<std::string, std::string> &values, cons
 }  // namespace
 
 Counterpart counterpart_of(const Input &tissue, const ScenarioRegistry &registry) {
+  if (is_struck(tissue)) return struck_counterpart(tissue, registry);
   const Scenes &scenes = scenes_of(tissue);
   const std::map<std::string, std::string> values = values_of(tissue);
   refuse_what_cells_lack(values, scenes.cells);
@@ -189,12 +128,8 @@ Counterpart counterpart_of(const Input &tissue, const ScenarioRegistry &registry
   const std::unique_ptr<Scenario> scene = registry.make(scenes.cells);
   InputEntries prm;
   scene->declare_parameters(prm);
-  for (const InputEntry &entry : prm.entries())
-    if (const auto found = values.find(entry.path());
-        found != values.end() && entry.path().find('/') != std::string::npos)
-      cells.entries.emplace_back(entry.path(), found->second);
-  for (const RunIdentity::NamedFile &file : tissue.identity.files)
-    throw InputError(file.entry + ": the tissue of a file is not compared; use a Structure without one.");
+  cells.entries = shared_entries(values, scenes.cells, registry);
+  refuse_files(tissue);
   for (const auto &[from, to] : scenes.same) cells.entries.emplace_back(to, values.at(from));
   std::string rows = values.at(scenes.same.front().first);
   const std::string across = rows_from(values, scenes);
@@ -217,7 +152,7 @@ Counterpart counterpart_of(const Input &tissue, const ScenarioRegistry &registry
   }
   std::vector<std::pair<std::string, std::string>> names = {{"Rows", across}};
   for (const auto &[from, to] : scenes.same) names.emplace_back(to, from);
-  require_possible(cells, registry, names);
+  possible_scene(cells, registry, names);
 
   if (const auto held = values.find("RVE/Boundary"); held != values.end() && held->second != "periodic")
     cells.remark = "RVE/Boundary is " + held->second + ": such RVEs are windows cut out of the tissue, " +
@@ -230,17 +165,7 @@ Counterpart counterpart_of(const Input &tissue, const ScenarioRegistry &registry
   for (const std::string &entry : scenes.elements)
     if (values.at(entry) != "0") finer.emplace_back(entry, doubled(values.at(entry)));
   cells.refinements.emplace_back("mesh", finer);
-  cells.refinements.emplace_back("RVE size",
-                                 Counterpart::Entries{{"RVE/Columns", doubled(values.at("RVE/Columns"))},
-                                                      {"RVE/Rows", doubled(values.at("RVE/Rows"))}});
-  if (const auto skipping = values.find("Skipping/Skipping");
-      skipping != values.end() && skipping->second != "none")
-    cells.refinements.emplace_back("skipping", Counterpart::Entries{{"Skipping/Skipping", "none"}});
-  if (scenes.moves)
-    cells.refinements.emplace_back(
-        "time step",
-        Counterpart::Entries{{"Time/Step fraction",
-                              number_text(0.5 * read_number(values.at("Time/Step fraction")).value_or(1.))}});
+  refine_rves_and_steps(cells, values);
   return cells;
 }
 }  // namespace turgor

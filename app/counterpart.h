@@ -3,6 +3,7 @@
 //
 //   tissue_statics   static_lattice: every wall of every cell at rest
 //   tissue_gravity   full_micro: all cells as particles
+//   tissue_bruise    tissue_impact: all cells as particles, struck by a plate (struck_counterpart.h)
 //
 //   const Counterpart cells = counterpart_of(load_input(file, {}, registry), registry);
 //
@@ -30,6 +31,10 @@ struct Counterpart {
   /// should change nothing.
   std::vector<std::pair<std::string, Entries>> refinements;
   std::string remark = {};  ///< on what the error is first of all; empty: nothing
+  bool struck = false;      ///< a blow is compared (blow.csv), and does not count as a swing
+  bool breaks = false;      ///< its walls may break: failed cells are compared
+  Entries tissue = {};      ///< changes of the input of finite elements without which there is no such scene
+  double cpu = 0.;          ///< s, that all cells will take, roughly; 0: not known
 };
 
 /// Throws InputError with a sentence where there is no such scene, or it cannot have what the input asks for.

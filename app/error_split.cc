@@ -36,7 +36,7 @@ std::string reason(const Counterpart &cells, const double left, const double num
   else
     text += "and from " + sizes +
             " cells all cells come closer to FE2 more slowly than with 1/n, so that the line ends before it.";
-  return text + (cells.moves ? " The particles' own error is in the rest, too." : "");
+  return text + (cells.moves || cells.struck ? " The particles' own error is in the rest, too." : "");
 }
 
 std::string remark(const Counterpart &cells, const double total, const double left, const double number,

@@ -35,6 +35,12 @@ struct Compared {
   std::map<std::string, double> values;  ///< of the measures that are one number, in SI units
   double cpu = 0.;                       ///< s
   double history = NAN;                  ///< rms error of the probe's course over that of all cells
+
+  struct Failed {
+    std::optional<double> first = {};  ///< way of the tool over the size at rest; none: no cell has failed
+    double share = 0.;                 ///< of all cells, at the end
+  };
+  std::optional<Failed> failed = {};  ///< where walls may break
 };
 
 struct SplitLine {

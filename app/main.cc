@@ -197,9 +197,8 @@ struct CommandLine {
         "compare",
         "A tissue of finite elements against every one of its cells: error, where it comes from, run time");
     compare_app->footer(
-        "Inputs of tissue_statics (against static_lattice: seconds) and of tissue_gravity (against "
-        "full_micro: "
-        "minutes to hours).");
+        "Inputs of tissue_statics (against static_lattice: seconds), tissue_gravity (full_micro: minutes to "
+        "hours), tissue_bruise (tissue_impact, struck by a plate: minutes, told before the runs).");
     compare_app->add_option("FILE", compare.file, "Input file of the tissue (.prm)")->required();
     compare_app
         ->add_option("--set", compare.overrides, "Section/Name=value, over the file's value; may be repeated")

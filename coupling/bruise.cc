@@ -1,5 +1,6 @@
 #include "coupling/bruise.h"
 
+#include "micro/scenes/blow_table.h"
 #include "run/archive.h"
 #include "run/number_text.h"
 #include "run/judged.h"
@@ -14,6 +15,7 @@ constexpr Shares penetration{0.1, 0.5};  // over RigidTools::own_size()
 Bruise::Bruise(const TissueParameters<2> &parameters)
     : tool(parameters.tool),
       width(parameters.size[0]),
+      height(parameters.size[1]),
       element(parameters.size[0] / parameters.elements[0]) {}
 
 void Bruise::open(RunContext &context, const Tissue<2> &) {
@@ -34,6 +36,7 @@ void Bruise::open(RunContext &context, const Tissue<2> &) {
                                          {"pressure", "Pa"},
                                          {"F_xx", "1"},
                                          {"F_yy", "1"}});
+  blow = context.series("blow", blow_columns());
 }
 
 Bruise::Sum Bruise::sum(const Tissue<2> &tissue, const RveLaw<2> &law) const {
@@ -62,6 +65,7 @@ void Bruise::row(const Tissue<2> &tissue, const RveLaw<2> &law) {
   const Sum s = sum(tissue, law);
   impact->add_row({time, tool.travel(time), force, state.tool.support, state.tool_work, s.failed / s.area,
                    s.permanent / s.area, s.by_flow, s.by_failure});
+  blow->add_row({tool.travel(time) / width, force / height, state.tool.support / height, s.failed / s.area});
   if (force > memory.peak_force) {
     memory.peak_force = force;
     memory.peak_time = time;

@@ -44,8 +44,8 @@ class Bruise : public TissueObserver {
   void check_contact(const Tissue<2> &tissue) const;
 
   const ToolParameters tool;
-  const double width, element;  // m, of the block and of an element, in x
+  const double width, height, element;  // m, of the block; of an element, in x
   Memory memory;
-  std::unique_ptr<Series> impact, points;
+  std::unique_ptr<Series> impact, points, blow;
 };
 }  // namespace turgor

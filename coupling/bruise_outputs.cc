@@ -1,4 +1,5 @@
 #include "coupling/tissue_outputs.h"
+#include "micro/scenes/blow_table.h"
 
 namespace turgor {
 namespace {
@@ -69,6 +70,6 @@ Outputs bruise_outputs() {
               {"pressure", "Pa", "Mean pressure of the fluid in the point's RVE."},
               {"F_xx", "1", "Stretch component F_xx of the deformation gradient at the point."},
               {"F_yy", "1", "Stretch component F_yy of the deformation gradient at the point."}});
-  return all;
+  return all.join(blow_outputs());
 }
 }  // namespace turgor

@@ -5,7 +5,8 @@ Verdict: one element a row of bricks is the coarsest within 2 % of the finest (1
 is dense, RVE calls are skipped and no fields are written, 4 x if it is sparse: 1000 x is missed by such a strip. What FE2 costs does not depend on the
 cells across, as nothing does across such a strip; particles that used it too are the 2 cells above. So dense it is 1000 x from 15 cells across on (1650 x with 24), sparse from 480 on (50 x with 24).
 
-    /usr/bin/python3 inputs/studies/brick_strips_cost.py        writes doc/results/rve/strips_cost.md
+    /usr/bin/python3 inputs/studies/brick_strips_cost.py        writes doc/results/rve/strips_cost.md and strips_cost.png
+    /usr/bin/python3 inputs/studies/brick_strips_cost.py draw   the picture alone, from the tables that are there
 
 The strip of 24 rows of brick_strips.py, struck at 5 m/s with its sides held, as FE2: two elements across as there (the fewest that periodic sides
 take), n along, the piece as wide as makes the elements square but no narrower than there (the step is that of the shorter side, and nothing depends
@@ -13,11 +14,13 @@ on the place across); Skipping = certified for dense tissue (air spaces refuse i
 mean over 0 to 4, 4 to 8, 8 to 12 % of strain of the force on either plate, the largest of the six, against the finest; a plate that no front has
 reached (a mean below 1 kPa) is left out. Particles: the strip of 2 bricks by 24 rows.
 """
+import argparse
 import os
+import sys
 
 from brick_strips import STRUCK, TISSUES, WINDOWS, alone, mean_between, table
 from brick_strips import wanted as strips
-from runs import ROOT, no_choice, results, study
+from runs import ROOT, results, study
 
 ROWS = STRUCK[-1]
 ELEMENTS = (2 * ROWS, ROWS, ROWS // 2, ROWS // 3, ROWS // 4, ROWS // 6)  # along, the finest first
@@ -68,8 +71,67 @@ def lines_of(tissue, runs, row):
     yield f"| particles, {COLUMNS} x {ROWS} bricks | | | {particles:.3g} | | | |"
 
 
+def cases(text):
+    """{tissue: ({kind of run: [(elements, CPU s, error in %)]}, CPU s of the particles)} of the tables of strips_cost.md."""
+    found, tissue = {}, None
+    for line in text.split("\n"):
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        if ": elements along" in cells[0]:
+            tissue = cells[0].split(":")[0]
+            found[tissue] = ({}, None)
+        elif tissue and cells[0].startswith("particles, "):
+            found[tissue] = (found[tissue][0], float(cells[3]))
+        elif tissue and cells[0][:1].isdigit():
+            elements, _, kind = cells[0].partition(", ")
+            found[tissue][0].setdefault(kind, []).append((int(elements), float(cells[3]), float(cells[2].rstrip(" %"))))
+    return found
+
+
+KINDS = {"": ("every RVE called, 120 frames of fields written", "#b03a2e", "o"), "calls skipped": ("RVE calls skipped, fields written", "#2e6f9e", "s"),
+         "calls skipped, no fields": ("RVE calls skipped, no fields", "#3f8f7f", "D"), "no fields": ("every RVE called, no fields", "#d08a2e", "^")}
+
+
+def draw(text, path):
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+    sys.path.insert(0, os.path.join(ROOT, "app", "plots"))
+    from drawing import INK, style
+    figure, all_axes = plt.subplots(1, 2, figsize=(12.5, 5.4), sharey=True, constrained_layout=True)
+    for axis, (tissue, (kinds, particles)) in zip(all_axes, cases(text).items()):
+        for kind, points in kinds.items():
+            words, colour, marker = KINDS[kind]
+            axis.plot([cpu for _, cpu, _ in points], [error for _, _, error in points], color=colour, marker=marker, markersize=5, linewidth=1, label=words)
+            for elements, cpu, error in points:
+                axis.annotate(str(elements), (cpu, error), xytext=(-5, -9) if kind == "no fields" else (5, 4), textcoords="offset points",
+                              fontsize=7.5, color=colour, ha="right" if kind == "no fields" else "left")
+        axis.axhline(2, color=INK, linewidth=0.8, linestyle=":")
+        axis.annotate("2 % allowed", (0, 2), xycoords=("axes fraction", "data"), xytext=(4, 3), textcoords="offset points", fontsize=8.5, color=INK)
+        axis.axvline(particles, color=INK, linewidth=1.2)
+        axis.annotate(f"all cells as particles, {COLUMNS} x {ROWS}: {particles:g} s", (particles, 0.97), xycoords=("data", "axes fraction"), xytext=(-4, 0),
+                      textcoords="offset points", fontsize=8.5, color=INK, ha="right", va="top", rotation=90)
+        axis.set_xscale("log")
+        axis.set_xlim(0.02, 30)
+        axis.set_ylim(-0.6, 21.5)
+        axis.set_xticks([0.03, 0.1, 0.3, 1, 3, 10, 30], ["0.03", "0.1", "0.3", "1", "3", "10", "30"])
+        axis.minorticks_off()
+        axis.set_title(f"{tissue} tissue" + (" (air between the cells)" if tissue == "sparse" else ""), fontsize=11, color=INK)
+        axis.set_xlabel("CPU time of the whole run [s]", color=INK)
+        axis.legend(frameon=False, fontsize=8.5, loc="upper left")
+        style(axis)
+    all_axes[0].set_ylabel("largest change of a plate's mean force\nagainst the run with 48 elements [%]", color=INK)
+    figure.suptitle(f"How few elements does FE² need? A strip of {ROWS} rows of bricks struck at 5 m/s: error over cost\n(numbers at the points: elements along "
+                    "the strip; left and low is good)", fontsize=11.5, color=INK)
+    figure.savefig(path, dpi=110)
+
+
 def main():
-    no_choice(__doc__)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("what", nargs="?", choices=["draw"], help="the picture alone")
+    folder = os.path.join(ROOT, "doc", "results", "rve")
+    if parser.parse_args().what == "draw":
+        with open(os.path.join(folder, "strips_cost.md"), encoding="utf-8") as file:
+            return draw(file.read(), os.path.join(folder, "strips_cost.png"))
     reference = study("brick_strips_cost_alone", [run for tissue in TISSUES for run in alone(tissue) if run[0].endswith("_rve")])
     row = {tissue: results(reference[f"{tissue}_rve"])["period_yy"] for tissue in TISSUES}
     runs = study("brick_strips_cost", [run for tissue in TISSUES for run in wanted(tissue, row[tissue])])
@@ -80,12 +142,15 @@ def main():
     for tissue in TISSUES:
         lines += ["", *lines_of(tissue, runs, row[tissue])]
     lines += ["", NOTES]
-    with open(os.path.join(ROOT, "doc", "results", "rve", "strips_cost.md"), "w", encoding="utf-8") as out:
+    with open(os.path.join(folder, "strips_cost.md"), "w", encoding="utf-8") as out:
         out.write("\n".join(lines) + "\n")
+    draw("\n".join(lines), os.path.join(folder, "strips_cost.png"))
     print("\n".join(lines))
 
 
-NOTES = """- Skipped calls change no force by more than 0.0014 % (48 elements); with 24 of them 121 536 calls are reduced to 441.
+NOTES = """![Error over CPU time for each number of elements](strips_cost.png)
+
+- Skipped calls change no force by more than 0.0014 % (48 elements); with 24 of them 121 536 calls are reduced to 441.
 - Half as many elements are 4 to 5 % off, at the other plate and in the first window most: fronts get as wide as elements.
 - The step is the longest that is stable (explicit); it grows with the elements.
 - Sparse: an RVE with contact takes some 40 us a call, 3 times the dense one, and is called at every point in every step, since tissue with air refuses

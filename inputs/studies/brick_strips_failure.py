@@ -178,7 +178,9 @@ NOTES = """![Stress and failed cells over the way of the plate](strips_failure.p
   drains otherwise is a matter of air and surfaces, which an RVE of dense cells does not have.
 - The strips ring at first: the plate begins to move at its full speed.
 - Points of the RVE lie 0.5 % of strain apart: so well is its first failure known where the path goes on.
-- Yielding strips end by themselves (see above) when 14 or 16 of their 16 cells have failed."""
+- Yielding strips end by themselves (see above) when 14 or 16 of their 16 cells have failed;
+  the program that ran them counted the work of the sides by the stress before each change of width, which looked like energy from nothing. It
+  counts the energy itself now (micro/scenes/tissue/strip_width.h); the motion up to there is the same, how far they come was not run again."""
 
 if __name__ == "__main__":
     main()

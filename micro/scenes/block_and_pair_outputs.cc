@@ -137,7 +137,10 @@ Outputs FullMicro::outputs() const {
           {"mean_neighbours", "1",
            "Mean number of particles within reach of the kernel of a fluid particle."},
           {"list_builds_per_cell", "1", "Rebuilds of the lists of neighbours over the number of cells."},
-          {"most_crossed", "", "Largest number of fluid particles outside their cell's wall in any row."}})
+          {"most_crossed", "", "Largest number of fluid particles outside their cell's wall in any row."},
+          {"rest_residual", "1",
+           "Largest force on a particle that may move before the load is put on, over turgor times the wall "
+           "of a node."}})
       .table("probe", "The middle of the side opposite to the clamp over time.",
              {{"time", "s", "Time since the load was put on."},
               {"displacement_x", "m",

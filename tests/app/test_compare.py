@@ -7,6 +7,7 @@ import unittest
 
 PROGRAM = os.path.join(os.environ["TURGOR_BUILD"], "app", "turgor")
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+BRUISE = os.path.join(SOURCE, "inputs", "tissue_bruise.prm")
 STATICS = os.path.join(SOURCE, "inputs", "tissue_statics.prm")
 SMALL = [word for value in ("Cells=8", "Elements=4", "Lateral sides=periodic") for word in ("--set", "Tissue statics/" + value)]
 
@@ -61,7 +62,8 @@ class Compare(unittest.TestCase):
     def test_what_cannot_be_compared(self):
         with tempfile.TemporaryDirectory() as directory:
             for file, words, sentence in (
-                    ("laplace.prm", [], "There is no scene that has every cell of laplace; compared are inputs of tissue_statics, tissue_gravity."),
+                    ("laplace.prm", [], "There is no scene that has every cell of laplace; compared are inputs of tissue_statics, tissue_gravity, "
+                     "tissue_bruise."),
                     ("tissue_statics.prm", ["--set", "Tissue statics/Lateral sides=clamped"],
                      "Tissue statics/Lateral sides is clamped, but a block of all cells is held at its left side alone: compare with free or "
                      "periodic."),
@@ -101,6 +103,33 @@ class Compare(unittest.TestCase):
             listed = compare(STATICS, "-o", out, "--list", *small, "--set", "RVE/Boundary=uniform_traction")
             self.assertEqual(listed.returncode, 0, listed.stderr)
             self.assertIn("RVE/Boundary is uniform_traction: such RVEs are windows cut out of the tissue, softer than it", listed.stdout)
+
+    def test_a_blow_is_listed_with_its_cost_and_what_is_left_out(self):
+        with tempfile.TemporaryDirectory() as directory:
+            out = os.path.join(directory, "out")
+            listed = compare(BRUISE, "-o", out, "--list")
+            self.assertEqual(listed.returncode, 0, listed.stderr)
+            self.assertIn("Compared is a block of 15 rows of 30 cells, struck by a plate at 5 m/s until it has gone 0.35 mm.", listed.stdout)
+            self.assertIn("left out on both sides: Impact/Tool = cylinder (plate), Impact/Motion = rebound (steady), Impact/Support = clamped (plate).",
+                          listed.stdout)
+            self.assertRegex(listed.stdout, r"All cells take about \d+ min")
+            strip = compare(BRUISE, "-o", out, "--list", "--set", "Structure/Structure=brick", "--set", "Structure/Rotation=90", "--set",
+                            "Tissue/Lateral sides=periodic")
+            self.assertEqual(strip.returncode, 0, strip.stderr)
+            self.assertIn("Compared is a strip of 12 rows of 2 cells", strip.stdout)
+            self.assertIn("half as many cells", strip.stdout)
+            with open(os.path.join(out, "tissue_bruise_cells.prm"), encoding="utf-8") as file:
+                cells = file.read()
+            for line in ("set Scenario = tissue_impact", "set Sides = periodic", "set Rotation = 0", "set Critical stretch = 1.25", "set Yielding = plastic"):
+                self.assertIn(line, cells)
+            for words, sentence in ((["Structure/Structure=brick"],
+                                     "Structure/Rotation is 0, but the rows of all cells lie across the blow, which comes along x: compare with 90."),
+                                    (["Structure/Structure=voronoi"], "Structure/Structure is voronoi, but all cells stand in rows: compare with square, hexagon or brick."),
+                                    (["Tissue/Traction=1, 0"],
+                                     "Tissue/Traction is 1, 0, but all cells are struck and carry nothing else: compare with 0, 0.")):
+                refused = compare(BRUISE, "-o", out, "--list", *[one for word in words for one in ("--set", word)])
+                self.assertEqual(refused.returncode, 2, refused.stdout)
+                self.assertIn(sentence, refused.stderr)
 
     def test_a_swing_is_listed(self):
         with tempfile.TemporaryDirectory() as directory:

@@ -57,6 +57,16 @@ BOOST_AUTO_TEST_CASE(a_stop_before_the_first_step_saves_nothing) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_load_put_on_before_rest_is_told_of) {
+  for (const char *surfaces : {"frozen", "free"}) {  // 100 relax steps are far too few
+    Disk disk;
+    MemoryContext context(disk, false);
+    run_small(context, surfaces);
+    BOOST_TEST(context.notes.contains("rest_residual") == (std::string(surfaces) == "free"));
+    BOOST_TEST((context.results.at("rest_residual") < 1e-3) == (std::string(surfaces) == "frozen"));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_stop_between_steps_goes_on_with_the_same_bits) {
   Disk whole, parts;
   MemoryContext uninterrupted(whole, false);

@@ -81,6 +81,7 @@ class FullMicro::Run {
   // what changes while the scene runs, and is in the checkpoint
   std::uint64_t step = 0;
   double start_energy = 0., most_crossed = 0.;  ///< J; fluid particles in any row
+  double rest_residual = 0.;                    ///< over turgor times the wall of a node, before the load
   std::array<std::vector<double>, 2> x0;        ///< m, positions at t = 0
 };
 
@@ -112,7 +113,7 @@ void FullMicro::Run::go() {
   StepLoop loop(context, step);
   loop.lasting = [this](Archive &a) {
     a.section("run");
-    a(step, start_energy, most_crossed, x0, system, integrator);
+    a(step, start_energy, most_crossed, rest_residual, x0, system, integrator);
   };
   const bool resumed = context.load_checkpoint(loop.lasting);
   if (resumed)
@@ -158,6 +159,9 @@ void FullMicro::Run::begin() {
     integrator.begin_here();
   }
   x0 = system.particles.x;
+  system.compute_forces();
+  rest_residual = largest_force(system.particles, true) /
+                  (scene.cell.turgor * scene.cell.depth * scene.cell.period / scene.cell.nodes_per_side);
   block.body_force->set({0., acceleration});
   system.compute_forces();
   start_energy = system.potential_energy() + system.kinetic_energy();
@@ -243,7 +247,12 @@ void FullMicro::Run::report(const std::uint64_t taken, const double cpu, const d
   context.result("list_builds_per_cell",
                  double(block.cells->fluid->list_builds()) / double(particles.groups.size()), "1");
   context.result("most_crossed", most_crossed, "");
+  context.result("rest_residual", rest_residual, "1");
   write_cells();
+  judged(context, "rest_residual", rest_residual, {0.02, HUGE_VAL},
+         "the tissue was not at rest when the load was put on: " + number_text(100. * rest_residual, 3) +
+             " % of turgor times the wall of a node is not balanced (more Relax steps, now " +
+             number_text(scene.relax_steps) + ", bring free surfaces to rest)");
   judge_outside(context, most_crossed, double(particles.fluid_count()),
                 "a smaller Load or more SPH/Particles per side makes them fewer");
 }

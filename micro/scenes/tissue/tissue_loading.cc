@@ -57,11 +57,24 @@ void TissueLoading::check() const {
   if (brick.sides == TissueSides::widening && substeps > 1)
     throw InputError("Substeps is " + number_text(substeps) +
                      ", but Sides = widening moves the particles between steps: use Substeps = 1.");
+  require_few_steps(first_step());
+}
+
+double TissueLoading::first_step() const {
   BrickParameters few = brick;  // the step is that of a cell
   few.columns = std::min(brick.columns, 2u);
   few.rows = std::min(brick.rows, 2u);
   const auto tissue = make_brick_tissue(cell, sph, few);
-  require_few_steps(StepControl<2>(tissue->system, step_fraction, spacings_a_step).dt());
+  return StepControl<2>(tissue->system, step_fraction, spacings_a_step).dt();
+}
+
+double TissueLoading::expected_cpu() const {
+  constexpr double of_a_particle = 2.5e-7, inflating = 6000.;  // s; steps
+  const double particles =
+      double(brick.columns) * brick.rows *
+      (double(sph.particles_per_side) * sph.particles_per_side + 4. * cell.nodes_per_side);
+  return particles * of_a_particle *
+         (inflating + end_strain * brick.rows * cell.period / speed / first_step());
 }
 
 void TissueLoading::require_few_steps(const double dt) const {

@@ -35,10 +35,15 @@ class TissueLoading final : public Scenario {
   void check() const override;
   void run(RunContext &context) override;
 
+  /// s of CPU time that a run takes, within a factor of two: steps of the tissue as it is laid, and what one
+  /// of a particle has cost.
+  double expected_cpu() const;
+
  private:
   class Run;  ///< one run: the tissue, its plates, its history
 
   static constexpr double spacings_a_step = 0.02;  ///< of StepControl
+  double first_step() const;                       ///< s, of few cells as they are laid
   /// dt: s; throws InputError.
   void require_few_steps(double dt) const;
 

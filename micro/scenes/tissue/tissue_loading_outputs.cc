@@ -1,3 +1,4 @@
+#include "micro/scenes/blow_table.h"
 #include "micro/scenes/shared_outputs.h"
 #include "micro/scenes/tissue/tissue_loading.h"
 
@@ -106,7 +107,11 @@ std::vector<OutputDefinition> of_widening_strips() {
   const char *const widening = "with Sides = widening";
   return {{"width_at_end", "m", "Period of the strip along x at the end.", widening},
           {"largest_lateral_stress", "Pa",
-           "Largest mean stress along x while the plate moved, which should be zero.", widening}};
+           "Largest mean stress along x while the plate moved, which should be zero.", widening},
+          {"work_of_sides", "J",
+           "Work of the sides on the tissue while the plate moved, which should be zero as no stress is "
+           "left along x.",
+           widening}};
 }
 }  // namespace
 
@@ -187,6 +192,6 @@ Outputs TissueLoading::outputs() const {
            {"most_crossed", "", "Largest number of fluid particles outside a whole wall in any row."},
            {"energy_balance_error", "1",
             "Energy that is missing at the end over the plate's work; negative: it came from nothing."}});
-  return all.join(tables());
+  return all.join(tables()).join(blow_outputs());
 }
 }  // namespace turgor

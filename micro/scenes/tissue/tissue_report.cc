@@ -1,4 +1,5 @@
 #include "run/number_text.h"
+#include "micro/scenes/blow_table.h"
 #include "micro/scenes/heating.h"
 #include "micro/scenes/stored_turgor.h"
 #include "run/judged.h"
@@ -28,6 +29,7 @@ void TissueLoading::Run::open_series() {
                                        {"heat", "J"},          {"overlap", "m"},
                                        {"crossed_bonds", ""},  {"behind_plate", "m"}});
   by_row = context.series("rows", rows);
+  blow = context.series("blow", blow_columns());
 }
 
 void TissueLoading::Run::record() {
@@ -73,6 +75,8 @@ void TissueLoading::Run::record() {
   std::vector<double> row{s.time, s.strain};
   for (const double f : flattening_of_rows(*tissue, start, scene.brick.rows)) row.push_back(f);
   by_row->add_row(row);
+  blow->add_row(
+      {s.strain, s.top / area, s.bottom / area, s.failed_cells / double(system.particles.groups.size())});
 }
 
 FieldFrame TissueLoading::Run::frame() const {
@@ -116,6 +120,7 @@ void TissueLoading::Run::report() {
   if (scene.brick.sides == TissueSides::widening) {
     context.result("width_at_end", system.box.H(0, 0), "m");
     context.result("largest_lateral_stress", sides.worst, "Pa");
+    context.result("work_of_sides", sides.work, "J");
   }
   context.result("void_fraction", void_fraction, "1");
   context.result("pressure_inflated", pressure_inflated, "Pa");
@@ -194,6 +199,12 @@ void TissueLoading::Run::report_worth() {
              " of the walls' bonds have passed through others (a larger Contact ratio or a smaller End "
              "strain keeps them" +
              " apart" + or_slower() + ")");
+  if (scene.brick.sides == TissueSides::widening)
+    judged(context, "work_of_sides", sides.work / std::max(std::abs(plates->work()), 1e-3 * start_energy),
+           {0.02, HUGE_VAL},
+           "the sides, which should leave no stress and do no work, have done " +
+               percent(std::abs(sides.work / plates->work())) +
+               " of the plate's: the width does not follow as it should (Sides = periodic holds it)");
   judge_outside(context, most_outside, fluid,
                 "more SPH/Particles per side or a smaller End strain makes them fewer" + or_slower());
   judged(context, "energy_balance_error", error, {0.02, 0.1},

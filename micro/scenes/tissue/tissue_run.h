@@ -68,7 +68,7 @@ class TissueLoading::Run {
   std::optional<WallYielding> yielding;
   double dt = 0., reach = 0., sound = 0.;
 
-  std::unique_ptr<Series> loading, by_row;
+  std::unique_ptr<Series> loading, by_row, blow;
 
   // what changes while the scene runs, and is in the checkpoint
   std::uint64_t inflation_steps = 0, step = 0, load_steps = 0;  ///< load_steps = 0: still inflating
