@@ -21,7 +21,7 @@ import time
 
 SOURCE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 GOLDEN = os.path.join(SOURCE, "tests", "golden")
-PROGRAMS = ["benchmark_cells", "benchmark_fluid", "benchmark_fluid_3d", "benchmark_sweeps", "benchmark_rve", "benchmark_rods"]
+PROGRAMS = ["benchmark_cells", "benchmark_fluid", "benchmark_fluid_3d", "benchmark_sweeps", "benchmark_rve", "benchmark_rods", "benchmark_surfaces"]
 
 
 def names_of(build):

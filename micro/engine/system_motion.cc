@@ -88,7 +88,7 @@ Energies SystemMotion<dim>::energy(const Particles<dim> &) const {
 }
 
 template <int dim>
-MotionMatrix::Power SystemMotion<dim>::friction_power(const Particles<dim> &particles) {
+Power SystemMotion<dim>::friction_power(const Particles<dim> &particles) {
   if (!friction_collected) {
     friction.clear(all.medium.empty() ? medium : all.medium);
     system.collect(friction, 0.);
@@ -108,7 +108,7 @@ double SystemMotion<dim>::work_of_bodies(Particles<dim> &particles, const double
   double total = system.active_work(h);
   for (const MovedBodies<dim> *body : moved_bodies()) total += body->work_of_loads(h);
   if (matrix.moves_bodies()) {  // by friction; and the push that h K foresees
-    const MotionMatrix::Power by_friction = friction_power(particles);
+    const Power by_friction = friction_power(particles);
     total +=
         h * (by_friction.given +
              matrix.template power<dim>(all.medium.empty() ? particles.v : all.v, system.threads).pushed -

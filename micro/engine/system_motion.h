@@ -57,7 +57,7 @@ class SystemMotion final : public Motion<dim> {
   };
   void put_bodies(const Particles<dim> &particles, const std::vector<MovedBodies<dim> *> &bodies);
   void solve_with_bodies(Particles<dim> &particles, const std::vector<MovedBodies<dim> *> &bodies, double h);
-  MotionMatrix::Power friction_power(const Particles<dim> &particles);
+  Power friction_power(const Particles<dim> &particles);
 
   ParticleSystem<dim> &system;
   WithBodies all;  ///< empty where there are none

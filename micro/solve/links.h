@@ -137,6 +137,20 @@ class PowerRow {
   double total = 0.;
 };
 
+/// What velocities cost by a matrix of motion A, W.
+struct Power {
+  double lost = 0.;    ///< v'Av of all bodies
+  double given = 0.;   ///< of it what those of given velocity put in
+  double pushed = 0.;  ///< what their motion does on the others: -v'A (velocities given, all else at rest)
+
+  Power &operator+=(const Power &other) {
+    lost += other.lost;
+    given += other.given;
+    pushed += other.pushed;
+    return *this;
+  }
+};
+
 class LinkSource {
  public:
   virtual ~LinkSource() = default;
@@ -197,6 +211,8 @@ class PushedLinks final : public ListedLinks<PushedLinks> {
 
   bool directed() const override { return any_directed; }
   void room(std::size_t begin, std::size_t end, std::uint32_t *count) const override;
+  /// Of all links, whether they have been sorted or not; bodies of given velocity are those from `bodies` on.
+  Power power(const BodyVector *v, std::size_t bodies) const;
   /// Both ends of all links, in the order in which they were pushed.
   void append_ends(std::vector<std::uint32_t> &to) const {
     for (const Pushed &link : links) {

@@ -75,13 +75,7 @@ class MotionMatrix {
   void again(const std::array<std::vector<double>, dim> &f, std::array<std::vector<double>, dim> &v,
              unsigned int threads);
 
-  /// What velocities cost by the matrix as it was collected, whether it has been solved or not; exact.
-  struct Power {
-    double lost = 0.;   ///< W, v'Av of all bodies, those of given velocity included
-    double given = 0.;  ///< W, of it what those of given velocity put in
-    double pushed =
-        0.;  ///< W, what their motion does on the others: -v'A (velocities given, all else at rest)
-  };
+  /// Of all bodies, those of given velocity included; exact, whether the matrix has been solved or not.
   template <int dim>
   Power power(const std::array<std::vector<double>, dim> &v, unsigned int threads);
   /// There are bodies of given velocity.

@@ -156,14 +156,24 @@ void RowMatrix::add(const BodyVector *v, const std::size_t begin, const std::siz
       product[i - begin].v += exact_number[row_of[k]] * of_body[k].v;
 }
 
-double RowMatrix::power(const BodyVector *v, std::size_t) const {
-  double total = 0.;
+Power RowMatrix::power_of(const BodyVector *v, const std::size_t bodies) const {
+  Power total;
   for (std::size_t r = 0; r < list.rows(); ++r) {
-    DoubleRow common{};
-    for (std::uint32_t k = list.first[r]; k < list.first[r + 1]; ++k) common += list.g[k].v;
-    const double one = exact_number_of(list.body.data() + list.first[r], list.g.data() + list.first[r],
-                                       list.length(r), common, v);
-    total += one * one;
+    const std::uint32_t first = list.first[r], last = list.first[r + 1];
+    const DoubleRow base = v[list.body[first]].v;
+    DoubleRow common = list.g[first].v, sum{}, by_given{};
+    if (list.body[first] >= bodies) by_given += list.g[first].v * base;
+    for (std::uint32_t k = first + 1; k < last; ++k) {
+      const DoubleRow g = list.g[k].v, own = v[list.body[k]].v;
+      common += g;
+      sum += g * (own - base);
+      if (list.body[k] >= bodies) by_given += g * own;
+    }
+    sum += common * base;
+    const double one = (sum[0] + sum[1]) + sum[2], given = (by_given[0] + by_given[1]) + by_given[2];
+    total.lost += one * one;
+    total.given += given * one;
+    total.pushed += given * (given - one);
   }
   return total;
 }

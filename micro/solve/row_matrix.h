@@ -39,7 +39,10 @@ class RowMatrix final : public OwnProduct {
   void begin(const BodyVector *v, unsigned int threads) override;
   void add(const FloatRow *p, std::size_t begin, std::size_t end, FloatRow *product) const override;
   void add(const BodyVector *v, std::size_t begin, std::size_t end, BodyVector *product) const override;
-  double power(const BodyVector *v, std::size_t bodies) const override;  ///< of the rows alone
+  /// Of the rows alone, whether they have been sorted or not; bodies of given velocity are those from
+  /// `bodies` on.
+  Power power_of(const BodyVector *v, std::size_t bodies) const;
+  double power(const BodyVector *v, std::size_t bodies) const override { return power_of(v, bodies).lost; }
   void add_blocks(std::size_t begin, std::size_t end, Block *blocks) const override;
   void connect(const std::function<void(std::uint32_t, std::uint32_t)> &join) const override;
 

@@ -183,7 +183,7 @@ void power_is_that_of_the_dense_matrix() {
     v.tail(both.given.size()) = pushed.tail(both.given.size()) = both.given;
     const Eigen::VectorXd product = both.A * v;
     for (const unsigned int threads : {1u, 2u}) {
-      const MotionMatrix::Power power = both.matrix.template power<dim>(velocity, threads);
+      const Power power = both.matrix.template power<dim>(velocity, threads);
       BOOST_TEST(power.lost == v.dot(product), boost::test_tools::tolerance(1e-11));
       BOOST_CHECK_SMALL(power.given - both.given.dot(product.tail(both.given.size())), 1e-11 * power.lost);
       BOOST_CHECK_SMALL(power.pushed + (both.A * pushed).head(dim * n).dot(v.head(dim * n)),
