@@ -82,6 +82,15 @@ inline void set_column(double *square, const int d, const DoubleRow column) {
 }
 }  // namespace
 
+void RowList::end_row() {
+  const std::uint32_t begin = first.back(), end = std::uint32_t(body.size());
+  first.push_back(end);
+  const std::size_t r = rows() - 1;
+  if (r == 0 || length(r) != length(r - 1) ||
+      !std::equal(body.begin() + begin, body.end(), body.begin() + first[r - 1]))
+    group.push_back(std::uint32_t(r));
+}
+
 void RowBlocks::build(const RowList &list, const PushedLinks *links, const std::size_t bodies_,
                       const unsigned int threads) {
   if (!joins_as_before(list, links, bodies_)) find_neighbours(list, links, threads);
@@ -94,8 +103,13 @@ void RowBlocks::build(const RowList &list, const PushedLinks *links, const std::
 bool RowBlocks::joins_as_before(const RowList &list, const PushedLinks *links, const std::size_t bodies_) {
   std::vector<std::uint32_t> now;
   now.reserve(joined.size());
-  now.insert(now.end(), list.first.begin(), list.first.end());
-  now.insert(now.end(), list.body.begin(), list.body.end());
+  for (std::size_t k = 0; k < list.group.size(); ++k) {
+    const std::uint32_t r = list.group[k];
+    now.push_back(std::uint32_t(list.length(r)));
+    now.push_back(std::uint32_t(list.rows_of(k)));
+    if (list.is_short(r))
+      now.insert(now.end(), list.body.begin() + list.first[r], list.body.begin() + list.first[r + 1]);
+  }
   if (links != nullptr) links->append_ends(now);
   const bool same = bodies == bodies_ && now == joined;
   bodies = bodies_;
@@ -106,17 +120,19 @@ bool RowBlocks::joins_as_before(const RowList &list, const PushedLinks *links, c
 void RowBlocks::find_neighbours(const RowList &list, const PushedLinks *links, const unsigned int threads) {
   std::vector<std::uint32_t> first_use(bodies + 1, 0);  // of a body, all parts together
   const auto for_entries = [&](const auto &visit) {
-    for (std::uint32_t r = 0; r < list.rows(); ++r)
-      if (list.is_short(r))
-        for (std::uint32_t k = list.first[r]; k < list.first[r + 1]; ++k)
-          if (list.body[k] < bodies) visit(list.body[k], r, k);
+    for (std::size_t k = 0; k < list.group.size(); ++k)
+      if (const std::uint32_t r = list.group[k]; list.is_short(r))
+        for (std::uint32_t e = list.first[r]; e < list.first[r + 1]; ++e)
+          if (list.body[e] < bodies) visit(list.body[e], k, e);
   };
-  for_entries([&](const std::uint32_t i, std::uint32_t, std::uint32_t) { ++first_use[i + 1]; });
+  for_entries([&](const std::uint32_t i, std::size_t, std::uint32_t) { ++first_use[i + 1]; });
   for (std::size_t i = 0; i < bodies; ++i) first_use[i + 1] += first_use[i];
   std::vector<Use> uses(first_use[bodies]);
   std::vector<std::uint32_t> next(first_use.begin(), first_use.end());
-  for_entries([&](const std::uint32_t i, const std::uint32_t r, const std::uint32_t k) {
-    uses[next[i]++] = {list.first[r], std::uint16_t(k - list.first[r]), std::uint16_t(list.length(r))};
+  for_entries([&](const std::uint32_t i, const std::size_t k, const std::uint32_t e) {
+    const std::uint32_t r = list.group[k];
+    uses[next[i]++] = {list.first[r], std::uint16_t(e - list.first[r]), std::uint16_t(list.length(r)),
+                       std::uint32_t(list.rows_of(k))};
   });
   const Chunks chunks(bodies, width * together);
   parts.clear();
@@ -161,9 +177,13 @@ void RowBlocks::fill(Part &part, const std::size_t begin, const std::size_t end,
     const std::uint16_t *place = part.place.data() + part.first_place[i];
     for (std::uint32_t u = part.first_use[i]; u < part.first_use[i + 1]; ++u) {
       const Use &use = part.uses[u];
-      const BodyVector *g = list.g.data() + use.from;
-      const DoubleRow own = g[use.own].v;
-      for (std::uint32_t k = 0; k < use.count; ++k) sums[*place++].add(own, g[k].v);
+      const BodyVector *const g = list.g.data() + use.from;
+      for (std::uint32_t k = 0; k < use.count; ++k) {
+        Columns sum = sums[*place];
+        for (const BodyVector *row = g; row < g + use.rows * use.count; row += use.count)
+          sum.add(row[use.own].v, row[k].v);
+        sums[*place++] = sum;
+      }
     }
     LinkSums linked{sums.data(), place};
     if (links != nullptr) links->links_of(begin + i, linked);

@@ -4,7 +4,8 @@
 //   (A p)_i = D_i p_i + sum_j B_ij (p_j - p_i),     B_ij = sum over rows c g_i g_j',   D_i = sum over all j
 //
 // Differences first, as with links: what neighbours have in common drops out before anything is rounded, and
-// D is 0 to the round-off of doubles where a common velocity costs nothing. Rows of a surface share their
+// D is 0 to the round-off of doubles where a common velocity costs nothing. Rows that are pushed one after
+// another for the same bodies (a triangle's, a contact's) are looked up once. Rows of a surface share their
 // pairs: a node of a triangulated cell is in twelve hinges and in six triangles of up to three rows each, and
 // has twelve neighbours. A neighbour is 40 bytes in single precision, where eight bodies one after another in
 // memory go side by side (those with fewer neighbours are filled up with zeros and themselves), and 76 in
@@ -24,12 +25,18 @@ struct RowList {
   static constexpr std::size_t longest = 6;  ///< bodies of a row that is made into blocks
 
   std::vector<std::uint32_t> first{0};  ///< of row r in the entries
+  std::vector<std::uint32_t> group;     ///< the first row of those, one after another, of the same bodies
   std::vector<std::uint32_t> body;      ///< of an entry
   std::vector<BodyVector> g;            ///< sqrt(c) g of a body in a row
 
   std::size_t rows() const { return first.size() - 1; }
   std::size_t length(const std::size_t r) const { return first[r + 1] - first[r]; }
   bool is_short(const std::size_t r) const { return length(r) <= longest; }
+  /// One more row, of the entries behind the last one.
+  void end_row();
+  std::size_t rows_of(const std::size_t k) const {  ///< of group k
+    return (k + 1 < group.size() ? group[k + 1] : rows()) - group[k];
+  }
 };
 
 class RowBlocks {
@@ -55,10 +62,11 @@ class RowBlocks {
     Eight column[3];
     std::uint32_t to[width];
   };
-  struct Use  ///< of a row by one of its bodies
+  struct Use  ///< of rows of the same bodies by one of them
   {
-    std::uint32_t from;        ///< the row's first entry
-    std::uint16_t own, count;  ///< the body's own among its entries
+    std::uint32_t from;        ///< the first entry of the first row
+    std::uint16_t own, count;  ///< the body's own among the entries of each
+    std::uint32_t rows;
   };
   /// Of the bodies of `together` eights.
   struct Part {
@@ -66,7 +74,8 @@ class RowBlocks {
     std::vector<std::uint32_t> first, body, first_eight;
     std::vector<Square> exact;         ///< D, then B_ij
     std::vector<EightSquares> eights;  ///< the same, eight bodies side by side
-    // what is summed into them, body by body: rows with a place for each of their entries, then links
+    // what is summed into them, body by body: rows of the same bodies with a place for each of those, then
+    // links
     std::vector<std::uint32_t> first_use, first_place;
     std::vector<Use> uses;
     std::vector<std::uint16_t> place;
@@ -77,7 +86,7 @@ class RowBlocks {
             const PushedLinks *links) const;
 
   std::size_t bodies = 0;
-  std::vector<std::uint32_t> joined;  ///< all bodies in all rows and links
+  std::vector<std::uint32_t> joined;  ///< bodies of all groups of rows and of links
   std::vector<Part> parts;
 };
 }  // namespace turgor

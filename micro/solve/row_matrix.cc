@@ -22,6 +22,7 @@ double exact_number_of(const std::uint32_t *body, const BodyVector *g, const std
 
 void RowMatrix::clear() {
   list.first.assign(1, 0);
+  list.group.clear();
   list.body.clear();
   list.g.clear();
 }
@@ -39,7 +40,7 @@ void RowMatrix::push(const std::span<const std::uint32_t> bodies, const std::spa
     for (int d = 0; d < dim; ++d) row[d] = root * g[k][d];
     entry->v = row;
   }
-  list.first.push_back(std::uint32_t(list.g.size()));
+  list.end_row();
 }
 
 void RowMatrix::sort(const std::size_t bodies, const PushedLinks *links, const unsigned int threads) {
@@ -194,15 +195,15 @@ void RowMatrix::add_blocks(const std::size_t begin, const std::size_t end, Block
 }
 
 void RowMatrix::connect(const std::function<void(std::uint32_t, std::uint32_t)> &join) const {
-  for (std::size_t r = 0; r < list.rows(); ++r)
+  for (const std::uint32_t r : list.group)
     for (std::uint32_t k = list.first[r] + 1; k < list.first[r + 1]; ++k)
       join(list.body[list.first[r]], list.body[k]);
 }
 
 std::size_t RowMatrix::memory_bytes() const {
   return blocks.memory_bytes() +
-         4 * (list.first.capacity() + list.body.capacity() + number.capacity() + first_of.capacity() +
-              row_of.capacity() + first_of_eight.capacity()) +
+         4 * (list.first.capacity() + list.group.capacity() + list.body.capacity() + number.capacity() +
+              first_of.capacity() + row_of.capacity() + first_of_eight.capacity()) +
          sizeof(BodyVector) * (list.g.capacity() + of_body.capacity()) +
          sizeof(LongRow) * long_rows.capacity() + 8 * exact_number.capacity() +
          sizeof(FloatRow) * along.capacity() + sizeof(EightEntries) * by_body.capacity();
