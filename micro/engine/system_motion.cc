@@ -27,7 +27,8 @@ SystemMotion<dim>::SystemMotion(ParticleSystem<dim> &system_, const SolveParamet
 template <int dim>
 void SystemMotion<dim>::forces(Particles<dim> &, const bool trial) {
   friction_collected = false;
-  system.compute_forces(trial);
+  if (!forces_known || trial) system.compute_forces(trial);
+  forces_known = false;
 }
 
 template <int dim>

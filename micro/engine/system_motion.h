@@ -45,6 +45,10 @@ class SystemMotion final : public Motion<dim> {
   std::vector<MovedBodies<dim> *> moved_bodies() override { return system.moved_bodies(); }
   double length(const Particles<dim> &particles) const override;
 
+  /// The particles carry the forces of where they are, and all that forces depend on is as it was then: the
+  /// coming step does not ask for them again. Not with what changes them here (inertia, remove_mean).
+  void forces_are_known(const bool known = true) { forces_known = known; }
+
   const MotionMatrix &solver() const { return matrix; }
   /// W, of the last dissipation(): of a step that checks its energy and has ended, what it turned into heat.
   double last_dissipation() const { return dissipated; }
@@ -62,8 +66,9 @@ class SystemMotion final : public Motion<dim> {
   ParticleSystem<dim> &system;
   WithBodies all;  ///< empty where there are none
   MotionMatrix matrix;
-  MotionMatrix friction;                        ///< without h K, where a step checks its energy
-  double dissipated = 0.;                       ///< W
+  MotionMatrix friction;   ///< without h K, where a step checks its energy
+  double dissipated = 0.;  ///< W
+  bool forces_known = false;
   bool friction_collected = false;              ///< at the positions of the last forces()
   typename Particles<dim>::Components started;  ///< m/s, velocities at the start of the step; with inertia
 };

@@ -38,6 +38,10 @@ struct HingeSlope {
     g[0] = (b - c).dot(e) * inverse * m1 + (b - d).dot(e) * inverse * m2;
     g[1] = (c - a).dot(e) * inverse * m1 + (d - a).dot(e) * inverse * m2;
   }
+
+  /// sin and cos of the angle times |n1| |n2|, m^4
+  double sine() const { return n1.cross(n2).dot(e) / length; }
+  double cosine() const { return n1.dot(n2); }
 };
 
 struct TriangleHinge : HingeSlope {
@@ -45,9 +49,7 @@ struct TriangleHinge : HingeSlope {
 
   TriangleHinge(const Vector<3> &a, const Vector<3> &b, const Vector<3> &c, const Vector<3> &d)
       : HingeSlope(a, b, c, d) {
-    // sin and cos times |n1| |n2|
-    const double sine = n2.cross(n1).dot(e) / length, cosine = n1.dot(n2);
-    angle = -std::atan2(sine, cosine);
+    angle = std::atan2(sine(), cosine());
   }
 };
 }  // namespace turgor

@@ -142,13 +142,15 @@ double MotionMatrix::residual_of(const Forces &forces, const std::vector<BodyVec
 }
 
 double MotionMatrix::exact_residual() {
-  return residual_of(F, v, [&](const std::size_t i, const DoubleRow one) {
-    Eight &eight = r[i / LinkMatrix::width];
-    const std::size_t lane = i % LinkMatrix::width;
-    eight.x[lane] = float(one[0]);
-    eight.y[lane] = float(one[1]);
-    eight.z[lane] = float(one[2]);
-  });
+  return residual_of(F, v, [&](const std::size_t i, const DoubleRow one) { set_residual(i, one); });
+}
+
+void MotionMatrix::set_residual(const std::size_t i, const DoubleRow one) {
+  Eight &eight = r[i / LinkMatrix::width];
+  const std::size_t lane = i % LinkMatrix::width;
+  eight.x[lane] = float(one[0]);
+  eight.y[lane] = float(one[1]);
+  eight.z[lane] = float(one[2]);
 }
 
 std::vector<BodyVector> MotionMatrix::product_of(const std::vector<BodyVector> &velocity) {
@@ -166,12 +168,19 @@ void MotionMatrix::measure_clusters() {
                    v.size());
 }
 
-/// The residual after it.
+/// The square of the residual after it.
 double MotionMatrix::correct_as_rigid() {
   exact_rest.resize(medium.size());
   residual_of(F, v, [&](const std::size_t i, const DoubleRow one) { exact_rest[i].v = one; });
   clusters.correct(exact_rest, v);
-  return exact_residual();
+  return sum_chunks(threads, Chunks(medium.size()), parts, [&](std::size_t begin, std::size_t last) {
+    DoubleRow total{};
+    for (std::size_t i = begin; i < last; ++i) {
+      set_residual(i, exact_rest[i].v);
+      total += exact_rest[i].v * exact_rest[i].v;
+    }
+    return sum(total);
+  });
 }
 
 std::vector<BodyVector> MotionMatrix::given_alone() const {
@@ -189,8 +198,8 @@ double MotionMatrix::scale_of_forces(const double forces) {
 }
 
 std::size_t MotionMatrix::memory_bytes() const {
-  return matrix.memory_bytes() + own_rows.memory_bytes() + sizeof(double) * medium.capacity() +
-         sizeof(Block) * blocks.capacity() +
+  return matrix.memory_bytes() + own_rows.memory_bytes() + clusters.memory_bytes() +
+         sizeof(double) * medium.capacity() + sizeof(Block) * blocks.capacity() +
          sizeof(BodyVector) * (v.capacity() + less.capacity() + exact_rest.capacity()) +
          sizeof(FloatRow) * p.capacity() +
          sizeof(Eight) * (r.capacity() + Ap.capacity() + correction.capacity());

@@ -24,7 +24,7 @@
 // threads.
 //
 // correct_clusters: the net force and torque of the residual on every connected cluster are made to vanish
-// (rigid_clusters.h), for a medium that is much weaker than what holds the bodies together. Eight exact
+// (rigid_clusters.h), for a medium that is much weaker than what holds the bodies together. Seven exact
 // products a solution more.
 #pragma once
 
@@ -102,6 +102,7 @@ class MotionMatrix {
   template <class Store>
   double residual_of(const Forces &forces, const std::vector<BodyVector> &v, const Store &store);
   double exact_residual();
+  void set_residual(std::size_t i, DoubleRow one);
   std::vector<BodyVector> product_of(const std::vector<BodyVector> &v);  ///< A v, exact
   void measure_clusters();
   double correct_as_rigid();

@@ -65,9 +65,17 @@ DoubleRow RigidClusters::mode(const std::size_t k, const std::size_t i) const {
 
 std::vector<RigidClusters::Numbers> RigidClusters::sums(const std::vector<BodyVector> &r) const {
   std::vector<Numbers> result(clusters, Numbers::Zero(Eigen::Index(modes)));
-  for (std::size_t i = 0; i < label.size(); ++i)
-    for (std::size_t k = 0; k < modes; ++k)
-      result[label[i]][Eigen::Index(k)] += eight_floats::sum(mode(k, i) * r[i].v);
+  for (std::size_t i = 0; i < label.size(); ++i) {
+    double *const sum = result[label[i]].data();
+    const DoubleRow f = r[i].v, a = arm[i].v;
+    for (std::size_t d = 0; d < dimension; ++d) sum[d] += f[d];
+    if (dimension == 3) {
+      sum[3] += a[1] * f[2] - a[2] * f[1];
+      sum[4] += a[2] * f[0] - a[0] * f[2];
+      sum[5] += a[0] * f[1] - a[1] * f[0];
+    } else
+      sum[2] += a[0] * f[1] - a[1] * f[0];
+  }
   return result;
 }
 
@@ -76,9 +84,11 @@ void RigidClusters::measure(
     const std::size_t rows) {
   std::vector<Square> gram(clusters, Square::Zero(Eigen::Index(modes), Eigen::Index(modes))), drag = gram;
   std::vector<BodyVector> v(rows), product;
+  drag_of_mode.resize(modes * label.size());
   for (std::size_t k = 0; k < modes; ++k) {
     for (std::size_t i = 0; i < label.size(); ++i) v[i].v = mode(k, i);
     times(v, product);
+    for (std::size_t i = 0; i < label.size(); ++i) drag_of_mode[modes * i + k] = product[i];
     const std::vector<Numbers> of_modes = sums(v), of_drag = sums(product);
     for (std::size_t c = 0; c < clusters; ++c) {
       gram[c].col(Eigen::Index(k)) = of_modes[c];
@@ -97,12 +107,16 @@ void RigidClusters::measure(
   }
 }
 
-void RigidClusters::correct(const std::vector<BodyVector> &r, std::vector<BodyVector> &v) const {
+void RigidClusters::correct(std::vector<BodyVector> &r, std::vector<BodyVector> &v) const {
   const std::vector<Numbers> net = sums(r);
   std::vector<Numbers> by(clusters);
   for (std::size_t c = 0; c < clusters; ++c) by[c] = inverse[c] * net[c];
   for (std::size_t i = 0; i < label.size(); ++i)
-    for (std::size_t k = 0; k < modes; ++k) v[i].v += by[label[i]][Eigen::Index(k)] * mode(k, i);
+    for (std::size_t k = 0; k < modes; ++k) {
+      const double one = by[label[i]][Eigen::Index(k)];
+      v[i].v += one * mode(k, i);
+      r[i].v -= one * drag_of_mode[modes * i + k].v;
+    }
 }
 
 template void RigidClusters::find<2>(

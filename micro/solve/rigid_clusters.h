@@ -32,10 +32,12 @@ class RigidClusters {
   void measure(const std::function<void(const std::vector<BodyVector> &, std::vector<BodyVector> &)> &times,
                std::size_t rows);
 
-  /// v += the correction for a residual r = F - A v.
-  void correct(const std::vector<BodyVector> &r, std::vector<BodyVector> &v) const;
+  /// v += the correction for a residual r = F - A v, and r becomes that of the new v: A times the modes is
+  /// known.
+  void correct(std::vector<BodyVector> &r, std::vector<BodyVector> &v) const;
 
   std::size_t count() const { return clusters; }
+  std::size_t memory_bytes() const { return sizeof(BodyVector) * (arm.capacity() + drag_of_mode.capacity()); }
 
  private:
   using Numbers = Eigen::VectorXd;
@@ -46,7 +48,8 @@ class RigidClusters {
 
   std::size_t clusters = 0, modes = 0, dimension = 3;
   std::vector<std::uint32_t> label;
-  std::vector<BodyVector> arm;  ///< from the cluster's centre, over its extent
-  std::vector<Square> inverse;  ///< (M'AM)^-1
+  std::vector<BodyVector> arm;           ///< from the cluster's centre, over its extent
+  std::vector<Square> inverse;           ///< (M'AM)^-1
+  std::vector<BodyVector> drag_of_mode;  ///< N s/m, A M: those of a body one after another
 };
 }  // namespace turgor

@@ -27,8 +27,14 @@ class CortexHinges final : public Term<3> {
   double energy(const Particles<3> &particles, const Box<3> &box, std::size_t group) const override;
 
  private:
+  struct Direction {
+    double sine, cosine;
+  };
+
   std::shared_ptr<CellSurfaces> surfaces;
   double stiffness;
+  std::vector<double> rest_angle;  ///< rad, of edges, of which `at_rest` was made
+  std::vector<Direction> at_rest;
   // where forces were last asked
   std::vector<double> softness;   ///< of edges, 1 - cos(theta - theta_0)
   std::vector<double> energy_of;  ///< J, of cells

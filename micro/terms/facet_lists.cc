@@ -1,6 +1,7 @@
 #include "micro/terms/facet_lists.h"
 
 #include "micro/geometry/bins.h"
+#include "micro/geometry/near_points.h"
 #include "run/parallel.h"
 
 #include <algorithm>
@@ -34,6 +35,23 @@ struct Facets {
     }
   }
 };
+/// Their centroids as bins have them, and the square of how far a place within reach may be from each.
+struct SortedFacets {
+  std::vector<double> x[3], most;  ///< m, m^2
+
+  SortedFacets(const Facets &facets, const std::vector<std::uint32_t> &order, const double within) {
+    for (auto *const all : {&x[0], &x[1], &x[2], &most}) all->assign(order.size() + near_block, 0.);
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      for (int d = 0; d < 3; ++d) x[d][k] = facets.x[d][order[k]];
+      const double one = (1. + 1e-9) * (within + facets.radius[order[k]]);
+      most[k] = one * one;
+    }
+  }
+  unsigned int near(const std::uint32_t k, const Vector<3> &p) const {
+    return near_bits<3>({x[0].data(), x[1].data(), x[2].data()}, k, p.data(),
+                        [this](const std::uint32_t j) { return four_numbers(most.data() + j); });
+  }
+};
 }  // namespace
 
 bool FacetLists::covers(const Particles<3> &particles) const {
@@ -60,6 +78,7 @@ void FacetLists::bring_up_to_date(const CellSurfaces &surfaces, const FacetNeigh
                                                      facets.x[2].data()};
   const Bins<3> bins(x, std::uint32_t(facets.radius.size()), within + facets.largest, facets.low, facets.high,
                      128.);
+  const SortedFacets sorted(facets, bins.sorted(), within);
   std::vector<std::vector<std::uint32_t>> found(surfaces.size());
   for_chunks(threads, Chunks(surfaces.size(), 1), [&](std::size_t from, std::size_t to) {
     for (std::size_t cell = from; cell < to; ++cell) {
@@ -67,18 +86,20 @@ void FacetLists::bring_up_to_date(const CellSurfaces &surfaces, const FacetNeigh
       for (std::uint32_t q = begin; q < end; ++q) {
         const std::size_t before = found[cell].size();
         const Vector<3> &p = points.position[q];
+        const auto look_at = [&](const std::uint32_t f) {
+          const std::uint32_t other = neighbours.cell_of(f);
+          if (other == cell || (cell >= held && other >= held)) return;
+          const Vector<3> away = p - Vector<3>(x[0][f], x[1][f], x[2][f]);
+          if (std::abs(away.dot(points.normal[f])) > within) return;
+          const auto &[a, b, c] = surfaces.triangles[f];
+          const ClosestPoint nearest =
+              closest_point(p, points.of_node(other, a), points.of_node(other, b), points.of_node(other, c));
+          if ((p - nearest.point).squaredNorm() <= within * within) found[cell].push_back(f);
+        };
         bins.near_runs(p.data(), within + facets.largest, [&](std::uint32_t k, const std::uint32_t last) {
-          for (; k < last; ++k) {
-            const std::uint32_t f = bins.sorted()[k], other = neighbours.cell_of(f);
-            if (other == cell || (cell >= held && other >= held)) continue;
-            const Vector<3> away = p - Vector<3>(x[0][f], x[1][f], x[2][f]);
-            const double most = within + facets.radius[f];
-            if (away.squaredNorm() > most * most || std::abs(away.dot(points.normal[f])) > within) continue;
-            const auto &[a, b, c] = surfaces.triangles[f];
-            const ClosestPoint nearest = closest_point(p, points.of_node(other, a), points.of_node(other, b),
-                                                       points.of_node(other, c));
-            if ((p - nearest.point).squaredNorm() <= within * within) found[cell].push_back(f);
-          }
+          for (; k < last; k += near_block)
+            for (unsigned int bits = sorted.near(k, p) & first_bits(last - k); bits != 0; bits &= bits - 1)
+              look_at(bins.sorted()[k + std::uint32_t(std::countr_zero(bits))]);
         });
         std::sort(found[cell].begin() + std::ptrdiff_t(before), found[cell].end());
         first[q + 1] = std::uint32_t(found[cell].size() - before);

@@ -67,6 +67,7 @@ CentreSpring &DeformableCells::add_spring(const Vector<3> &along, const double s
 
 void DeformableCells::begin_anew(const double first_step) {
   SteppedCells::begin_anew(first_step);
+  motion.forces_are_known(false);  // what drives the cells may be another
   power = power_of_walls();
 }
 
@@ -81,6 +82,7 @@ double DeformableCells::step(const double limit) {
   if (draws) done += 0.5 * h * spring->power();
   system.advance(h);
   system.compute_forces();
+  motion.forces_are_known();
   if (draws) done += 0.5 * h * spring->power();
   done += 0.5 * h * power;
   power = power_of_walls();

@@ -110,6 +110,7 @@ void GrowingCells::live(const double dt) {
   for (const auto &one : due) book_growth(one.mother);
   if (!due.empty()) divide(due);
   cells.system.compute_forces();  // lengths at rest are others
+  cells.motion.forces_are_known();
 }
 
 double GrowingCells::newborn_share(const double lost, const double h,
