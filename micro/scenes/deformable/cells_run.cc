@@ -169,13 +169,17 @@ Outputs outputs_of_cells(const std::string &row, std::vector<OutputDefinition> c
   return all;
 }
 
-void report_rest(RunContext &context, const DeformableCells &cells, const TouchingMaterial &material) {
-  const double rest = cells.largest_force() / (material.adhesion * material.edge());
+double rest_of(const DeformableCells &cells, const TouchingMaterial &material) {
+  return cells.largest_force() / (material.adhesion * material.edge());
+}
+
+void report_rest(RunContext &context, const double rest, const std::string &otherwise,
+                 const std::string &entry) {
   context.result("rest", rest, "1");
   if (rest > 0.02)
     remarked(context, "rest",
-             "the cells are not at rest: forces of " + number_text(100. * rest, 3) +
-                 " % of what adhesion makes are left (End time)");
+             otherwise + ": forces of " + number_text(100. * rest, 3) +
+                 " % of what adhesion makes were left (" + entry + ")");
 }
 
 void report_cells(RunContext &context, const DeformableCells &cells, const TouchingMaterial &material,

@@ -71,8 +71,11 @@ void declare_cells(InputEntries &prm, TouchingMaterial &material, CellsOutput &o
 /// What all of them leave: results of the net, the steps and the energy that steps lose, fields of the
 /// surfaces, columns of history.csv that come before and behind a scene's own.
 Outputs outputs_of_cells(const std::string &row, std::vector<OutputDefinition> columns);
-/// Result rest, of a run until cells that adhere are at rest; says so where they are not.
-void report_rest(RunContext &context, const DeformableCells &cells, const TouchingMaterial &material);
+/// Largest force on a node over the adhesion that an edge bears, W times a mean edge: how far cells that
+/// adhere are from rest.
+double rest_of(const DeformableCells &cells, const TouchingMaterial &material);
+/// Result rest; says so where it is above 0.02: what then is wrong, and by which entry it is not.
+void report_rest(RunContext &context, double rest, const std::string &otherwise, const std::string &entry);
 /// Those results; says so where energy does not balance or the net does not resolve how contacts peel.
 void report_cells(RunContext &context, const DeformableCells &cells, const TouchingMaterial &material,
                   std::uint64_t steps);

@@ -1,10 +1,12 @@
 #include "micro/scenes/deformable/deformable_cells.h"
 
 #include "run/archive.h"
+#include "run/number_text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 namespace turgor {
 DeformableShape placed(DeformableShape shape, const Tensor2<3> &turn, const Vector<3> &centre) {
@@ -71,11 +73,29 @@ void DeformableCells::begin_anew(const double first_step) {
   power = power_of_walls();
 }
 
+// Active tension and adhesion are the same in all directions of a triangle's plane: but for springs and
+// dashpots nothing keeps nodes from sliding within the surface until a triangle has no width, where its
+// gradients, and with them the matrix, are no numbers to work with.
+double DeformableCells::move_or_tell(const double limit) {
+  try {
+    return move(limit);
+  } catch (const std::runtime_error &error) {
+    const double least = least_angle() * 180. / std::numbers::pi;
+    if (!(least < 3.)) throw;
+    throw std::runtime_error(
+        "a triangle of a cell's net has collapsed (its smallest angle is " + number_text(least, 3) +
+        " degrees): tension and adhesion have drawn its nodes along the surface until velocities cannot be "
+        "found any more. A larger Cell/Cortex friction lets nodes slide less and leaves the place of rest as "
+        "it is; a larger Cell/Cortex modulus or Area modulus holds them, but shares in the tension. (" +
+        error.what() + ")");
+  }
+}
+
 // Cells give way to walls in the same step as walls move, so that both are where they belong at its end, and
 // the work, of pressure and of friction, is that between two ends. The spring's end moves with the cells at
 // rest, from a pull to a larger one.
 double DeformableCells::step(const double limit) {
-  const double h = move(limit);
+  const double h = move_or_tell(limit);
   const bool walls_move = walls != nullptr && walls->moves(),
              draws = spring != nullptr && spring->speed != 0.;
   if (!walls_move && !draws) return h;

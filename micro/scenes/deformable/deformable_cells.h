@@ -70,6 +70,7 @@ class DeformableCells final : public SteppedCells {
 
  private:
   void add_terms(bool several);
+  double move_or_tell(double limit);  ///< move(); says so where it fails because a triangle has collapsed
   double power_of_walls() const { return walls != nullptr ? walls->power(system.particles) : 0.; }  ///< W
 
   TouchingMaterial material;

@@ -151,7 +151,7 @@ void Doublet::run(RunContext &context) {
   }
   context.result("stress_in_contact", sum[1] / std::max(count[1], 1.), "N/m");
   context.result("stress_outside", sum[0] / std::max(count[0], 1.), "N/m");
-  report_rest(context, cells, material);
+  report_rest(context, rest_of(cells, material), "the cells are not at rest", "End time");
   report_cells(context, cells, material, run.steps());
 }
 

@@ -73,6 +73,10 @@ Outputs PullOff::outputs() const {
   const char *found = "where the shell of revolution finds its way";
   all.results(
       {{"radius_at_rest", "m", "contact_radius before the cell is drawn off."},
+       {"rest", "1",
+        "Largest force on a node when the cell begins to be drawn off, over the adhesion that an edge bears, "
+        "W "
+        "times a mean edge."},
        {"pull_off_force", "N", "Largest force of the spring."},
        {"pull_off_displacement", "m", "displacement of the middle where that force was felt."},
        {"relative_pull_off", "1",
@@ -127,8 +131,8 @@ void PullOff::run(RunContext &context) {
   CentreSpring &spring = cells.add_spring(Vector<3>::UnitZ(), stiffness);
   cells.begin(first_step);
   struct {
-    double rest = 0., radius = 0., most = 0., at = 0.;
-    void archive(Archive &a) { a(rest, radius, most, at); }
+    double rest = 0., radius = 0., unrest = 0., most = 0., at = 0.;
+    void archive(Archive &a) { a(rest, radius, unrest, most, at); }
   } found;
   const auto contact_radius = [&] { return std::sqrt(cells.contact_area() / std::numbers::pi); };
   const auto displacement = [&] { return found.radius > 0. ? spring.distance() - found.rest : 0.; };
@@ -157,6 +161,7 @@ void PullOff::run(RunContext &context) {
     if (stop > 0) return;
     found.rest = spring.distance();
     found.radius = contact_radius();
+    found.unrest = rest_of(cells, material);
     spring.hold(found.rest);
     spring.speed = speed;
     cells.begin_anew(material.longest_step);
@@ -164,6 +169,11 @@ void PullOff::run(RunContext &context) {
   run.go();
   const double relative = found.most / (std::numbers::pi * material.adhesion * effective_radius());
   context.result("radius_at_rest", found.radius, "m");
+  report_rest(
+      context, found.unrest,
+      "the cell was not at rest when it began to be drawn off, so that the contact went on growing and "
+      "the largest force belongs to no contact at rest",
+      "Settling time");
   context.result("pull_off_force", found.most, "N");
   context.result("pull_off_displacement", found.at, "m");
   context.result("relative_pull_off", relative, "1");

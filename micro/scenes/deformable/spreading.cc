@@ -110,7 +110,7 @@ void Spreading::run(RunContext &context) {
       context.note("axial_radius" + name, error.what());
     }
   }
-  report_rest(context, cells, material);
+  report_rest(context, rest_of(cells, material), "the cells are not at rest", "End time");
   report_cells(context, cells, material, run.steps());
 }
 

@@ -82,14 +82,28 @@ double TouchingMaterial::mesh_ratio() const {
   return edge() * std::sqrt(adhesion / (0.5 * std::sqrt(3.) * hinge()));
 }
 
+// What is advised holds for the net that there is: a range of less than half an edge is not resolved.
+void TouchingMaterial::check_reach() const {
+  const double most = 0.25 * radius, left = most - rest, shortest = SurfaceAdhesion::range_for(edge(), 20e-9);
+  if (law().reach() <= most) return;
+  const std::string said = "Contact/Gap at rest and Contact/Range are felt up to " +
+                           number_text(1e6 * law().reach()) + " um from a surface, more than a quarter of " +
+                           "Cell/Radius (" + number_text(1e6 * radius) + " um): ";
+  if (!(left > 20e-9))
+    throw InputError(said + "make Contact/Gap at rest smaller, it alone is " + number_text(1e6 * rest) +
+                     " um.");
+  if (shortest <= left)
+    throw InputError(said + "make Contact/Range shorter, from " + number_text(1e6 * shortest) +
+                     " um (half of an edge, no shorter one is resolved) to " + number_text(1e6 * left) +
+                     " um.");
+  throw InputError(said + "use a finer net, Cell/Frequency of at least " +
+                   number_text(std::ceil(nu * shortest / left)) +
+                   ", and Contact/Range = 0 (half of its edges): on this net a range that is short enough is "
+                   "not resolved.");
+}
+
 void TouchingMaterial::check_contact() const {
-  const SurfaceAdhesion contact = law();
-  if (contact.reach() > 0.25 * radius)
-    throw InputError(
-        "Contact/Gap at rest and Contact/Range are felt up to " + number_text(1e6 * contact.reach()) +
-        " um from a surface, more than a quarter of Cell/Radius (" + number_text(1e6 * radius) + " um): " +
-        (range > 0. ? "make Contact/Range shorter."
-                    : "a finer net (Cell/Frequency), or a shorter Contact/Range."));
+  check_reach();
   const double sagitta = edge() * edge() / (8. * radius);
   if (rest < sagitta)
     throw InputError("Contact/Gap at rest is " + number_text(1e6 * rest) +
@@ -105,11 +119,17 @@ AxialShellParameters TouchingMaterial::shell() const {
 void judge_mesh(RunContext &context, const TouchingMaterial &material) {
   const double ratio = material.mesh_ratio();
   context.result("mesh_ratio", ratio, "1");
+  std::string text;
   if (ratio > 1.5)
-    remarked(context, "mesh_ratio",
-             "an edge is " + number_text(ratio, 3) +
-                 " times the length sqrt(D/W) in which adhesion bends the cortex at the rim of a contact: "
-                 "above 1.5 contacts peel in jumps of the net, and the force that tears them apart comes out "
-                 "too high (finer net: Cell/Frequency)");
+    text = "an edge is " + number_text(ratio, 3) +
+           " times the length sqrt(D/W) in which adhesion bends the cortex at the rim of a contact: above "
+           "1.5 contacts peel in jumps of the net, and the force that tears them apart comes out too high "
+           "(finer net: Cell/Frequency)";
+  if (material.adhesion > 0. && material.law().range < 0.45 * material.edge())
+    text += std::string(text.empty() ? "" : "; ") + "Contact/Range is " +
+            number_text(material.law().range / material.edge(), 3) +
+            " of an edge: below a half the rim of a contact is caught between nodes (Contact/Range = 0, or a "
+            "finer net)";
+  if (!text.empty()) remarked(context, "mesh_ratio", text);
 }
 }  // namespace turgor

@@ -54,6 +54,9 @@ struct TouchingMaterial : DeformableMaterial {
   /// Throws InputError with a sentence about an entry.
   void check_contact() const;
   AxialShellParameters shell() const;  ///< the same cell as a shell of revolution
+
+ private:
+  void check_reach() const;
 };
 
 class RunContext;
