@@ -1,5 +1,6 @@
 #include "micro/scenes/deformable/deformable_cells.h"
 
+#include "micro/geometry/triangle_hinge.h"
 #include "run/archive.h"
 #include "run/number_text.h"
 
@@ -73,6 +74,18 @@ void DeformableCells::begin_anew(const double first_step) {
   power = power_of_walls();
 }
 
+namespace {
+/// rad, largest angle between the normals of two triangles that share an edge.
+double sharpest_fold(const CellSurfaces &surfaces, const Particles<3> &p) {
+  double least = 1.;
+  for (const auto &[a, b, c, d] : surfaces.edges) {
+    const HingeSlope hinge(p.position(a), p.position(b), p.position(c), p.position(d));
+    least = std::min(least, hinge.cosine() / std::sqrt(hinge.n1_squared * hinge.n2_squared));
+  }
+  return std::acos(std::clamp(least, -1., 1.));
+}
+}  // namespace
+
 // Active tension and adhesion are the same in all directions of a triangle's plane: but for springs and
 // dashpots nothing keeps nodes from sliding within the surface until a triangle has no width, where its
 // gradients, and with them the matrix, are no numbers to work with.
@@ -80,14 +93,28 @@ double DeformableCells::move_or_tell(const double limit) {
   try {
     return move(limit);
   } catch (const std::runtime_error &error) {
-    const double least = least_angle() * 180. / std::numbers::pi;
-    if (!(least < 3.)) throw;
-    throw std::runtime_error(
-        "a triangle of a cell's net has collapsed (its smallest angle is " + number_text(least, 3) +
-        " degrees): tension and adhesion have drawn its nodes along the surface until velocities cannot be "
-        "found any more. A larger Cell/Cortex friction lets nodes slide less and leaves the place of rest as "
-        "it is; a larger Cell/Cortex modulus or Area modulus holds them, but shares in the tension. (" +
-        error.what() + ")");
+    constexpr double degrees = 180. / std::numbers::pi;
+    const double least = degrees * least_angle(), fold = degrees * sharpest_fold(*surfaces, system.particles);
+    const std::string what = std::string(" (") + error.what() + ")";
+    if (least < 3.)
+      throw std::runtime_error(
+          "a triangle of a cell's net has collapsed (its smallest angle is " + number_text(least, 3) +
+          " degrees): tension and adhesion have drawn its nodes along the surface until velocities cannot be "
+          "found any more. A larger Cell/Cortex friction lets nodes slide less and leaves the place of rest "
+          "as "
+          "it is; a larger Cell/Cortex modulus or Area modulus holds them, but shares in the tension." +
+          what);
+    if (material.adhesion > 0. && fold > 120.)
+      throw std::runtime_error(
+          "an edge of a cell's net has folded by " + number_text(fold, 3) +
+          " degrees: adhesion bends the cortex more sharply than its net can follow (an edge is " +
+          number_text(material.mesh_ratio(), 3) +
+          " times the length sqrt(D/W) in which it would bend, and no fold of an edge costs more than twice "
+          "its "
+          "bending stiffness). Use less Contact/Adhesion, or a cortex that resists it (Cell/Cortex "
+          "thickness)." +
+          what);
+    throw;
   }
 }
 

@@ -70,7 +70,8 @@ class DeformableCells final : public SteppedCells {
 
  private:
   void add_terms(bool several);
-  double move_or_tell(double limit);  ///< move(); says so where it fails because a triangle has collapsed
+  double move_or_tell(
+      double limit);  ///< move(); says so where it fails by a net that has collapsed or folded
   double power_of_walls() const { return walls != nullptr ? walls->power(system.particles) : 0.; }  ///< W
 
   TouchingMaterial material;
