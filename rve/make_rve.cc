@@ -50,6 +50,7 @@ HydrostaticRveSettings hydrostatic_settings(const RveParameters &p) {
   settings.columns = p.columns;
   settings.rows = p.rows;
   settings.equilibrium = {p.equilibrium_tolerance(), p.max_iterations};
+  settings.equilibrium.each_iteration = [] { stop_here("while the walls of an RVE came to rest"); };
   settings.walls = p.wall_limits();
   settings.symmetries = symmetries(p);
   settings.air = p.air_gas();

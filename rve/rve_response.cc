@@ -23,8 +23,7 @@ namespace turgor {
 namespace {
 const char *const component_names[4] = {"xx", "xy", "yx", "yy"};
 
-/// Stress over strain at the first small deformation of a kind; both stresses are zero without one, by the
-/// symmetry of a square cell.
+/// Stress over strain at the first small deformation of a kind; without one zero by a square's symmetry.
 struct Moduli {
   std::optional<double> shear, stretch;
 
@@ -47,9 +46,11 @@ struct Moduli {
   }
 
   void say(RunContext &context) const {
-    for (const auto &[name, modulus] : {std::pair{"shear", shear}, std::pair{"stretch", stretch}})
+    for (const auto &[name, modulus] :
+         {std::pair{"Shear modulus sigma_xy/(F_xy + F_yx)", shear},
+          std::pair{"Stretch modulus (sigma_xx - sigma_yy)/(F_xx - F_yy)", stretch}})
       if (modulus)
-        context.say(std::string(name) + " modulus at the first small deformation " +
+        context.say(std::string(name) + " of the first point with that strain alone, 2 % at most: " +
                     number_text(1e-3 * *modulus) + " kPa");
   }
 };
@@ -233,9 +234,7 @@ void RveResponse::walk(RunContext &context, Walk &walk) const {
     time = next;
     take(walk, load, found, with_tangent);
     context.progress(double(walk.points) / double(times.size()), "stress along the path");
-    if (context.stop_requested())
-      throw RunStopped("Stopped after the stress of " + number_text(walk.points) + " of " +
-                       number_text(times.size()) + " points was written.");
+    if (context.stop_requested()) throw RunStopped("stopped after a point");
   }
   finish(context, walk);
   if (walk.energy) walk.energy->judge(context);
@@ -289,7 +288,12 @@ void RveResponse::run(RunContext &context) {
   if (!rve.structure.square()) report_structure(context, rve.structure, *cells, *way.workspace);
   if (tangents && (rve.fluid == RveFluid::hydrostatic || rve.rule == RveRule::cauchy_born))
     way.tangents.emplace(context, *cells, *way.workspace);
-  walk(context, way);
+  try {
+    walk(context, way);
+  } catch (const RunStopped &) {  // inside a point or after one
+    finish(context, way);
+    throw RunStopped("stopped, with the stress of " + number_text(way.points) + " points written");
+  }
 }
 
 std::unique_ptr<Scenario> make_rve_response() { return std::make_unique<RveResponse>(); }

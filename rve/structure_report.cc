@@ -1,6 +1,7 @@
 #include "rve/structure_report.h"
 
 #include "micro/geometry/tiling_measures.h"
+#include "run/number_text.h"
 #include "run/run_context.h"
 #include "rve/plane_moduli.h"
 
@@ -40,6 +41,12 @@ void report_structure(RunContext &context, const TissueStructure &structure, con
   context.result("held_modulus_y", moduli.held_y, "Pa");
   context.result("shear_modulus_axes", moduli.shear_axes, "Pa");
   context.result("shear_modulus_45", moduli.shear_45, "Pa");
+  const auto kilopascals = [](const double modulus) { return number_text(1e-3 * modulus, 4); };
+  context.say(
+      "Moduli of the undeformed tissue, slopes of stress over strain at rest in kPa: pulled along x " +
+      kilopascals(moduli.free(0.)) + ", along y " + kilopascals(moduli.free(2. * quarter)) +
+      " with sides free; along x " + kilopascals(moduli.held_x) + ", along y " + kilopascals(moduli.held_y) +
+      " with sides held; sheared along the axes " + kilopascals(moduli.shear_axes));
 }
 
 void write_outlines(RunContext &context, const Rve<2> &cells, const RveState<2> &at_rest,

@@ -35,6 +35,17 @@ def parts_of_path(strain, found):
     return [(c, [(k, k + 1) for k in np.flatnonzero(leading == c)]) for c in chosen]
 
 
+def what_is_loaded(directory, found):
+    """A line for the title: layout, cells, air, and which components of F are given or found."""
+    entries = input_entries(directory)
+    words = [f"{entries.get(('Structure', 'Structure'), 'square')} cells, {entries.get(('RVE', 'Columns'), '1')} x {entries.get(('RVE', 'Rows'), '1')}"]
+    gap = float(entries.get(("Structure", "Gap"), "0") or 0)
+    if gap > 0:
+        words.append(f"gap {1e6 * gap:g} µm, air {entries.get(('Structure', 'Air'), 'connected')}")
+    words.append("F given" if found == ["none"] else "stress given along " + ", ".join(found))
+    return "; ".join(words)
+
+
 def abscissa(strain, lead):
     """(sign, words): a component that is mostly pressed is drawn as a compression, to the right."""
     pressed = lead in ("xx", "yy") and -strain[lead].min() > strain[lead].max()
@@ -111,7 +122,8 @@ def main(directory):
         axis.legend(frameon=False, fontsize=9, loc="upper left", ncols=2)
     for axis in (axes[0], axes[-1]):
         axis.set_xlabel(f"time [{unit}]", color=INK)
-    figure.suptitle("Path of deformation, and the stress one piece of cell structure answers with", color=INK, fontsize=12)
+    figure.suptitle("Path of deformation, and the stress one piece of cell structure answers with\n" + what_is_loaded(directory, found),
+                    color=INK, fontsize=12)
     made = os.path.join(directory, "rve_response.png")
     figure.savefig(made, dpi=130)
     plt.close(figure)

@@ -24,19 +24,39 @@
 
 namespace turgor {
 namespace {
-/// side: of a square as large as the cells in the mean; refused where no cell is so large, with the unit that
-/// it may be in.
-void require_metres(const double side) {
+/// side: m if the file keeps to it, of a square as large as the cells in the mean; refused where no cell is
+/// so large, with the unit that it may be in: the one in which these cells come nearest to the usual size.
+/// remedy: what is to be given anew, before "times 1e-6".
+void require_metres(const double side, const std::string &remedy) {
   constexpr double least = 1e-7, most = 1e-2;  // m, as Cell/Period
+  constexpr double usual = 5e-5;               // m
   if (side >= least && side <= most) return;
-  const bool micrometres = side >= 1.;
   std::string text = "its cells are " + number_text(side, 3) + " m wide in the mean, allowed are " +
                      number_text(least) + " to " + number_text(most) + " m";
-  if (side > most)
-    text += std::string(": it looks like ") + (micrometres ? "micrometres" : "millimetres") +
-            ". Give x and y in m, times " + (micrometres ? "1e-6" : "1e-3");
+  struct Unit {
+    const char *name, *factor;
+    double metres;
+  };
+  const Unit *likely = nullptr;
+  double nearest = HUGE_VAL;
+  static constexpr Unit units[] = {{"metres times 1e-6 once too often", "1e6", 1e6},
+                                   {"metres times 1e-3 once too often", "1e3", 1e3},
+                                   {"millimetres", "1e-3", 1e-3},
+                                   {"micrometres", "1e-6", 1e-6},
+                                   {"nanometres", "1e-9", 1e-9}};
+  for (const Unit &unit : units)
+    if (const double as = side * unit.metres, away = std::abs(std::log(as / usual));
+        as >= least && as <= most && away < nearest) {
+      likely = &unit;
+      nearest = away;
+    }
+  text += likely
+              ? std::string(": it looks like ") + likely->name + ". " + remedy + ", times " + likely->factor
+              : ". " + remedy;
   throw std::invalid_argument(text + ".");
 }
+
+double mean_side(const Tiling &tiling) { return std::sqrt(TilingMeasures(tiling).mean_area()); }
 
 /// Rows of one cell after the other: its number, x, y. Corners nearer than a thousandth of the mean size are
 /// one.
@@ -53,7 +73,7 @@ Tiling polygons_of(const std::string &file) {
   }
   double area = 0.;
   for (const auto &polygon : polygons) area += std::abs(polygon_area(polygon)) / double(polygons.size());
-  if (area > 0.) require_metres(std::sqrt(area));
+  if (area > 0.) require_metres(std::sqrt(area), "Give x and y in m");
   return join_polygons(polygons, nullptr, 1e-3 * std::sqrt(area));
 }
 
@@ -134,7 +154,9 @@ Tiling TissueStructure::given() const {
     if (kind == StructureKind::polygons) return polygons_of(file);
     LabelImage image = read_label_image(file);
     close_lines(image, int(line_width));
-    return trace_cells(image, pixel);
+    Tiling cells = trace_cells(image, pixel);
+    require_metres(mean_side(cells), "Give Structure/Pixel size in m");
+    return cells;
   } catch (const std::invalid_argument &wrong) {
     throw InputError("Structure/Tissue file " + file + ": " + wrong.what());
   }

@@ -6,6 +6,7 @@
 #include "rve/rve_response.h"
 #include "tests/temporary_directory.h"
 #include "run/archive.h"
+#include "run/stop_flag.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -170,12 +171,40 @@ BOOST_AUTO_TEST_CASE(a_table_of_polygons_is_measured) {
                   "cells are 141 m wide in the mean, allowed are 1e-07 to 0.01 m: it looks like micrometres"},
         std::pair{"1,0,0\n1,0.2,0\n1,0.2,0.1\n1,0,0.1\n",
                   "it looks like millimetres. Give x and y in m, times 1e-3"},
+        std::pair{"1,0,0\n1,1e5,0\n1,1e5,5e4\n1,0,5e4\n",
+                  "it looks like nanometres. Give x and y in m, times 1e-9"},
+        std::pair{"1,0,0\n1,1e-10,0\n1,1e-10,5e-11\n1,0,5e-11\n",
+                  "once too often. Give x and y in m, times 1e6"},
+        std::pair{"1,0,0\n1,1e13,0\n1,1e13,1e13\n1,0,1e13\n", "to 0.01 m. Give x and y in m."},
         std::pair{"1,0,0\n1,2e-9,0\n1,2e-9,1e-9\n", "cells are 1e-09 m wide"}}) {
     std::ofstream(file) << "cell,x,y\n" << corners;
     BOOST_CHECK_EXCEPTION(
         run(memory, "subsection Structure\nset Structure = polygons\nset Tissue file = " + file + "\nend\n"),
         InputError, says(words));
   }
+}
+
+// The one who asked may go on later, to the same bits.
+BOOST_AUTO_TEST_CASE(a_wish_to_stop_ends_a_point_under_way_and_leaves_no_trace) {
+  RveParameters p;
+  p.structure.kind = StructureKind::brick;
+  p.structure.gap = 20e-6;
+  p.cell.nodes_per_side = 12;
+  const std::unique_ptr<Rve<2>> cells = make_rve(p);
+  const RveState<2> start = cells->initial_state();
+  Tensor2<2> F = Tensor2<2>::Identity();
+  F(1, 1) = 0.95;
+  const auto ask = [&](Rve<2>::Workspace &workspace) {
+    return cells->evaluate(start, F, Tensor2<2>::Zero(), RveRequest(), workspace);
+  };
+  const std::unique_ptr<Rve<2>::Workspace> used = cells->make_workspace(), fresh = cells->make_workspace();
+  request_stop();
+  BOOST_CHECK_THROW(ask(*used), RunStopped);
+  request_stop(false);
+  const RveAnswer<2> after = ask(*used), never = ask(*fresh);
+  BOOST_TEST(after.diagnostics.converged);
+  BOOST_TEST((after.sigma == never.sigma));
+  BOOST_TEST(after.trial.unknowns == never.trial.unknowns, boost::test_tools::per_element());
 }
 
 // What a tissue of them will need is told without building one.
