@@ -3,8 +3,8 @@
 #include "micro/cells/network_equilibrium.h"
 #include "micro/cells/parenchyma.h"
 #include "run/number_text.h"
-#include "run/stop_flag.h"
 #include "run/start_disturbance.h"
+#include "run/stop_flag.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,9 @@ namespace {
 /// Nodes to equilibrium at that lattice; returns Newton's iterations.
 int settle(NetworkEquilibrium &equilibrium, std::vector<double> &x, const Tensor2<2> &lattice,
            const unsigned int most_iterations) {
-  const EquilibriumReport report = equilibrium.solve(x, lattice, {1e-12, most_iterations});
+  EquilibriumSettings settings{1e-12, most_iterations};
+  settings.each_iteration = [] { stop_here("while the tissue came to turgor"); };
+  const EquilibriumReport report = equilibrium.solve(x, lattice, settings);
   // 1e-12 may lie below round-off; what is left must only be small.
   if (!report.converged && !(report.residual < 1e-9))
     throw std::invalid_argument(
@@ -49,7 +51,6 @@ class FreeTissue {
     settle(x, H);
     double last = stress();
     for (int step = 0; last > goal; ++step) {
-      stop_here("while the tissue came to turgor");
       if (step >= 100)
         throw std::invalid_argument("The turgid reference of this tissue is not found: a mean stress of " +
                                     number_text(last) + " Pa is left at a turgor of " +
