@@ -179,8 +179,9 @@ NOTES = """![Stress and failed cells over the way of the plate](strips_failure.p
 - The strips ring at first: the plate begins to move at its full speed.
 - Points of the RVE lie 0.5 % of strain apart: so well is its first failure known where the path goes on.
 - Yielding strips end by themselves (see above) when 14 or 16 of their 16 cells have failed;
-  the program that ran them counted the work of the sides by the stress before each change of width, which looked like energy from nothing. It
-  counts the energy itself now (micro/scenes/tissue/strip_width.h); the motion up to there is the same, how far they come was not run again."""
+  the runs of particles were made before the work of the sides was counted as a difference of energies (micro/scenes/tissue/strip_width.h). Tissue 1 run
+  again since, brittle and yielding: the same first failure and end, yielding at the same step. So it is the contacts of cells that fail at once that
+  the step does not follow there, not the sides."""
 
 if __name__ == "__main__":
     main()
