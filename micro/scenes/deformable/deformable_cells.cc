@@ -111,8 +111,7 @@ double DeformableCells::move_or_tell(const double limit) {
           number_text(material.mesh_ratio(), 3) +
           " times the length sqrt(D/W) in which it would bend, and no fold of an edge costs more than twice "
           "its "
-          "bending stiffness). Use less Contact/Adhesion, or a cortex that resists it (Cell/Cortex "
-          "thickness)." +
+          "bending stiffness). Use less Contact/Adhesion." +
           what);
     throw;
   }
