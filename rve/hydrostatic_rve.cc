@@ -216,6 +216,8 @@ RveAnswer<2> HydrostaticRve::evaluate(const RveState<2> &committed, const Tensor
 
   const double J = F.determinant(), air = air_share(x, F);
   answer.diagnostics.air = air;
+  for (const AirPush &push : e->pushes)
+    answer.diagnostics.air_pressure += push.pressure / double(e->pushes.size());
   const AffineFlow<2> flow(network.layout().parameters.fluid_viscosity, F, F_dot);
   answer.sigma = e->virial.total() / (J * reference_volume) + (1. - air) * flow.sigma();
   answer.P = J * answer.sigma * F.inverse().transpose();

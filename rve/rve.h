@@ -59,6 +59,7 @@ struct RveDiagnostics {
   double stress_spread = 0.;  ///< Pa, rms of the stress over the window tau_0; 0 without window
   double cpu_seconds = 0.;
   double air = 0.;                    ///< share of the area that is air between the cells
+  double air_pressure = 0.;           ///< Pa, above that outside: of gas shut up there, mean over the spaces
   std::array<double, 4> air_slope{};  ///< its change with F_aB at rest, [2 a + B], of an answer with tangent
 };
 

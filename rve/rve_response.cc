@@ -73,7 +73,7 @@ std::vector<Column> stress_columns(const bool with_air) {
                                  {"iterations", ""},
                                  {"residual", "1"},
                                  {"cpu_time", "s"}});
-  if (with_air) columns.push_back({"air_share", "1"});
+  if (with_air) columns.insert(columns.end(), {{"air_share", "1"}, {"air_pressure", "Pa"}});
   return columns;
 }
 
@@ -175,7 +175,7 @@ void RveResponse::add_row(Walk &walk, const LoadingPath::Load &at) const {
   row.insert(row.end(), {last.pressure, last.energy, flat.applies ? 1. : 0., flat.stress(0, 0),
                          flat.stress(0, 1), flat.stress(1, 1), flat.pressure, flat.deviation,
                          how.stress_spread, double(how.iterations), how.residual, how.cpu_seconds});
-  if (walk.cells.has_air()) row.push_back(how.air);
+  if (walk.cells.has_air()) row.insert(row.end(), {how.air, how.air_pressure});
   walk.table->add_row(row);
   walk.cpu += how.cpu_seconds;
   walk.iterations += how.iterations;

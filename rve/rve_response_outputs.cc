@@ -121,6 +121,10 @@ Outputs RveResponse::outputs() const {
             "Largest force left unbalanced on a node, over turgor times node spacing times depth."},
            {"cpu_time", "s", "CPU time of this evaluation inside the RVE."},
            {"air_share", "1", "Share of the tissue's area that is air between its cells.",
+            "with Structure/Gap"},
+           {"air_pressure", "Pa",
+            "Pressure above that outside of the gas shut up in the air spaces, mean over them; 0 with "
+            "Structure/Air = connected.",
             "with Structure/Gap"}})
       .table("cells",
              "One row for each wall node of the RVE, cell by cell, with Structure other than square.",
