@@ -39,14 +39,13 @@ void SphDrag<dim>::body() {
 template <int dim>
 void SphDrag<dim>::pair(const std::uint32_t j, const Vector<dim> &r, const double w) {
   Body<DoubleRow> &me = exact.body.back();
-  const Vector<dim> e = r.normalized();
   const DoubleRow u = row_of<dim>(w * r);
   other.push_back(std::uint16_t(j));
   exact.u.push_back(u);
   exact.weight.push_back(w);
   me.pairs += u;
   me.w += w;
-  if (form == DragForm::monaghan) exact.central.push_back(row_of<dim>(std::sqrt(w) * e));
+  if (form == DragForm::monaghan) exact.central.push_back(row_of<dim>(std::sqrt(w) * r.normalized()));
   moments.back() += w * r * r.transpose();
   first.back() = std::uint32_t(other.size());
 }
@@ -134,14 +133,7 @@ void SphDrag<dim>::walls(const std::uint32_t first_, const std::uint32_t nodes) 
   given_nodes = nodes;
 }
 
-/// First sweep: T and tau of every body.
-
-/// Second sweep: product += A v of bodies [begin, end).
-
-/// Over mu V: what a point of the wall pulls at body i with.
-
 /// Without what a body's own velocity does by its stress (least_squares): they precondition only.
-
 template <int dim>
 void SphDrag<dim>::add_blocks(const std::size_t begin_, const std::size_t end, Block *blocks) const {
   for (const Carrier &one : carriers)
@@ -204,7 +196,7 @@ std::size_t SphDrag<dim>::memory_bytes() const {
   const auto of_copy = [](const auto &copy) {
     return copy.body.capacity() * sizeof(copy.body[0]) +
            (copy.u.capacity() + copy.central.capacity()) * sizeof(copy.u[0]) +
-           copy.T.capacity() * sizeof(copy.T[0]) +
+           copy.T.capacity() * sizeof(copy.T[0]) + copy.drawn.capacity() * sizeof(copy.drawn[0]) +
            (copy.tau.capacity() + copy.weight.capacity()) * sizeof(copy.tau[0]);
   };
   return of_copy(exact) + of_copy(single) + 4 * (first.capacity() + first_ray.capacity()) +

@@ -120,13 +120,17 @@ class SphDrag final : public OwnProduct {
     Row inverse[dim]{};            ///< least_squares: S^-1
     NumberOf<Row> w = 0, wall_w = 0, kappa = 0, theta = 0, shear = 0;
   };
+  /// Of T, in 3D with a fourth one of zeros: no row then lies in two cache lines.
+  template <class Row>
+  struct alignas((dim == 2 ? 2 : 4) * sizeof(Row)) Columns : std::array<Row, dim == 2 ? 2 : 4> {};
   template <class Row>
   struct Copy  ///< in single or double precision
   {
     std::vector<Body<Row>> body;
-    std::vector<Row> u;  ///< of a pair: w r, w; monaghan: and root(w) r/|r|
+    std::vector<Row> u;  ///< of a pair: w r, in single precision with w behind; monaghan: and root(w) r/|r|
     std::vector<Row> central;
-    std::vector<std::array<Row, dim>> T;     ///< columns
+    std::vector<Columns<Row>> T;
+    std::vector<Row> drawn;                  ///< sum of w v_ij, by the first sweep
     std::vector<NumberOf<Row>> tau, weight;  ///< kappa D; of a pair: w
   };
   struct Ray {
@@ -137,6 +141,12 @@ class SphDrag final : public OwnProduct {
     DoubleRow turning{};  ///< m, velocity of the point over the spin of its carrier
   };
   static constexpr std::uint32_t none = 0xffffffff;
+  template <class Row, class Vectors>
+  Row moments_of(const Copy<Row> &copy, const Vectors *v, std::size_t i, Row *Y) const;
+  template <class Row, class Vectors>
+  Row drawn_by_neighbours(const Copy<Row> &copy, const Vectors *v, std::size_t i) const;
+  template <class Row>
+  Row drawn_by_tensors(const Copy<Row> &copy, std::size_t i) const;
   template <class Row, class Vectors>
   void tensors(Copy<Row> &copy, const Vectors *v, unsigned int threads);
   template <class Row, class Vectors>

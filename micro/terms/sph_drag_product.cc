@@ -1,4 +1,5 @@
 // The two sweeps of the drag's product, in single and double precision, and what it pulls at walls.
+#include "micro/terms/sph_drag_lanes.h"
 #include "micro/terms/sph_drag_rows.h"
 #include "run/parallel.h"
 
@@ -23,6 +24,58 @@ Row SphDrag<dim>::velocity_of(const Ray &ray, const Vectors *v) const {
   return Row{};
 }
 
+/// Y by columns; sum of w v_ij. Differences first, here and in what follows: what neighbours have in common
+/// drops out before anything is rounded.
+template <int dim>
+template <class Row, class Vectors>
+Row SphDrag<dim>::moments_of(const Copy<Row> &copy, const Vectors *v, const std::size_t i, Row *Y) const {
+  const std::uint32_t begin = first[i], end = first[i + 1];
+  const Row vi = of(v, i);
+  if constexpr (std::is_same_v<Row, FloatRow>)
+    return drag_lanes::moments<dim>(v, other.data() + begin, copy.u.data() + begin, end - begin, vi, Y);
+  Row drawn{};
+  for (std::uint32_t k = begin; k < end; ++k) {
+    const Row apart = of(v, other[k]) - vi;
+    drawn += apart * copy.weight[k];
+    for (int a = 0; a < dim; ++a) Y[a] += apart * copy.u[k][a];
+  }
+  return drawn;
+}
+
+/// sum of w v_ij; monaghan: of w (v_ij . e) e.
+template <int dim>
+template <class Row, class Vectors>
+Row SphDrag<dim>::drawn_by_neighbours(const Copy<Row> &copy, const Vectors *v, const std::size_t i) const {
+  const std::uint32_t begin = first[i], end = first[i + 1];
+  const bool central = form == DragForm::monaghan;
+  const Row vi = of(v, i);
+  if constexpr (std::is_same_v<Row, FloatRow>) {
+    const std::uint16_t *j = other.data() + begin;
+    return central ? drag_lanes::drawn_along(v, j, copy.central.data() + begin, end - begin, vi)
+                   : drag_lanes::drawn(v, j, copy.weight.data() + begin, end - begin, vi);
+  }
+  Row sum{};
+  for (std::uint32_t k = begin; k < end; ++k) {
+    const Row apart = of(v, other[k]) - vi;
+    sum += central ? copy.central[k] * dot<dim>(copy.central[k], apart) : apart * copy.weight[k];
+  }
+  return sum;
+}
+
+/// sum of T_j u
+template <int dim>
+template <class Row>
+Row SphDrag<dim>::drawn_by_tensors(const Copy<Row> &copy, const std::size_t i) const {
+  const std::uint32_t begin = first[i], end = first[i + 1];
+  if constexpr (std::is_same_v<Row, FloatRow>)
+    return drag_lanes::by_tensors<dim>(copy.T.data(), other.data() + begin, copy.u.data() + begin,
+                                       end - begin);
+  Row sum{};
+  for (std::uint32_t k = begin; k < end; ++k) sum += times<dim>(copy.T[other[k]].data(), copy.u[k]);
+  return sum;
+}
+
+/// First sweep: T and tau of every body.
 template <int dim>
 template <class Row, class Vectors>
 void SphDrag<dim>::tensors(Copy<Row> &copy, const Vectors *v, const unsigned int threads) {
@@ -30,16 +83,14 @@ void SphDrag<dim>::tensors(Copy<Row> &copy, const Vectors *v, const unsigned int
   const bool fits = form == DragForm::least_squares, gradients = fits || fitted_divergence;
   if (!fits && !stiff) return;
   copy.T.resize(bodies());
+  copy.drawn.resize(bodies());
   copy.tau.resize(bodies());
   for_chunks(threads, Chunks(bodies(), 256), [&](const std::size_t begin, const std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Body<Row> &me = copy.body[i];
       const Row vi = of(v, i);
       Row Y[dim]{}, *T = copy.T[i].data();
-      for (std::uint32_t k = first[i]; k < first[i + 1]; ++k) {
-        const Row apart = of(v, other[k]) - vi, u = copy.u[k];
-        for (int a = 0; a < dim; ++a) Y[a] += apart * u[a];
-      }
+      copy.drawn[i] = moments_of(copy, v, i, Y);
       Number trace = 0;
       for (int a = 0; a < dim; ++a) trace += Y[a][a];
       Number tau = me.kappa * (dot<dim>(me.slope, vi) - trace);
@@ -79,6 +130,7 @@ void SphDrag<dim>::tensors(Copy<Row> &copy, const Vectors *v, const unsigned int
   });
 }
 
+/// Second sweep: product += A v of bodies [begin, end).
 template <int dim>
 template <class Row, class Vectors>
 void SphDrag<dim>::multiply(const Copy<Row> &copy, const Vectors *v, const std::size_t begin,
@@ -90,21 +142,12 @@ void SphDrag<dim>::multiply(const Copy<Row> &copy, const Vectors *v, const std::
   for (std::size_t i = begin; i < std::min(end, bodies()); ++i) {
     const Body<Row> &me = copy.body[i];
     const Row vi = of(v, i);
-    Row pull{}, by_tensors{};
-    // differences first: what neighbours have in common drops out before anything is rounded
-    if (central) {
-      for (std::uint32_t k = first[i]; k < first[i + 1]; ++k)
-        pull += copy.central[k] * dot<dim>(copy.central[k], of(v, other[k]) - vi);
-      pull = Number(dim + 2.) * (Number(2.) * pull - times<dim>(me.central, vi));
-    } else {
-      for (std::uint32_t k = first[i]; k < first[i + 1]; ++k) pull += (of(v, other[k]) - vi) * copy.weight[k];
-      pull = factor * pull - (fits ? Number(beta) : Number(1.)) * me.wall_w * vi;
-    }
+    const Row drawn = with_tensors && !central ? copy.drawn[i] : drawn_by_neighbours(copy, v, i);
+    Row pull = central ? Number(dim + 2.) * (Number(2.) * drawn - times<dim>(me.central, vi))
+                       : factor * drawn - (fits ? Number(beta) : Number(1.)) * me.wall_w * vi;
     if (with_tensors) {
-      for (std::uint32_t k = first[i]; k < first[i + 1]; ++k)
-        by_tensors += times<dim>(copy.T[other[k]].data(), copy.u[k]);
       const Row *T = copy.T[i].data();
-      pull += by_tensors + times<dim>(T, me.pairs) + times<dim>(T, me.wall);
+      pull += drawn_by_tensors(copy, i) + times<dim>(T, me.pairs) + times<dim>(T, me.wall);
       if (!fitted_divergence) pull += copy.tau[i] * (me.wall - me.slope);
     }
     if (walls_move<Row>())

@@ -100,9 +100,8 @@ double DeformableCells::move_or_tell(const double limit) {
       throw std::runtime_error(
           "a triangle of a cell's net has collapsed (its smallest angle is " + number_text(least, 3) +
           " degrees): tension and adhesion have drawn its nodes along the surface until velocities cannot be "
-          "found any more. A larger Cell/Cortex friction lets nodes slide less and leaves the place of rest "
-          "as "
-          "it is; a larger Cell/Cortex modulus or Area modulus holds them, but shares in the tension." +
+          "found any more. A larger Cell/Cortex friction lets nodes slide less, and the cells come to rest "
+          "later; a larger Cell/Cortex modulus or Area modulus holds them, but shares in the tension." +
           what);
     if (material.adhesion > 0. && fold > 120.)
       throw std::runtime_error(

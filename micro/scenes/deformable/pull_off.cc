@@ -172,7 +172,7 @@ void PullOff::run(RunContext &context) {
   report_rest(
       context, found.unrest,
       "the cell was not at rest when it began to be drawn off, so that the contact went on growing and "
-      "the largest force belongs to no contact at rest",
+      "the largest force need not be that of a contact at rest",
       "Settling time");
   context.result("pull_off_force", found.most, "N");
   context.result("pull_off_displacement", found.at, "m");
