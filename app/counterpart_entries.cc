@@ -54,6 +54,13 @@ void refine_rves_and_steps(Counterpart &cells, const EntryValues &values) {
         "time step", Counterpart::Entries{{"Time/Step fraction", halved(values.at("Time/Step fraction"))}});
 }
 
+void set_entry(InputEntries &prm, const std::string &path, const std::string &value) {
+  const std::size_t slash = path.find('/');
+  if (slash != std::string::npos) prm.enter_subsection(path.substr(0, slash));
+  prm.set(path.substr(slash + 1), value);
+  if (slash != std::string::npos) prm.leave_subsection();
+}
+
 void refuse_files(const Input &tissue) {
   for (const RunIdentity::NamedFile &file : tissue.identity.files)
     throw InputError(file.entry + ": the tissue of a file is not compared; use a Structure without one.");
@@ -89,12 +96,7 @@ std::unique_ptr<Scenario> possible_scene(const Counterpart &cells, const Scenari
     throw InputError("The block of all cells (" + cells.scene + ") cannot be had: " + renamed(why, names));
   };
   try {
-    for (const auto &[path, value] : cells.entries) {
-      const std::size_t slash = path.find('/');
-      if (slash != std::string::npos) prm.enter_subsection(path.substr(0, slash));
-      prm.set(path.substr(slash + 1), value);
-      if (slash != std::string::npos) prm.leave_subsection();
-    }
+    for (const auto &[path, value] : cells.entries) set_entry(prm, path, value);
     scene->check();
   } catch (const InputError &problem) {
     refuse(problem.what());

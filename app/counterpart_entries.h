@@ -24,6 +24,9 @@ std::string without_blanks(std::string text);
 Counterpart::Entries shared_entries(const EntryValues &values, const std::string &scene,
                                     const ScenarioRegistry &registry);
 
+/// path: Section/Name, or a name alone.
+void set_entry(InputEntries &prm, const std::string &path, const std::string &value);
+
 /// Each refinement that RVEs and steps can have, whatever the scene.
 void refine_rves_and_steps(Counterpart &cells, const EntryValues &values);
 

@@ -19,7 +19,7 @@ constexpr unsigned int columns_of_a_strip = 2;  // one would fail with all of it
 
 /// The piece as so many cells, and how large they are at rest.
 struct Piece {
-  bool strip = false;
+  bool strip = false, in_twos = false;  ///< rows come in twos: in a block, but of squares
   unsigned int rows = 2, columns = columns_of_a_strip;
   double row = 0., column = 0.;  // m
 };
@@ -56,13 +56,9 @@ Piece piece_of(const EntryValues &values) {
   RveParameters rve;
   InputEntries prm;
   rve.add_parameters(prm);
-  for (const InputEntry &entry : prm.entries()) {
-    const std::size_t slash = entry.path().find('/');
-    if (!values.contains(entry.path())) continue;
-    prm.enter_subsection(entry.path().substr(0, slash));
-    prm.set(entry.name, values.at(entry.path()));
-    prm.leave_subsection();
-  }
+  for (const InputEntry &entry : prm.entries())
+    if (const auto given = values.find(entry.path()); given != values.end())
+      set_entry(prm, entry.path(), given->second);
   rve.structure.rotation = 0.;
   Piece piece;
   piece.strip = values.at("Tissue/Lateral sides") == "periodic";
@@ -75,11 +71,11 @@ Piece piece_of(const EntryValues &values) {
     throw InputError("The block of all cells (" + std::string(cells_scene) +
                      ") cannot be had: " + problem.what());
   }
-  const bool in_twos = !piece.strip && values.at("Structure/Structure") != "square";
+  piece.in_twos = !piece.strip && values.at("Structure/Structure") != "square";
   const auto count = [](const double size, const double of_one, const double step) {
     return unsigned(std::max(2., step * std::round(size / (step * of_one))));
   };
-  piece.rows = count(number(values, "Tissue/Width"), piece.row, in_twos ? 2. : 1.);
+  piece.rows = count(number(values, "Tissue/Width"), piece.row, piece.in_twos ? 2. : 1.);
   if (!piece.strip) piece.columns = count(number(values, "Tissue/Height"), piece.column, 1.);
   return piece;
 }
@@ -149,12 +145,10 @@ Counterpart struck_counterpart(const Input &tissue, const ScenarioRegistry &regi
   cells.struck = true;
   cells.breaks = number(values, "Wall/Critical stretch") > 0.;
   cells.tissue = changes(values, piece);
-  if (piece.rows % 2 == 0 && piece.rows >= 4 &&
-      (piece.strip || values.at("Structure/Structure") == "square" || piece.rows % 4 == 0)) {
+  const bool rows_halve = piece.rows >= 4 && piece.rows % (piece.in_twos ? 4 : 2) == 0;
+  if (rows_halve && (piece.strip || piece.columns % 2 == 0)) {
     cells.half = {{"Rows", number_text(piece.rows / 2)}};
-    if (!piece.strip && piece.columns % 2 == 0)
-      cells.half.emplace_back("Columns", number_text(piece.columns / 2));
-    if (!piece.strip && piece.columns % 2 != 0) cells.half.clear();
+    if (!piece.strip) cells.half.emplace_back("Columns", number_text(piece.columns / 2));
   }
   const std::unique_ptr<Scenario> scene = possible_scene(cells, registry,
                                                          {{"Rows", "Tissue/Width in rows"},

@@ -1,6 +1,5 @@
 #include "rve/make_rve.h"
 
-#include "micro/cells/parenchyma.h"
 #include "micro/cells/turned_cells.h"
 #include "micro/processes/annealed_cells.h"
 #include "run/number_text.h"
@@ -77,23 +76,14 @@ SphRveSettings sph_settings(const RveParameters &p) {
 /// Cells filled upright and then turned, so that a turned tissue answers as the upright one in its own frame.
 std::unique_ptr<SphRve> filled_with_particles(const RveParameters &p) {
   const double angle = p.structure.rotation * std::numbers::pi / 180.;
-  const auto told = [](double) { stop_here("while the cells of an RVE were annealed"); };
-  const auto made = [&](CellLayout layout, std::vector<CellContents> cells) {
-    if (angle != 0.) {
-      layout = turned(std::move(layout), angle);
-      cells = turned(std::move(cells), angle);
-    }
-    return std::make_unique<SphRve>(std::move(layout), std::move(cells), sph_settings(p));
-  };
-  if (p.structure.square())
-    return made(
-        make_parenchyma(p.cell, p.columns, p.rows, true, true),
-        std::vector<CellContents>(std::size_t(p.columns) * p.rows, anneal_square_cell(p.cell, p.sph, told)));
+  if (p.structure.square()) return std::make_unique<SphRve>(p.cell, sph_settings(p), angle);
   TissueStructure upright = p.structure;
   upright.rotation = 0.;
   CellLayout layout = turgid_tissue(upright, p.cell, p.columns, p.rows);
-  AnnealedCells at_rest = anneal(layout, p.sph, unannealed_cells(layout, p.sph), told);
-  return made(std::move(layout), std::move(at_rest.cells));
+  AnnealedCells at_rest = anneal(layout, p.sph, unannealed_cells(layout, p.sph),
+                                 [](double) { stop_here("while the cells of an RVE were annealed"); });
+  return std::make_unique<SphRve>(turned(std::move(layout), angle), turned(std::move(at_rest.cells), angle),
+                                  sph_settings(p));
 }
 
 /// What is wrong with the entries is told as such, whoever finds it.

@@ -2,6 +2,7 @@
 
 #include "micro/processes/annealed_cells.h"
 #include "micro/cells/parenchyma.h"
+#include "micro/cells/turned_cells.h"
 #include "run/cpu_clock.h"
 #include "run/number_text.h"
 #include "run/stop_flag.h"
@@ -32,13 +33,15 @@ struct SphRve::Scratch final : Rve<2>::Workspace {
   std::unique_ptr<SphPatch> cells;
 };
 
-SphRve::SphRve(const ParenchymaParameters &cell, const SphRveSettings &settings_)
-    : SphRve(make_parenchyma(cell, settings_.columns, settings_.rows, true, true),
-             std::vector<CellContents>(
-                 std::size_t(settings_.columns) * settings_.rows,
-                 anneal_square_cell(cell, settings_.sph,
-                                    [](double) { stop_here("while the reference cell was annealed"); })),
-             settings_) {}
+SphRve::SphRve(const ParenchymaParameters &cell, const SphRveSettings &settings_, const double angle)
+    : SphRve(
+          turned(make_parenchyma(cell, settings_.columns, settings_.rows, true, true), angle),
+          turned(std::vector<CellContents>(
+                     std::size_t(settings_.columns) * settings_.rows,
+                     anneal_square_cell(cell, settings_.sph,
+                                        [](double) { stop_here("while the reference cell was annealed"); })),
+                 angle),
+          settings_) {}
 
 SphRve::SphRve(CellLayout layout_, std::vector<CellContents> contents_, const SphRveSettings &settings_)
     : settings(settings_), layout(std::move(layout_)), contents(std::move(contents_)) {

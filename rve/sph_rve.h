@@ -31,9 +31,9 @@
 namespace turgor {
 class SphRve final : public Rve<2> {
  public:
-  /// Square cells, copies of one that is annealed first (seconds). Throws std::invalid_argument for settings
-  /// outside their range.
-  SphRve(const ParenchymaParameters &cell, const SphRveSettings &settings);
+  /// Square cells, copies of one that is annealed first (seconds), turned by an angle (rad) afterwards.
+  /// Throws std::invalid_argument for settings outside their range.
+  SphRve(const ParenchymaParameters &cell, const SphRveSettings &settings, double angle = 0.);
   /// Cells of any layout that is periodic both ways, with what they hold at F = I (annealed_cells.h).
   SphRve(CellLayout layout, std::vector<CellContents> contents, const SphRveSettings &settings);
 

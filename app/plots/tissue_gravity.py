@@ -23,6 +23,8 @@ from fields import frames  # noqa: E402
 def read_rves(path, time):
     """At the written time nearest to `time`, per RVE: position (m), F, periods (m), pressure and shear stress (Pa), rings (m)."""
     table = read_table(path)
+    if not len(table["time [s]"]):  # Outlined RVEs = 0
+        return []
     now = table["time [s]"][np.argmin(np.abs(table["time [s]"] - time))]
     table = {name: column[table["time [s]"] == now] for name, column in table.items()}
     rves = []

@@ -234,7 +234,6 @@ CellLayout turgid_tissue(const TissueStructure &structure, const ParenchymaParam
   CellLayout layout = structure.square()
                           ? turgid_parenchyma(cell, columns, rows, true, true)
                           : turgid_with_lattice(laid_tissue(structure, cell, columns, rows, periods));
-  return structure.rotation == 0. ? layout
-                                  : turned(std::move(layout), structure.rotation * std::numbers::pi / 180.);
+  return turned(std::move(layout), structure.rotation * std::numbers::pi / 180.);
 }
 }  // namespace turgor

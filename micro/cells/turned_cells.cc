@@ -12,6 +12,7 @@ Tensor2<2> turn_by(const double angle) {
 }  // namespace
 
 CellLayout turned(CellLayout layout, const double angle) {
+  if (angle == 0.) return layout;  // to the same bits
   const Tensor2<2> turn = turn_by(angle);
   layout.lattice = (turn * layout.lattice).eval();
   for (Vector<2> &node : layout.nodes) node = (turn * node).eval();
@@ -19,6 +20,7 @@ CellLayout turned(CellLayout layout, const double angle) {
 }
 
 std::vector<CellContents> turned(std::vector<CellContents> cells, const double angle) {
+  if (angle == 0.) return cells;
   const Tensor2<2> turn = turn_by(angle);
   for (CellContents &cell : cells)
     for (std::size_t i = 0; i < cell.x.size(); ++i) {

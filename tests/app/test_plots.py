@@ -59,6 +59,10 @@ class Pictures(unittest.TestCase):
             self.assertAlmostEqual(found[0], turned, places=9)
             self.assertAlmostEqual(found[1], sheared, places=9)
 
+    def test_a_tissue_without_outlined_rves_has_a_picture(self):
+        empty = self.write("rve_outlines.csv", "time [s],rve,ring,x [m],y [m]\n")
+        self.assertEqual(tissue_gravity.read_rves(empty, 0.1), [])
+
     def test_a_study_draws_what_varies_in_the_order_of_the_outputs(self):
         columns = ["cpu_time_s", "m [N]", "a [m]", "force_at_10 [N]", "same [1]", "z [s]"] + [f"n{k}" for k in range(20)]
         rows = [{name: str(1 + 0.1 * k) for name in columns} | {"same [1]": str(2. + 1e-6 * k)} for k in range(3)]

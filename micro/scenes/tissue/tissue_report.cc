@@ -199,12 +199,12 @@ void TissueLoading::Run::report_worth() {
              " of the walls' bonds have passed through others (a larger Contact ratio or a smaller End "
              "strain keeps them" +
              " apart" + or_slower() + ")");
-  if (scene.brick.sides == TissueSides::widening)
-    judged(context, "work_of_sides", sides.work / std::max(std::abs(plates->work()), 1e-3 * start_energy),
-           {0.02, HUGE_VAL},
-           "the sides, which should leave no stress and do no work, have done " +
-               percent(std::abs(sides.work / plates->work())) +
+  if (scene.brick.sides == TissueSides::widening) {
+    const double share = sides.work / std::max(std::abs(plates->work()), 1e-3 * start_energy);
+    judged(context, "work_of_sides", share, {0.02, HUGE_VAL},
+           "the sides, which should leave no stress and do no work, have done " + percent(std::abs(share)) +
                " of the plate's: the width does not follow as it should (Sides = periodic holds it)");
+  }
   judge_outside(context, most_outside, fluid,
                 "more SPH/Particles per side or a smaller End strain makes them fewer" + or_slower());
   judged(context, "energy_balance_error", error, {0.02, 0.1},
