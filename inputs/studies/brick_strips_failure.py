@@ -22,7 +22,7 @@ import os
 import statistics
 import sys
 
-from brick_strips import CELL, STRIP, table
+from brick_strips import CELL, STRIP, mean_and_scatter, table
 from runs import ROOT, no_choice, results, study
 
 sys.path.insert(0, os.path.join(ROOT, "app", "plots"))
@@ -89,15 +89,6 @@ def numbers(run):
     return [first_failure(run), *shares]
 
 
-def text(values):
-    """Mean and scatter of what is known, and of how many tissues that is."""
-    known = [v for v in values if v is not None]
-    if not known:
-        return "-"
-    spread = f" ± {statistics.stdev(known):.2g}" if len(known) > 1 else ""
-    return f"{statistics.mean(known):.3g}{spread}" + (f" ({len(known)} of {len(values)})" if len(known) < len(values) else "")
-
-
 def rows(runs, walls):
     yield f"| {walls}, % | first failure at | {' | '.join(f'failed at {p} %' for p in PERCENTS)} | path ends at | CPU s |"
     yield "|---|" + "---|" * (len(PERCENTS) + 3)
@@ -108,7 +99,7 @@ def rows(runs, walls):
         for seed, values, end, run in zip(SEEDS, each, ends, all_of):
             columns = " | ".join("-" if v is None else f"{v:.3g}" for v in values)
             yield f"| {words}, tissue {seed} | {columns} | {end:.3g} | {float(run['cpu_time_s']):.3g} |"
-        yield f"| **{words}, mean ± standard deviation** | {' | '.join(text(column) for column in zip(*each))} | {text(ends)} | |"
+        yield f"| **{words}, mean ± standard deviation** | {' | '.join(mean_and_scatter(column) for column in zip(*each))} | {mean_and_scatter(ends)} | |"
 
 
 def by_height(runs):
@@ -118,7 +109,7 @@ def by_height(runs):
     for n, strips_of, rves in ((HALF, "half", "halffull"), (ROWS, "particles", "full")):
         law, found = ([first_failure(runs[f"brittle_{seed}_{side}"]) for seed in SEEDS] for side in (rves, strips_of))
         away = [a - b for a, b in zip(found, law)]
-        yield f"| {n} rows | {text(law)} | {text(found)} | {text(away)} | {statistics.mean(away) * n:.3g} |"
+        yield f"| {n} rows | {mean_and_scatter(law)} | {mean_and_scatter(found)} | {mean_and_scatter(away)} | {statistics.mean(away) * n:.3g} |"
 
 
 def draw(runs, path):
