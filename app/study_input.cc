@@ -66,8 +66,10 @@ struct MeasureEntries {
         "Of the table, without units, separated by commas: together the components of a vector. "
         "Units: none.",
         Anything());
-    prm.add_parameter("Against", against, "Column that is the abscissa; the first, if empty. Units: none.",
-                      Anything());
+    prm.add_parameter(
+        "Against", against,
+        "Column that is the abscissa, which rises or falls all the way; the first, if empty. Units: none.",
+        Anything());
     prm.add_parameter("Match", match,
                       "Columns that name a row, if the table is no curve: cell_x, cell_y. Units: none.",
                       Anything());

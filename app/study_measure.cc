@@ -33,8 +33,10 @@ using Columns = std::vector<std::vector<double>>;
 /// Columns of a table over its abscissa; rows that are matched have keys and no abscissa.
 struct Curve {
   std::filesystem::path file;
-  std::vector<double> x;
+  std::vector<double>
+      x;  ///< rises: an abscissa that falls in the run (F_yy under compression) has its sign turned
   Columns u, keys;
+  double sign = 1.;  ///< of x over the table's column
 };
 
 /// A column in the unit that another table has it in.
@@ -55,11 +57,19 @@ Curve curve_of(const StudyMeasure &measure, const CsvTable &table, const CsvTabl
   if (table.rows() == 0) throw std::runtime_error(table.file.string() + " has no rows.");
   if (!measure.match.empty()) return curve;
   const std::string &abscissa = measure.against.empty() ? run.names[0] : measure.against;
+  const std::vector<double> in_run = run.column(abscissa);
+  curve.sign = in_run.empty() || in_run.back() >= in_run.front() ? 1. : -1.;
   curve.x = in_unit_of(run, table, abscissa);
+  for (double &x : curve.x) x *= curve.sign;
+  const bool backward = !std::is_sorted(curve.x.begin(), curve.x.end());
+  if (backward && std::is_sorted(curve.x.rbegin(), curve.x.rend())) {  // a reference written that way round
+    std::reverse(curve.x.begin(), curve.x.end());
+    for (auto &column : curve.u) std::reverse(column.begin(), column.end());
+  }
   if (!std::is_sorted(curve.x.begin(), curve.x.end()))
-    throw std::runtime_error(
-        "'" + abscissa + "' of " + table.file.string() +
-        " goes back; 'Against' names a column that rises, or 'Match' the columns that name a row.");
+    throw std::runtime_error("'" + abscissa + "' of " + table.file.string() +
+                             " goes back; 'Against' names a column that rises or falls all the way, or "
+                             "'Match' the columns that name a row.");
   return curve;
 }
 
@@ -119,9 +129,9 @@ void match_rows(Curve &run, const Curve &reference) {
 void require_cover(const Curve &run, const Curve &reference) {
   const double begin = reference.x.front(), end = reference.x.back(), slack = 0.01 * (end - begin);
   if (run.x.back() < end - slack || run.x.front() > begin + slack)
-    throw std::runtime_error(run.file.string() + " covers " + number_text(run.x.front()) + " to " +
-                             number_text(run.x.back()) + ", the reference " + number_text(begin) + " to " +
-                             number_text(end) + ".");
+    throw std::runtime_error(run.file.string() + " covers " + number_text(run.sign * run.x.front()) + " to " +
+                             number_text(run.sign * run.x.back()) + ", the reference " +
+                             number_text(run.sign * begin) + " to " + number_text(run.sign * end) + ".");
 }
 
 Curve on_parts(const Curve &curve, const double begin, const double end, const unsigned int parts) {

@@ -12,27 +12,13 @@ import numpy as np
 from matplotlib.collections import PolyCollection
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from deformation import COMPONENTS, NAMES, abscissa, parts_of_path  # noqa: E402
 from drawing import ACCENT, ALONG, INK, input_entries, plt, read_table, style  # noqa: E402
 from own_data import draw_data  # noqa: E402
 from rve_tangents import draw  # noqa: E402
 
-COMPONENTS = ("xx", "xy", "yx", "yy")
 COLOURS = {"xx": ACCENT, "yy": ALONG, "xy": "#6b8e4e", "yx": "#8a6fb0"}
 WIDTHS = {"xx": 3.4, "xy": 1.8, "yy": 1.8}  # where two are zero both are seen, the later over the broader one
-NAMES = {"xx": "stretch along x", "yy": "stretch along y", "xy": "shear, x over y", "yx": "shear, y over x"}
-
-
-def parts_of_path(strain, found):
-    """[(component, rows)]: for the one or two components that lead most of the path, the rows where they change most, contiguous pieces joined.
-    Components that are found, not given, lead only where nothing else changes: then the one that moves most does, all the way."""
-    given = [c for c in COMPONENTS if c not in found and np.ptp(strain[c]) > 1e-9]
-    if not given:
-        return [(max(COMPONENTS, key=lambda c: np.ptp(strain[c])), [(k, k + 1) for k in range(len(strain["xx"]) - 1)])]
-    steps = {c: np.abs(np.diff(strain[c])) * (c in given) for c in COMPONENTS}
-    leading = np.array(COMPONENTS)[np.argmax([steps[c] for c in COMPONENTS], axis=0)]
-    length = {c: steps[c][leading == c].sum() for c in COMPONENTS}
-    chosen = [c for c in sorted(COMPONENTS, key=lambda one: -length[one])[:2] if length[c] > 0.02 * max(length.values())]
-    return [(c, [(k, k + 1) for k in np.flatnonzero(leading == c)]) for c in chosen]
 
 
 def what_is_loaded(directory, found):
@@ -44,12 +30,6 @@ def what_is_loaded(directory, found):
         words.append(f"gap {1e6 * gap:g} µm, air {entries.get(('Structure', 'Air'), 'connected')}")
     words.append("F given" if found == ["none"] else "stress given along " + ", ".join(found))
     return "; ".join(words)
-
-
-def abscissa(strain, lead):
-    """(sign, words): a component that is mostly pressed is drawn as a compression, to the right."""
-    pressed = lead in ("xx", "yy") and -strain[lead].min() > strain[lead].max()
-    return (-1, f"compression along {lead[0]} [%]") if pressed else (1, f"{NAMES[lead]} [%]")
 
 
 def draw_cells(directory, F):

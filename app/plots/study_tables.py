@@ -50,3 +50,17 @@ def same_runs(results):
         if first.setdefault(row["directory"], row["run"]) != row["run"] and row["directory"]:
             same[row["run"]] = first[row["directory"]]
     return same
+
+
+def is_seed(entry):
+    """Whether a swept entry only draws another sample of the same tissue: "Structure/Structure seed"."""
+    return bare(entry).lower().endswith("seed")
+
+
+def over_seeds(rows, entries):
+    """{label: runs that differ in their seed alone}, in the order of the runs."""
+    groups = {}
+    for row in rows:
+        settings = settings_of(row, [entry for entry in entries if not is_seed(entry)])
+        groups.setdefault(f"{row['method']}  {settings}".strip(), []).append(row)
+    return groups

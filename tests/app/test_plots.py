@@ -8,6 +8,7 @@ import unittest
 
 PLOTS = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), "app", "plots")
 sys.path.insert(0, PLOTS)
+import deformation  # noqa: E402
 import drawing  # noqa: E402
 from drawing import plt  # noqa: E402
 import own_data  # noqa: E402
@@ -86,7 +87,7 @@ class Pictures(unittest.TestCase):
         self.write("mine.csv", "force [mN],time [min]\n500,0.01\n")
         one = {"table": "force", "against": "", "reference": "mine.csv", "reference_table": "mine.csv"}
         runs = [{"run": "a", "method": "a", "settings": "", "directory": "."}]
-        label, found, _ = study_curves.curves_of(one, "force", runs, self.directory, [])[-1]
+        label, found, _, _ = study_curves.curves_of(one, "force", runs, self.directory, [])[-1]
         self.assertEqual((label, found[0], found[2]), ("mine.csv (reference)", "time [s]", "force [N]"))
         self.assertAlmostEqual(found[1][0], 0.6)
         self.assertAlmostEqual(found[3][0], 0.5)
@@ -164,6 +165,45 @@ class Pictures(unittest.TestCase):
                 found = self.plot_with(own)
                 self.assertEqual(found[0], code, found)
                 self.assertIn(words, found[1])
+
+    def test_a_compression_is_an_axis_for_runs_and_for_own_points(self):
+        np = drawing.np
+        factor, origin, words = deformation.strain_axis("F_yy [1]", [np.array([1., 0.8])])
+        self.assertEqual((round(factor * (0.8 - origin), 9), words), (20., "compression along y [%]"))
+        self.assertEqual(deformation.strain_axis("F_xy [1]", [np.array([0., 0.3])]), (100., 0., "shear, x over y [%]"))
+        self.assertIsNone(deformation.strain_axis("F_dot_yy [1/s]", [np.array([0., 1.])]))
+        self.assertEqual([deformation.stress_words(c) for c in ("sigma_yy [Pa]", "P_xx [Pa]", "sigma [Pa]")],
+                         ["Cauchy stress sigma_yy,\npositive in tension", "nominal stress (first Piola-Kirchhoff) P_xx,\npositive in tension", None])
+        own = {"compression along y [%]": np.array([5.]), "compressive_stress_y [kPa]": np.array([30.]), "sigma_xx [Pa]": np.array([1.])}
+        for column, value in (("F_yy [1]", 0.95), ("sigma_yy [Pa]", -3e4), ("sigma_xx [Pa]", 1.), ("F_xx [1]", None), ("P_yy [Pa]", None)):
+            found = own_data.own_column(own, column)
+            self.assertTrue(found is value is None or abs(found[0] - value) <= 1e-9 * abs(value), column)
+        self.assertIn("(did you mean 'compression_along_y'?)", own_data.why_not("compression [%]", own, {"stress.csv": ["time [s]", "F_yy [1]"]}))
+
+    def run_of_an_rve(self, name, factor):
+        """A pressed piece of tissue whose stress is this many times the strain; sides free."""
+        os.makedirs(os.path.join(self.directory, name))
+        self.write(name + "/input.prm", "subsection Path\n  set Stress components = xx\nend\n")
+        head = "time [s]," + ",".join(f"F_{c} [1]" for c in deformation.COMPONENTS) + "," + ",".join(f"sigma_{c} [Pa]" for c in deformation.COMPONENTS)
+        self.write(name + "/stress.csv", head + "".join(f"\n{t},{1 + t / 10},0,0,{1 - t / 5},0,0,0,{-factor * t}" for t in (0, 0.5, 1)) + "\n")
+
+    def test_a_study_of_rves_draws_stress_over_strain_and_the_band_of_its_seeds(self):
+        np = drawing.np
+        entries, runs = ["Structure/Structure", "Structure/Structure seed"], []
+        for k, (layout, seed, factor) in enumerate((("brick", "1", 1.), ("brick", "2", 3.), ("brick", "3", 2.), ("square", "1", 5.))):
+            self.run_of_an_rve(f"d{k}", factor)
+            runs.append({"run": f"r{k}", "method": "r", "settings": "", "status": "finished", "directory": f"d{k}", entries[0]: layout, entries[1]: seed})
+        one = {"table": "stress", "against": "F_yy", "reference": "", "reference_table": ""}
+        drawn = study_curves.curves_of(one, "sigma_yy", runs, self.directory, entries)
+        self.assertEqual([label for label, _, _, _ in drawn], ["r  Structure brick: mean of 3 seeds", "r  Structure square"])
+        (_, x, _, mean), half = drawn[0][1], drawn[0][3]
+        self.assertTrue(np.allclose(x, [0.8, 0.9, 1.]) and np.allclose(mean, [-2., -1., 0.]))
+        self.assertTrue(np.allclose(half, 4.303 / np.sqrt(3) * np.array([1., 0.5, 0.])))  # the standard deviation of 1, 2, 3 is 1
+        self.assertIsNone(drawn[1][3])
+        self.assertAlmostEqual(study_curves.confidence(11) / 2.228, 1., delta=0.02)
+        self.assertAlmostEqual(study_curves.confidence(30) / 2.045, 1., delta=0.01)
+        study_curves.plot_curves(runs, {"measures": [], "entries": entries}, self.directory)
+        self.assertEqual([name for name in os.listdir(self.directory) if name.endswith(".png")], ["stress_strain.png"])
 
     def test_where_a_closed_form_does_not_apply_its_line_has_a_gap(self):
         table = plot.with_gaps({"time [s]": drawing.np.arange(3.), "closed_form_applies": drawing.np.array([1., 0., 1.]),

@@ -75,6 +75,24 @@ BOOST_AUTO_TEST_CASE(largest_and_last) {
   BOOST_TEST(runs.of("0,9,9\n2,3,-5\n", "0,0,0\n2,3,-4\n").value == -5.);
 }
 
+BOOST_AUTO_TEST_CASE(an_abscissa_that_falls_is_one_as_well) {
+  TwoRuns runs;
+  runs.asked.columns = {"y"};
+  runs.asked.against = "x";
+  // y = 1 - x of the run over x from 1 to 0.8, the reference twice as much: half of it is missing.
+  const std::string run = "0,1,0\n1,0.9,0.1\n2,0.8,0.2\n";
+  BOOST_TEST(*runs.of(run, "0,1,0\n1,0.8,0.4\n").error == 0.5, close);
+  // A reference in the order of a rising abscissa is the same one.
+  BOOST_TEST(*runs.of(run, "0,0.8,0.4\n1,1,0\n").error == 0.5, close);
+  runs.asked.weight = Weight::end;
+  BOOST_TEST(*runs.of(run, "0,0.8,0.4\n1,1,0\n").error == 0.5, close);
+  BOOST_TEST(runs.of(run, "0,0.8,0.4\n1,1,0\n").value == 0.2, close);
+  BOOST_CHECK_EXCEPTION(runs.of(run, "0,1,0\n1,0.5,0.4\n"), std::runtime_error,
+                        Says{"covers 1 to 0.8, the reference 1 to 0.5"});
+  BOOST_CHECK_EXCEPTION(runs.of("0,1,0\n1,0.8,0.1\n2,0.9,0\n", "0,1,0\n1,0.8,0.4\n"), std::runtime_error,
+                        Says{"a column that rises or falls all the way"});
+}
+
 BOOST_AUTO_TEST_CASE(one_number_of_a_curve_has_a_sign) {
   TwoRuns runs;
   runs.asked.columns = {"y"};
