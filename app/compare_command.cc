@@ -175,19 +175,36 @@ void write_split(const ErrorSplit &split, const std::filesystem::path &directory
   write_text(directory / "split.csv", csv_of(rows));
 }
 
+/// How the parts make up the error, by the numbers of the first measure, and what the error buys.
+void explain(const ErrorSplit &split) {
+  const auto &[name, error] = *split.lines[0].share.begin();
+  std::string parts, factors;
+  char number[40];
+  for (std::size_t k = 1; k < split.lines.size() && split.lines[k].what.starts_with(' '); ++k) {
+    const SplitLine &line = split.lines[k];
+    parts += " (1 + " + line.what.substr(line.what.find_first_not_of(' ')) + ")";
+    std::snprintf(number, sizeof(number), "%.4f", 1. + line.share.at(name));
+    factors += (factors.empty() ? "" : " x ") + std::string(number);
+  }
+  std::printf("The parts multiply: 1 + error of FE2 =%s; %s: %.4f = %s.\n", parts.c_str(), name.c_str(),
+              1. + error, factors.c_str());
+  if (const std::string cost = cost_in_words(split); !cost.empty()) std::printf("%s\n", cost.c_str());
+}
+
 void tell(const ErrorSplit &split, const double history, const std::string &course) {
-  std::printf("\n%-28s", "");
-  for (const auto &[name, value] : split.lines[0].share) std::printf("%12s", name.c_str());
-  std::printf("%12s\n", "CPU s");
+  std::printf("\n%-28s", "relative differences");
+  for (const auto &[name, value] : split.lines[0].share) std::printf(" %13s", (name + " [%]").c_str());
+  std::printf(" %13s\n", "CPU time [s]");
   for (const SplitLine &line : split.lines) {
     std::printf("%-28s", line.what.c_str());
     for (const auto &[name, value] : split.lines[0].share)
       if (line.share.contains(name))
-        std::printf("%+10.3f %%", 100. * line.share.at(name));
+        std::printf(" %+13.3f", 100. * line.share.at(name));
       else
-        std::printf("%12s", "");
-    std::printf("%12s\n", line.cpu ? rounded(*line.cpu).c_str() : "");
+        std::printf(" %13s", "");
+    std::printf(" %13s\n", line.cpu ? rounded(*line.cpu).c_str() : "");
   }
+  explain(split);
   for (const auto &[name, remark] : split.remarks) std::printf("%s: %s\n", name.c_str(), remark.c_str());
   if (std::isfinite(history))
     std::printf("%s: root mean square of the difference %.3g %% of the cells' own.\n", course.c_str(),

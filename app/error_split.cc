@@ -1,5 +1,6 @@
 #include "app/error_split.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
@@ -93,5 +94,19 @@ ErrorSplit error_split(const Counterpart &cells, const std::map<std::string, Com
     split.lines.push_back(line);
   }
   return split;
+}
+
+std::string cost_in_words(const ErrorSplit &split) {
+  const auto cells = std::find_if(split.lines.begin(), split.lines.end(),
+                                  [](const SplitLine &line) { return line.what == all_cells; });
+  if (cells == split.lines.end() || !cells->cpu || !split.lines[0].cpu) return "";
+  const double fine = *cells->cpu, coarse = *split.lines[0].cpu;
+  if (!(fine > 0.) || !(coarse > 0.)) return "";
+  char text[160];
+  const bool fast = fine >= coarse;
+  std::snprintf(text, sizeof(text),
+                "FE2 takes %.3g s of CPU time, all cells %.3g s: FE2 %s %.3g times as %s.", coarse, fine,
+                fast ? "is" : "takes", fast ? fine / coarse : coarse / fine, fast ? "fast" : "long");
+  return text;
 }
 }  // namespace turgor

@@ -56,4 +56,7 @@ struct ErrorSplit {
 
 /// `runs` by label: all that `cells` asks for.
 ErrorSplit error_split(const Counterpart &cells, const std::map<std::string, Compared> &runs);
+
+/// "FE2 takes 0.9 s of CPU time, all cells 404 s: FE2 is 449 times as fast."; empty where a run has no time.
+std::string cost_in_words(const ErrorSplit &split);
 }  // namespace turgor

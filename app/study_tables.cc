@@ -148,14 +148,23 @@ void write_study_tables(const StudyInput &study, const std::vector<StudyRow> &ro
 }
 
 void print_study(const StudyInput &study, const std::vector<StudyRow> &rows) {
+  std::vector<std::string> heads;  // with the unit that the runs have it in; wide enough for its numbers
+  for (std::size_t k = 0; k < study.measures.size(); ++k) {
+    const auto first = std::find_if(rows.begin(), rows.end(),
+                                    [k](const StudyRow &row) { return row.measured[k].has_value(); });
+    const std::string name = study.measures[k].value_column();
+    heads.push_back(first == rows.end() ? name : with_unit(name, first->measured[k]->unit));
+  }
+  const auto wide = [&](const std::size_t k) {
+    return static_cast<int>(std::max<std::size_t>(14, heads[k].size()));
+  };
   std::printf("%-28s %-10s", "run", "status");
-  for (const StudyMeasure &measure : study.measures)
-    std::printf(" %14s %14s", measure.value_column().substr(0, 14).c_str(), "error");
-  std::printf(" %12s %12s\n", "CPU s", "wall s");
+  for (std::size_t k = 0; k < heads.size(); ++k) std::printf(" %*s %14s", wide(k), heads[k].c_str(), "error");
+  std::printf(" %12s %12s\n", "CPU time [s]", "wall [s]");
   for (const StudyRow &row : rows) {
     std::printf("%-28s %-10s", row.run.label.c_str(), row.status.c_str());
     for (std::size_t k = 0; k < study.measures.size(); ++k)
-      std::printf(" %14s %14s", row.measured[k] ? number(row.measured[k]->value).c_str() : "",
+      std::printf(" %*s %14s", wide(k), row.measured[k] ? number(row.measured[k]->value).c_str() : "",
                   error_text(study.measures[k], row.measured[k]).c_str());
     std::printf(" %12.4g %12.4g%s%s\n", row.use.cpu_time, row.use.wall_time,
                 row.message.empty() ? "" : "\n    ", row.message.c_str());

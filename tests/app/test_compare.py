@@ -1,6 +1,8 @@
 """`turgor compare`: both sides of a small tissue, the parts of the error, what is refused, a second call that computes nothing."""
 import csv
+import math
 import os
+import re
 import subprocess
 import tempfile
 import unittest
@@ -33,6 +35,15 @@ class Compare(unittest.TestCase):
             # A slab of 8 bricks: what the clamp along their steps takes goes with 1/n (doc/results/rve/blocks.md).
             self.assertLess(abs(tip["rest"]), 0.1 * abs(tip["number of cells"]))
             self.assertNotIn("does not explain", first.stdout)
+            self.assertRegex(first.stdout, r"relative differences +tip \[%\] +CPU time \[s\]")
+            self.assertRegex(first.stdout, r"run +status +tip \[1\] +error +CPU time \[s\]")
+            sentence = re.search(r"The parts multiply: 1 \+ error of FE2 = \(1 \+ mesh\) \(1 \+ RVE size\) \(1 \+ number of cells\) \(1 \+ rest\); "
+                                 r"tip: ([\d.]+) = (.*)\.\n", first.stdout)
+            self.assertAlmostEqual(math.prod(map(float, sentence[2].split(" x "))), float(sentence[1]), delta=3e-4)
+            cost = re.search(r"FE2 takes ([\d.]+) s of CPU time, all cells ([\d.]+) s: FE2 (?:is|takes) ([\d.]+) times as (fast|long)\.", first.stdout)
+            ratio = float(cost[2]) / float(cost[1])
+            self.assertAlmostEqual(float(cost[3]) / max(ratio, 1 / ratio), 1., delta=0.02)
+            self.assertEqual(cost[4], "fast" if ratio >= 1 else "long")
             self.assertTrue(os.path.exists(os.path.join(out, "split.png")))
             # Tissues of half as many cells are no method: they have values and no errors, in tables and pictures.
             with open(os.path.join(out, "error_vs_time.csv"), newline="", encoding="utf-8") as file:
