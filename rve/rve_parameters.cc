@@ -73,7 +73,9 @@ void declare_air(InputEntries &prm, RveAir &air, double &pressure) {
   prm.add_parameter("Air", air,
                     "Air in the spaces that Gap opens: connected with the air outside, so that it leaves "
                     "freely and has no pressure; or shut in, cell walls between, and then isothermal (small "
-                    "spaces between wet walls, slower than some microseconds) or adiabatic (exponent 1.4). "
+                    "spaces between wet walls, slower than some microseconds) or adiabatic (exponent 1.4): "
+                    "such air is compressed "
+                    "with the tissue and makes it stiffer. "
                     "Units: none.");
   prm.add_parameter(
       "Air pressure", pressure,

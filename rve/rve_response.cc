@@ -15,7 +15,6 @@
 #include "rve/tangent_report.h"
 
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <utility>
 
@@ -257,11 +256,12 @@ void RveResponse::finish(RunContext &context, const Walk &walk) const {
   walk.comparison.remarks(context);
   if (walk.tangents) walk.tangents->results(context);
   if (walk.condition) walk.condition->results(context);
-  char line[200];
-  std::snprintf(line, sizeof line, "sigma = %.6g, %.6g; %.6g, %.6g kPa at the last point, pressure %.6g kPa",
-                1e-3 * last.sigma(0, 0), 1e-3 * last.sigma(0, 1), 1e-3 * last.sigma(1, 0),
-                1e-3 * last.sigma(1, 1), 1e-3 * last.pressure);
-  context.say(line);
+  const auto kPa = [](const Tensor2<2> &s) -> std::string {  // what is rounding is zero
+    return tensor_text((s.array().abs() > 1e-12 * s.cwiseAbs().maxCoeff()).select(1e-3 * s, 0.), 6) + " kPa";
+  };
+  context.say("Last point, positive in tension: Cauchy stress sigma (force over the area as it is) = " +
+              kPa(last.sigma) + ", nominal stress P (over the undeformed area) = " + kPa(last.P) +
+              "; pressure of the cells' fluid " + number_text(1e-3 * last.pressure, 6) + " kPa");
   walk.moduli.say(context);
   walk.comparison.say(context);
   if (walk.tangents) walk.tangents->say(context);
@@ -285,7 +285,7 @@ void RveResponse::run(RunContext &context) {
                                                                   : "sph_fluid"},
                  {});
   Walk way(context, path, *cells, rve);
-  if (!rve.structure.square()) report_structure(context, rve.structure, *cells, *way.workspace);
+  if (!rve.structure.square()) report_structure(context, rve, *cells, *way.workspace);
   if (tangents && (rve.fluid == RveFluid::hydrostatic || rve.rule == RveRule::cauchy_born))
     way.tangents.emplace(context, *cells, *way.workspace);
   try {

@@ -10,9 +10,11 @@ const char *const other = "with Structure other than square";
 
 std::vector<OutputDefinition> stress_results() {
   return {{"final_sigma_*", "Pa",
-           "That component of the RVE's mean Cauchy stress at the last point, positive in tension."},
+           "That component of the RVE's mean Cauchy stress, force over the area as it is, at the last point, "
+           "positive in tension."},
           {"final_P_*", "Pa",
-           "That component of the first Piola-Kirchhoff stress, force over undeformed area, at the last "
+           "That component of the nominal (first Piola-Kirchhoff) stress, force over undeformed area, at the "
+           "last "
            "point."},
           {"final_pressure", "Pa", "Mean pressure of the fluid at the last point."},
           {"shear_modulus", "Pa",
@@ -39,7 +41,8 @@ std::vector<OutputDefinition> structure_results() {
       {"shear_modulus_45", "Pa",
        "Shear modulus of the undeformed tissue for simple shear along x, which is stretch at 45 degrees.",
        other},
-      {"air_share_at_rest", "1", "Share of the undeformed tissue's area that is air between its cells.",
+      {"air_share_at_rest", "1",
+       "Void fraction: share of the undeformed tissue's area that is air between its cells.",
        "with Structure/Gap"},
       {"period_*", "m",
        "That component (row, column) of the lattice at turgor, whose columns are the periods of the RVE.",
@@ -102,8 +105,11 @@ Outputs RveResponse::outputs() const {
           {{"time", "s", "Time on the path of deformation."},
            {"F_*", "1", "That component (row, column) of the deformation gradient."},
            {"F_dot_*", "1/s", "That component of the deformation gradient's rate."},
-           {"sigma_*", "Pa", "That component of the RVE's mean Cauchy stress, positive in tension."},
-           {"P_*", "Pa", "That component of the first Piola-Kirchhoff stress, force over undeformed area."},
+           {"sigma_*", "Pa",
+            "That component of the RVE's mean Cauchy stress, force over the area as it is, positive in "
+            "tension."},
+           {"P_*", "Pa",
+            "That component of the nominal (first Piola-Kirchhoff) stress, force over undeformed area."},
            {"pressure", "Pa", "Mean pressure of the fluid in the RVE."},
            {"energy", "J/m^3", "Elastic energy over undeformed volume, 0 in the undeformed state."},
            {"closed_form_applies", "", "Whether the closed form of flat walls holds at this F: 1 yes, 0 no."},

@@ -8,8 +8,24 @@
 #include <numbers>
 
 namespace turgor {
-void report_structure(RunContext &context, const TissueStructure &structure, const Rve<2> &cells,
+namespace {
+/// The void fraction, and what its air does to the stiffness.
+void say_air(RunContext &context, const RveParameters &rve, const double share) {
+  const std::string kind = word_of(rve.air), gap = number_text(rve.structure.gap);
+  context.say("Air spaces take " + number_text(100. * share, 3) +
+              " % of the undeformed tissue's area (void fraction; Structure/Gap is " + gap +
+              " m, more opens more)" +
+              (rve.air == RveAir::connected
+                   ? ". Air leaves freely (Structure/Air = connected): it carries nothing."
+                   : "; their air is shut in (Structure/Air = " + kind +
+                         "): it is compressed with the tissue, which it makes stiffer than air that leaves "
+                         "(connected), most where sides are held."));
+}
+}  // namespace
+
+void report_structure(RunContext &context, const RveParameters &rve, const Rve<2> &cells,
                       Rve<2>::Workspace &workspace) {
+  const TissueStructure &structure = rve.structure;
   if (structure.measured()) {
     const TilingMeasures given(structure.given());
     context.result("given_cells", double(given.areas.size()), "");
@@ -31,7 +47,10 @@ void report_structure(RunContext &context, const TissueStructure &structure, con
       cells.evaluate(cells.initial_state(), Tensor2<2>::Identity(), Tensor2<2>::Zero(), request, workspace);
   if (!at_rest.diagnostics.converged)
     throw RunFailed("The undeformed tissue has no moduli: " + at_rest.diagnostics.message);
-  if (cells.has_air()) context.result("air_share_at_rest", at_rest.diagnostics.air, "1");
+  if (cells.has_air()) {
+    context.result("air_share_at_rest", at_rest.diagnostics.air, "1");
+    say_air(context, rve, at_rest.diagnostics.air);
+  }
   const PlaneModuli moduli(at_rest.tangent);
   constexpr double quarter = std::numbers::pi / 4.;
   context.result("modulus_x", moduli.free(0.), "Pa");
@@ -42,11 +61,11 @@ void report_structure(RunContext &context, const TissueStructure &structure, con
   context.result("shear_modulus_axes", moduli.shear_axes, "Pa");
   context.result("shear_modulus_45", moduli.shear_45, "Pa");
   const auto kilopascals = [](const double modulus) { return number_text(1e-3 * modulus, 4); };
-  context.say(
-      "Moduli of the undeformed tissue, slopes of stress over strain at rest in kPa: pulled along x " +
-      kilopascals(moduli.free(0.)) + ", along y " + kilopascals(moduli.free(2. * quarter)) +
-      " with sides free; along x " + kilopascals(moduli.held_x) + ", along y " + kilopascals(moduli.held_y) +
-      " with sides held; sheared along the axes " + kilopascals(moduli.shear_axes));
+  context.say("Moduli of the undeformed tissue in its plane (slopes at rest): Young's modulus, sides free, " +
+              kilopascals(moduli.free(0.)) + " kPa along x, " + kilopascals(moduli.free(2. * quarter)) +
+              " kPa along y; with sides held " + kilopascals(moduli.held_x) + " kPa along x, " +
+              kilopascals(moduli.held_y) + " kPa along y; shear modulus along the axes " +
+              kilopascals(moduli.shear_axes) + " kPa");
 }
 
 void write_outlines(RunContext &context, const Rve<2> &cells, const RveState<2> &at_rest,

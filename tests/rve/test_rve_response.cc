@@ -1,5 +1,6 @@
 // The user's entries: path of F, factory, and the scene against the closed form.
 #include "run/input_entries.h"
+#include "run/number_text.h"
 #include "run/run_context.h"
 #include "rve/deformation_path.h"
 #include "rve/make_rve.h"
@@ -32,6 +33,7 @@ class Memory : public RunContext {
   std::map<std::string, std::string> notes;
   std::map<std::string, std::vector<std::vector<double>>> tables;
   std::map<std::string, std::vector<Column>> headers;
+  std::string said;
   std::filesystem::path where = ".";
 
   const std::filesystem::path &directory() const override { return where; }
@@ -47,7 +49,7 @@ class Memory : public RunContext {
     return s;
   }
   void progress(double, const std::string &) override {}
-  void say(const std::string &) override {}
+  void say(const std::string &line) override { said += line + "\n"; }
   bool stop_requested() const override { return false; }
   void save_checkpoint(const std::function<void(Archive &)> &) override {}
   bool load_checkpoint(const std::function<void(Archive &)> &) override { return false; }
@@ -366,6 +368,36 @@ BOOST_AUTO_TEST_CASE(moduli_of_the_first_small_deformation) {
   BOOST_TEST(std::abs(path.results.at("shear_modulus") - 200e3) < 0.03 * 200e3);
   run(large, "subsection Path\nset F = 1, 0.05; 0, 1\nend\n");
   BOOST_TEST(large.results.count("shear_modulus") == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(moduli_stresses_and_air_are_told_by_their_names) {
+  const std::string pressed =
+      "subsection Path\nset Keyframes = 0 : 1, 0; 0, 1 | 1 : 1, 0; 0, 0.95\nset Points = 6\n"
+      "set Stress components = xx\nend\nsubsection Cell\nset Nodes per side = 6\nend\n"
+      "subsection Structure\nset Structure = brick\n";
+  const auto told = [](const Memory &memory, const std::string &words) {
+    BOOST_TEST(memory.said.find(words) != std::string::npos, "'" << words << "' is not in: " << memory.said);
+  };
+  Memory dense, open, shut;
+  run(dense, pressed + "end\n");
+  told(dense, "Young's modulus, sides free, " + number_text(1e-3 * dense.results.at("modulus_x"), 4) +
+                  " kPa along x, ");
+  told(dense,
+       "with sides held " + number_text(1e-3 * dense.results.at("held_modulus_x"), 4) + " kPa along x");
+  told(dense, "shear modulus along the axes " +
+                  number_text(1e-3 * dense.results.at("shear_modulus_axes"), 4) + " kPa");
+  told(dense, "positive in tension: Cauchy stress sigma");
+  told(dense, "nominal stress P");
+  BOOST_TEST(dense.said.find("Air") == std::string::npos);
+  run(open, pressed + "set Gap = 20e-6\nend\n");
+  told(open, "Air spaces take " + number_text(100. * open.results.at("air_share_at_rest"), 3) +
+                 " % of the undeformed");
+  told(open, "(Structure/Air = connected): it carries nothing");
+  run(shut, pressed + "set Gap = 20e-6\nset Air = isothermal\nend\n");
+  told(shut,
+       "shut in (Structure/Air = isothermal): it is compressed with the tissue, which it makes stiffer");
+  BOOST_TEST(shut.results.at("held_modulus_y") > 1.2 * open.results.at("held_modulus_y"));  // as it says
+  BOOST_TEST(shut.results.at("modulus_y") > 1.05 * open.results.at("modulus_y"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -13,17 +13,18 @@ OutputDefinition at_strains(const std::string &name, const std::string &unit, co
 
 Outputs tables() {
   Outputs all;
-  all.table(
-         "loading", "One row for each of Samples equal parts of the plate's way.",
-         {{"time", "s", "Time since the upper plate began to move."},
-          {"strain", "1", "Way of the upper plate over the height of the inflated tissue."},
-          {"force_upper", "N", "Force of the tissue on the upper plate, which moves, positive upwards."},
-          {"force_lower", "N", "Force of the tissue on the lower plate, which stays, positive downwards."},
-          {"stress_upper", "Pa", "Force on the upper plate over (width of the inflated tissue times depth)."},
-          {"stress_lower", "Pa", "Force on the lower plate over (width of the inflated tissue times depth)."},
-          {"plate_upper", "m", "Place of the upper plate along y."},
-          {"mean_pressure", "Pa",
-           "Pressure of the fluid by its equation of state, mean over each cell and over the cells."}})
+  all.table("loading", "One row for each of Samples equal parts of the plate's way.",
+            {{"time", "s", "Time since the upper plate began to move."},
+             {"strain", "1", "Way of the upper plate over the height of the inflated tissue."},
+             {"force_upper", "N", "Force of the tissue on the upper plate, which moves, positive upwards."},
+             {"force_lower", "N", "Force of the tissue on the lower plate, which stays, positive downwards."},
+             {"stress_upper", "Pa",
+              "Nominal stress: force on the upper plate over (width of the inflated tissue times depth)."},
+             {"stress_lower", "Pa",
+              "Nominal stress: force on the lower plate over (width of the inflated tissue times depth)."},
+             {"plate_upper", "m", "Place of the upper plate along y."},
+             {"mean_pressure", "Pa",
+              "Pressure of the fluid by its equation of state, mean over each cell and over the cells."}})
       .table("loading", "", energy_columns())
       .table(
           "loading", "",
@@ -143,18 +144,18 @@ Outputs TissueLoading::outputs() const {
            "The same deviation of the angles from 120 degrees before the inflation."},
           {"junction_angle_deviation_end", "degrees",
            "The same deviation of the angles from 120 degrees at the end of the run."},
-          {"stress_lower_at_end", "Pa", "Stress on the lower plate at the end of the run."},
+          {"stress_lower_at_end", "Pa", "Nominal stress on the lower plate at the end of the run."},
           {"modulus_start", "Pa",
            "Slope of the mean stress on both plates against strain from 2 to 10 %, least squares; 0: not "
            "that far."},
           {"modulus_later", "Pa",
            "Slope of the mean stress on both plates against strain from 20 to 30 %, least squares; 0: not "
            "that far."},
-          at_strains(
-              "stress_lower", "Pa",
-              "Stress that reaches the lower plate, mean over half a per cent of strain to each side,"),
+          at_strains("stress_lower", "Pa",
+                     "Nominal stress that reaches the lower plate, mean over half a per cent of strain to "
+                     "each side,"),
           at_strains("stress_upper", "Pa",
-                     "Stress on the upper plate, mean over half a per cent of strain to each side,"),
+                     "Nominal stress on the upper plate, mean over half a per cent of strain to each side,"),
           at_strains("centre_of_flattening", "1",
                      "Mean depth of the cells' flattening (0 at the moving plate, 1 at the other, 0.5 even)"),
           at_strains("flattest_cell", "1", "Largest flattening of a cell"),
@@ -162,7 +163,7 @@ Outputs TissueLoading::outputs() const {
                      "Mean stretch of the walls of the cells in the first fifth below the upper plate"),
           at_strains("largest_stretch", "1", "Largest stretch of an unbroken bond of a wall"),
           at_strains("mean_stretch", "1", "Mean stretch of all unbroken bonds of walls"),
-          {"largest_stress_lower", "Pa", "Largest stress on the lower plate in any row."},
+          {"largest_stress_lower", "Pa", "Largest nominal stress on the lower plate in any row."},
           {"flattest_cell_ever", "1", "Largest flattening of a cell in any row."},
           {"stress_lower_oscillation", "1",
            "Sum of all falls of the stress on the lower plate (mean over 1/80 of the run) over its range."},
