@@ -41,7 +41,8 @@ class TissueLoading::Run {
   // tissue_checkpoint.cc
   void archive(Archive &a);
   void require_sound(const std::string &where) const;
-  void require_energy(const std::string &where) const;
+  void require_energy(const std::string &where) const;  ///< and that plates and walls hold what they should
+  std::string or_held() const;  ///< advice, where walls came so close that a stiffer contact helps
 
   // tissue_report.cc
   void open_series();
