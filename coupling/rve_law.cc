@@ -191,6 +191,11 @@ void RveLaw<dim>::commit() {
     for (const std::size_t p : called)
       std::swap(held.committed[p], held.trial[p]);  // empty ones where they are not this rank's
     F_committed.swap(F_now);
+    for (std::size_t p = 0; p < points.size();
+         ++p)  // P = J sigma F^-T: what the error of an answer is measured by
+      counts.largest_stress =
+          std::max(counts.largest_stress,
+                   (F_committed[p].determinant() * sigma[p] * F_committed[p].inverse().transpose()).norm());
     skipped->commit();
   }
   last = Last::none;

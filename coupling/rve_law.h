@@ -48,6 +48,7 @@ struct RveLawStatistics {
   double max_dragged_residual = 0.;  ///< the same of these
   double max_stress_spread = 0.;     ///< Pa
   double least_air = 1.;             ///< smallest share of an RVE's area that was air
+  double largest_stress = 0.;        ///< Pa, norm of P at a commit; with skipping alone
   double rve_cpu_seconds = 0.;       ///< inside RVEs, all threads and ranks
   double wall_seconds = 0.;          ///< inside evaluate(), this rank
   double look_up_seconds = 0.;       ///< of it in the table of answers instead of RVEs

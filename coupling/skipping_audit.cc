@@ -2,6 +2,7 @@
 
 #include "micro/laws/counter_random.h"
 #include "run/archive.h"
+#include "run/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,5 +89,18 @@ double SkippingAudit::percentile_bound() const {
 void SkippingAudit::archive(Archive &a) {
   a(n, most, powers);
   a.fixed(counts);
+}
+
+std::string beside(const double error, const double turgor, const double largest) {
+  std::string text;
+  const auto add = [&](const double size, const std::string &of, const std::string &what) {
+    if (!(size > 0.)) return;
+    text += (text.empty() ? number_text(error, 3) + " Pa are " : " and ") +
+            number_text(100. * error / size, 2) + " % of " + of + " (" + number_text(1e-3 * size, 3) +
+            " kPa" + what + ")";
+  };
+  add(turgor, "turgor", "");
+  add(largest, "the run's largest stress", ", norm of P");
+  return text;
 }
 }  // namespace turgor

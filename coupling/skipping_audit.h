@@ -19,6 +19,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace turgor {
@@ -55,4 +56,8 @@ class SkippingAudit {
   std::array<double, 3> powers = {};  ///< sums of e^2, e^4, e^6
   std::vector<std::uint64_t> counts;  ///< by size, on a logarithmic scale
 };
+
+/// "90 Pa are 0.045 % of turgor (200 kPa) and 0.3 % of the run's largest stress (30 kPa, norm of P)":
+/// what an error of a stress (Pa) is to be seen beside; what is zero is left out.
+std::string beside(double error, double turgor, double largest);
 }  // namespace turgor

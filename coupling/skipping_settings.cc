@@ -49,6 +49,7 @@ void SkippingSettings::check(const RveParameters &rve) const {
 
 SkippingSettings SkippingSettings::with(const RveParameters &rve) const {
   SkippingSettings result = *this;
+  result.turgor = rve.cell.turgor;
   if (tolerance == 0.) result.tolerance = share * rve.cell.turgor;
   const EquationOfState fluid = rve.cell.equation_of_state();
   result.content = CellContent{fluid, fluid.density_at(rve.cell.turgor)};

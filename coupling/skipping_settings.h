@@ -16,12 +16,13 @@ struct SkippingSettings {
   double audit_share = 2.5e-3;
   std::uint64_t seed = 1;
   std::optional<CellContent> content;  ///< of the cells, where it is known
+  double turgor = 0.;                  ///< Pa, theirs; 0: not known
 
   bool active() const { return certified; }
   void declare(InputEntries &prm);
   /// Throws InputError for RVEs whose answers cannot be told from F alone.
   void check(const RveParameters &rve) const;
-  /// With the tolerance in Pa and the cells' content.
+  /// With the tolerance in Pa, the cells' content and turgor.
   SkippingSettings with(const RveParameters &rve) const;
 };
 }  // namespace turgor

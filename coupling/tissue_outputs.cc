@@ -116,6 +116,9 @@ std::vector<OutputDefinition> skipping_results() {
        audited},
       {"skipping_error_p99", "Pa", "99th percentile of that error, by the audits.", audited},
       {"skipping_error_worst", "Pa", "Largest error that an audit found.", audited},
+      {"skipping_largest_stress", "Pa",
+       "Largest stress (norm of P) of any point after any step: what these errors are to be seen beside.",
+       audited},
       {"skipping_error_rms_bound", "Pa",
        "Upper bound of the root mean square over all answers from the table, which holds with 95 % if errors "
        "have no heavier tail than the sample: none where an audit was above the tolerance.",

@@ -92,6 +92,8 @@ void TissueCourse::tell_of_skipping() {
   context.result("skipping_error_rms", audit.rms(), "Pa");
   context.result("skipping_error_p99", audit.percentile(), "Pa");
   context.result("skipping_error_worst", audit.worst(), "Pa");
+  const double largest = law.statistics().largest_stress;
+  context.result("skipping_largest_stress", largest, "Pa");
   if (audit.count() < SkippingAudit::enough) {
     remarked(context, "skipping",
              "The error of the skipped answers has no bound: " + number_text(audit.count()) +
@@ -115,6 +117,9 @@ void TissueCourse::tell_of_skipping() {
               (tail ? "" : number_text(audit.rms_bound(), 3) + " Pa (root mean square) and ") +
               number_text(audit.percentile_bound(), 3) + " Pa (99 of 100); worst of " +
               number_text(audit.count()) + " audits " + number_text(audit.worst(), 3) + " Pa.");
+  if (const std::string size = beside(audit.percentile_bound(), settings.law.skipping.turgor, largest);
+      !size.empty())
+    context.say("Of these errors: " + size + ".");
 }
 
 /// Both count particles times steps in time; a full run of the piece would move as many particles a cell at

@@ -210,7 +210,7 @@ BOOST_AUTO_TEST_CASE(within_the_tolerance_and_far_fewer_calls) {
   RveLaw<2> law(rve, law_settings(certified(100.)));
   law.set_points(std::vector<dealii::Point<2>>(n));
   LawAnswer<2> answer;
-  double worst = 0., square = 0.;
+  double worst = 0., square = 0., largest = 0.;
   std::vector<double> work(n), first(n), last_energy(n);
   Deformation before;
   std::vector<dealii::Tensor<2, 2>> P_before;
@@ -223,6 +223,7 @@ BOOST_AUTO_TEST_CASE(within_the_tolerance_and_far_fewer_calls) {
     for (std::size_t p = 0; p < n; ++p, ++asks) {
       const double error = difference(answer.P[p], rve->elastic_P(deformation(p, 0.005 * k)));
       worst = std::max(worst, error);
+      largest = std::max(largest, answer.P[p].norm());
       square += error * error;
       if (k == 0)
         first[p] = answer.energy[p];
@@ -243,6 +244,15 @@ BOOST_AUTO_TEST_CASE(within_the_tolerance_and_far_fewer_calls) {
   BOOST_TEST(skipping.statistics().asks == asks);
   BOOST_TEST(skipping.worthwhile());
   BOOST_TEST(skipping.audit().rms_bound() < 100.);
+  BOOST_TEST(law.statistics().largest_stress == largest, boost::test_tools::tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(an_error_is_told_beside_turgor_and_the_largest_stress) {
+  BOOST_TEST(
+      beside(90., 200e3, 30e3) ==
+      "90 Pa are 0.045 % of turgor (200 kPa) and 0.3 % of the run's largest stress (30 kPa, norm of P)");
+  BOOST_TEST(beside(90., 0., 30e3) == "90 Pa are 0.3 % of the run's largest stress (30 kPa, norm of P)");
+  BOOST_TEST(beside(90., 0., 0.).empty());
 }
 
 BOOST_AUTO_TEST_CASE(turns_with_the_tissue_and_knows_the_flow_exactly) {
