@@ -17,7 +17,11 @@ Hdf5Writer::Hdf5Writer(const std::filesystem::path &path_) : path(path_) {
   // Every file is closed here.
   [[maybe_unused]] static const herr_t no_exit_handler = H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // our sentences instead of HDF5's stack on stderr
-  file = checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
+  const hid_t without_times = checked(H5Pcreate(H5P_FILE_CREATE));
+  H5Pset_obj_track_times(without_times, false);  // of the root group: equal runs leave equal files
+  const hid_t opened = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, without_times, H5P_DEFAULT);
+  H5Pclose(without_times);
+  file = checked(opened);
 }
 
 Hdf5Writer::~Hdf5Writer() {
@@ -54,8 +58,11 @@ void Hdf5Writer::write(const std::string &name, const void *values, const std::s
   const hid_t type = is_double ? H5T_NATIVE_DOUBLE : H5T_NATIVE_UINT32;
   const hsize_t shape[2] = {count / columns, columns};
   const hid_t space = checked(H5Screate_simple(is_double && columns == 1 ? 1 : 2, shape, nullptr));
-  const hid_t set =
-      checked(H5Dcreate2(file, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+  const hid_t without_times = checked(H5Pcreate(H5P_DATASET_CREATE));
+  H5Pset_obj_track_times(without_times, false);
+  const hid_t made = H5Dcreate2(file, name.c_str(), type, space, H5P_DEFAULT, without_times, H5P_DEFAULT);
+  H5Pclose(without_times);
+  const hid_t set = checked(made);
   if (count > 0) checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
   if (!title.empty()) {
     const hid_t text = checked(H5Tcopy(H5T_C_S1));

@@ -9,6 +9,8 @@
 #include "rve/closed_form_comparison.h"
 #include "rve/condition_report.h"
 #include "rve/energy_account.h"
+#include "rve/farthest_answer.h"
+#include "rve/first_moduli.h"
 #include "rve/make_rve.h"
 #include "rve/mixed_control.h"
 #include "rve/structure_report.h"
@@ -21,38 +23,6 @@
 namespace turgor {
 namespace {
 const char *const component_names[4] = {"xx", "xy", "yx", "yy"};
-
-/// Stress over strain at the first small deformation of a kind; without one zero by a square's symmetry.
-struct Moduli {
-  std::optional<double> shear, stretch;
-
-  void add(const Tensor2<2> &F, const Tensor2<2> &sigma) {
-    constexpr double none = 1e-9, small = 0.02;
-    const double sheared = F(0, 1) + F(1, 0), stretched = F(0, 0) - F(1, 1);
-    const bool is_small = std::abs(F(0, 1)) <= small && std::abs(F(1, 0)) <= small &&
-                          std::abs(F(0, 0) - 1.) <= small && std::abs(F(1, 1) - 1.) <= small;
-    if (is_small && !shear && std::abs(sheared) > 1e-6 && std::abs(F(0, 0) - 1.) < none &&
-        std::abs(F(1, 1) - 1.) < none)
-      shear = sigma(0, 1) / sheared;
-    if (is_small && !stretch && std::abs(stretched) > 1e-6 && std::abs(F(0, 1)) < none &&
-        std::abs(F(1, 0)) < none)
-      stretch = (sigma(0, 0) - sigma(1, 1)) / stretched;
-  }
-
-  void results(RunContext &context) const {
-    if (shear) context.result("shear_modulus", *shear, "Pa");
-    if (stretch) context.result("stretch_modulus", *stretch, "Pa");
-  }
-
-  void say(RunContext &context) const {
-    for (const auto &[name, modulus] :
-         {std::pair{"Shear modulus sigma_xy/(F_xy + F_yx)", shear},
-          std::pair{"Stretch modulus (sigma_xx - sigma_yy)/(F_xx - F_yy)", stretch}})
-      if (modulus)
-        context.say(std::string(name) + " of the first point with that strain alone, 2 % at most: " +
-                    number_text(1e-3 * *modulus) + " kPa");
-  }
-};
 
 std::vector<Column> stress_columns(const bool with_air) {
   std::vector<Column> columns = {{"time", "s"}};
@@ -145,7 +115,7 @@ struct RveResponse::Walk {
   std::size_t points = 0;
   double cpu = 0.;
   long iterations = 0;
-  Moduli moduli;
+  FirstModuli moduli;
   std::optional<double> unstable;  ///< s, since when dead load would not be borne
 
  private:
@@ -223,12 +193,27 @@ void RveResponse::walk(RunContext &context, Walk &walk) const {
       load = walk.path.at(next);
       found = answer(walk.cells, walk.state, load, next - time, *walk.workspace, with_tangent);
     }
-    account(walk, found, next, next - time);
+    const double since = walk.points > 0 ? next - time : 0.;
+    std::string advice;
+    if (!found.diagnostics.converged && !walk.control.searches()) {
+      RveRequest request;
+      request.tangent = with_tangent;
+      const FarthestAnswer far =
+          farthest_answer(walk.cells, walk.state, load, since, request, *walk.workspace);
+      advice = " " + far.advice(!loading.F_by_hand.empty());
+      if (far.share == 1.) found = far.answer;
+      if (far.share > 0. && far.share < 1.) {
+        account(walk, far.answer, far.load.time, far.share * since);
+        take(walk, far.load, far.answer, with_tangent);
+      }
+    }
+    if (found.diagnostics.converged || walk.control.searches()) account(walk, found, next, next - time);
     if (!found.diagnostics.converged) {
-      if (walk.points > 0 && time > walk.last_time) take(walk, load, walk.control.reached());
+      if (walk.control.searches() && walk.points > 0 && time > walk.last_time)
+        take(walk, load, walk.control.reached());
       finish(context, walk);
       throw RunFailed("The RVE gives no stress at time " + number_text(next) +
-                      " s, F = " + tensor_text(load.F, 6) + ": " + found.diagnostics.message);
+                      " s, F = " + tensor_text(load.F, 6) + ": " + found.diagnostics.message + advice);
     }
     time = next;
     take(walk, load, found, with_tangent);

@@ -11,6 +11,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -114,6 +115,37 @@ BOOST_AUTO_TEST_CASE(factory_refuses_what_does_not_exist) {
   p = {};
   p.tolerance = 1e-20;
   BOOST_CHECK_EXCEPTION(make_rve(p), InputError, says("allowed are 0"));
+}
+
+BOOST_AUTO_TEST_CASE(an_F_far_away_is_reached_in_steps_or_the_way_there_is_written) {
+  const std::string coarse = "subsection Cell\nset Nodes per side = 9\nend\n";
+  Memory crushed;
+  run(crushed, coarse + "subsection Path\nset F = 0.001, 0; 0, 1\nend\n");
+  BOOST_TEST(crushed.tables.at("stress").size() == 1u);
+  BOOST_TEST(crushed.tables.at("stress").front()[1] == 0.001);
+  const auto fails = [&](const std::string &entries, const std::vector<std::string> &words) {
+    Memory memory;
+    BOOST_CHECK_EXCEPTION(run(memory, entries), RunFailed, [&](const RunFailed &e) {
+      BOOST_TEST_MESSAGE(e.what());
+      return std::all_of(words.begin(), words.end(), [&](const std::string &w) {
+        return std::string(e.what()).find(w) != std::string::npos;
+      });
+    });
+    return memory.tables.at("stress");
+  };
+  const auto torn = fails(coarse + "subsection Path\nset F = 1e6, 0; 0, 1\nend\n",
+                          {"The farthest on the straight way", "let Path/F end", "times as long as it was"});
+  BOOST_TEST(torn.size() == 1u);
+  BOOST_TEST(torn.front()[1] > 10.);
+  BOOST_TEST(torn.front()[9] > 0.);  // a stress
+  const auto air = fails(
+      "subsection Cell\nset Nodes per side = 15\nend\nsubsection Structure\nset Gap = 20e-6\nset Air = "
+      "isothermal\nend\nsubsection Path\n"
+      "set Keyframes = 0 : 1, 0; 0, 1 | 1 : 1, 0; 0, 0.5\nset Points = 11\nend\n",
+      {"let Path/Keyframes end", "air that is shut in has been pressed", "Stress components = xx"});
+  BOOST_TEST(air.size() > 3u);
+  BOOST_TEST(air.back()[4] < 0.85);                         // of F_yy
+  BOOST_TEST(air.back()[12] < air.at(air.size() - 2)[12]);  // the stress rises up to there
 }
 
 BOOST_AUTO_TEST_CASE(tissue_that_is_not_square_tells_its_periods_and_moduli) {
