@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.colors import Normalize
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from drawing import ACCENT, ALONG, INK, colour_bar, in_prefix, style  # noqa: E402
+from drawing import ACCENT, ALONG, INK, POINT, colour_bar, in_prefix, style  # noqa: E402
 
 
 def draw_layers(axis, profile, name, unit, exact, times):
@@ -19,7 +19,7 @@ def draw_layers(axis, profile, name, unit, exact, times):
         order = np.argsort(profile["height [m]"][rows])
         height = profile["height [m]"][rows][order] * of_length
         axis.plot(profile[f"exact_{name} [{unit}]"][rows][order] * of_value, height, color=ALONG, linewidth=1.6, label=exact if k == 0 else None)
-        axis.plot(profile[f"{name} [{unit}]"][rows][order] * of_value, height, "o", color=ACCENT, markersize=4, label="particles, mean of each layer" if k == 0 else None)
+        axis.plot(profile[f"{name} [{unit}]"][rows][order] * of_value, height, "o", color=ACCENT, markersize=POINT, label="particles, mean of each layer" if k == 0 else None)
     axis.set_ylabel(f"height over the lower plate [{length}]", color=INK, fontsize=9)
     return value
 

@@ -8,7 +8,7 @@ import sys
 import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from drawing import ACCENT, ALONG, INK, plt, read_table, style  # noqa: E402
+from drawing import ACCENT, ALONG, INK, POINT, plt, read_table, style  # noqa: E402
 
 METHODS = (("euler", "#6b8e4e", "s"), ("heun", ALONG, "o"), ("implicit", ACCENT, "D"))
 
@@ -21,14 +21,14 @@ def draw(runs, path):
             here = table["method"] == m
             fixed, stable = table["adaptive"] == 0, (table["stable"] == 1) & (table["error [1]"] > 0)
             one = here & fixed & stable
-            axes[0, column].loglog(table["time_step [s]"][one], table["error [1]"][one], marker, color=colour, markersize=4,
+            axes[0, column].loglog(table["time_step [s]"][one], table["error [1]"][one], marker, color=colour, markersize=POINT,
                                    linestyle="-", linewidth=1.2, label=f"{name}, fixed steps")
             if np.any(one):
                 axes[0, column].axvline(table["time_step [s]"][one].max(), color=colour, linewidth=0.8, linestyle=(0, (2, 3)))
-            axes[1, column].loglog(table["cpu_time [s]"][one], table["error [1]"][one], marker, color=colour, markersize=4, linestyle="-",
+            axes[1, column].loglog(table["cpu_time [s]"][one], table["error [1]"][one], marker, color=colour, markersize=POINT, linestyle="-",
                                    linewidth=0.8, alpha=0.5)
             two = here & ~fixed & stable
-            axes[1, column].loglog(table["cpu_time [s]"][two], table["error [1]"][two], marker, color=colour, markersize=5, linestyle="--",
+            axes[1, column].loglog(table["cpu_time [s]"][two], table["error [1]"][two], marker, color=colour, markersize=POINT, linestyle="--",
                                    linewidth=1.2, markerfacecolor="none", label=f"{name}, adaptive")
         axes[0, column].set_title(label, fontsize=10, color=INK)
         axes[0, column].set_xlabel("step [s]; dotted: longest stable", fontsize=9, color=INK)

@@ -6,7 +6,7 @@ import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from bulk_particles import draw_coloured, draw_layers  # noqa: E402
-from drawing import ACCENT, ALONG, INK, in_prefix, plt, read_table, style  # noqa: E402
+from drawing import ACCENT, ALONG, INK, POINT, in_prefix, plt, read_table, style  # noqa: E402
 from fields import frames  # noqa: E402
 
 
@@ -16,7 +16,7 @@ def draw_top(axis, creep):
     of_way, way = in_prefix("m", [creep["exact_top [m]"]])
     t = creep["time [s]"] * of_time
     axis.plot(t, creep["exact_top [m]"] * of_way, color=ALONG, linewidth=1.6, label="closed form")
-    axis.plot(t, creep["top [m]"] * of_way, "o", color=ACCENT, markersize=4, label="particles")
+    axis.plot(t, creep["top [m]"] * of_way, "o", color=ACCENT, markersize=POINT, label="particles")
     axis.set_xlabel(f"time [{clock}]", color=INK, fontsize=9)
     axis.set_ylabel(f"displacement of the top [{way}]", color=INK, fontsize=9)
     axis.set_title(f"creep; error of all displacements at most {100 * creep['profile_error [1]'].max():.2g} %", color=INK, fontsize=10)

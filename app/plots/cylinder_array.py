@@ -6,7 +6,7 @@ import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from bulk_particles import draw_coloured  # noqa: E402
-from drawing import ACCENT, ALONG, INK, in_prefix, plt, read_table, style  # noqa: E402
+from drawing import ACCENT, ALONG, INK, POINT, in_prefix, plt, read_table, style  # noqa: E402
 from fields import frames  # noqa: E402
 
 
@@ -14,7 +14,7 @@ def draw_drag(axis, drag):
     of_time, clock = in_prefix("s", [drag["time [s]"]])
     exact = drag["drag [1]"][-1] / (1 + drag["drag_error [1]"][-1])
     axis.axhline(exact, color=ALONG, linewidth=1.6, label="exact")
-    axis.plot(drag["time [s]"] * of_time, drag["drag [1]"], "o-", color=ACCENT, markersize=4, linewidth=1, label="particles")
+    axis.plot(drag["time [s]"] * of_time, drag["drag [1]"], "o-", color=ACCENT, markersize=POINT, linewidth=1, label="particles")
     axis.set_xlabel(f"time [{clock}]", color=INK, fontsize=9)
     axis.set_ylabel("drag / (viscosity × superficial speed)", color=INK, fontsize=9)
     axis.set_ylim(0, 1.1 * exact)

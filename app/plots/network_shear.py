@@ -5,7 +5,7 @@ import sys
 import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from drawing import ACCENT, ALONG, INK, colour_bar, plt, read_table, scale_bar, style  # noqa: E402
+from drawing import ACCENT, ALONG, INK, POINT, colour_bar, plt, read_table, scale_bar, style  # noqa: E402
 from fields import frames  # noqa: E402
 from matplotlib.collections import LineCollection  # noqa: E402
 from matplotlib.colors import Normalize  # noqa: E402
@@ -59,7 +59,7 @@ def draw_moduli(axis, directory):
         affine = [table["affine_" + name][over == place].mean() for place in places]
         axis.plot(places, affine, color=colour, linewidth=1.1, linestyle=(0, (4, 3)), label=label + ", affine limit (mean)")
         shown = table[name] > 0
-        axis.plot(over[shown], table[name][shown], symbol, color=colour, markersize=4.5, markerfacecolor="white", label=label)
+        axis.plot(over[shown], table[name][shown], symbol, color=colour, markersize=POINT, markerfacecolor="white", label=label)
     axis.set_xscale("log")
     axis.set_yscale("log")
     axis.set_xlabel("stiffness of the fibres over pore size [Pa]", color=INK, fontsize=9)

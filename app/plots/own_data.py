@@ -7,7 +7,7 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from deformation import OWN_NAMES, as_in_run, is_named, strain_axis, stress_words  # noqa: E402
-from drawing import ALONG, INK, in_prefix, plt, read_table, style  # noqa: E402
+from drawing import ALONG, INK, POINT, in_prefix, plt, read_table, style  # noqa: E402
 from units import bare, unit_factor, unit_of  # noqa: E402
 
 DATA = []  # (name, {column: values}): set by plot.py
@@ -31,7 +31,7 @@ def draw_data(axis, first, column, unit_first=1.0, unit=1.0, origin=0.0):
             own = {k: name for k, name in enumerate(table) if is_named(name, first) or is_named(name, column)}
             place = next(k for k, name in own.items() if is_named(name, column))
             marker = "DsP^vX"[place % 6]  # columns of one file are told apart
-            axis.plot((x - origin) * unit_first, y * unit, marker, color=INK, markeredgecolor="white", markeredgewidth=0.5, markersize=5.5,
+            axis.plot((x - origin) * unit_first, y * unit, marker, color=INK, markeredgecolor="white", markeredgewidth=0.5, markersize=POINT,
                       linestyle="none", label=f"{name}: {bare(own[place]).replace('_', ' ')}")
             DRAWN.update(own.values())
 

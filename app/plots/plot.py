@@ -12,11 +12,10 @@ import textwrap
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import numpy as np  # noqa: E402
 
-from drawing import in_prefix, line_styles, of_one_scale, plt, read_table  # noqa: E402
+from drawing import NOISE, in_prefix, line_styles, of_one_scale, plt, read_table  # noqa: E402
 from own_data import DATA, draw_data, pictures_of_pairs, report  # noqa: E402
 from units import bare, unit_of  # noqa: E402
 
-NOISE = 1e-9  # stress below this share of the run's largest is rounding
 MOST = 8  # lines in a panel: more are not told apart
 QUANTITIES = {"Pa": "stress, pressure", "N": "force", "N/m": "force over length", "J": "energy", "J/m": "energy over length", "m": "length",
               "s": "time", "m/s": "speed", "m^3": "volume", "1": "ratios, each of its own", "": "counts, each of its own"}
@@ -83,15 +82,15 @@ def panels_of(table):
         else:
             units.setdefault(unit_of(name), {})[name] = table[name]
     for unit, columns in units.items():
-        if unit == "Pa":
-            size = {name: np.nanmax(np.abs(values)) for name, values in columns.items()}
-            small = [name for name in columns if 0 < size[name] < NOISE * max(size.values())]
+        size = {name: np.nanmax(np.abs(values)) for name, values in columns.items()}
+        if unit != "":  # counts are never small; of ratios, each of its own, 1 is the measure
+            small = [name for name in columns if 0 < size[name] < NOISE * (1.0 if unit == "1" else max(size.values()))]
             noise += [words_of(name) for name in small]
             columns = {name: values for name, values in columns.items() if name not in small}
         groups, zero = of_one_scale(columns)
         panels += [(unit, few) for group in groups for few in few_at_a_time(group)]
         zeros += [words_of(name) for name in zero]
-    return panels, [f"{what}: {', '.join(names)}" for what, names in (("zero throughout", zeros), ("zero but for rounding", noise), ("does not apply at any row", nowhere)) if names]
+    return panels, [f"{what}: {', '.join(names)}" for what, names in (("zero throughout", zeros), ("zero but for rounding and what solvers leave", noise), ("does not apply at any row", nowhere)) if names]
 
 
 def plot_series(path, of=""):

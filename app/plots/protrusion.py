@@ -5,7 +5,7 @@ import sys
 import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from drawing import ACCENT, INK, plt, read_table, style  # noqa: E402
+from drawing import ACCENT, INK, POINT, plt, read_table, style  # noqa: E402
 from own_data import draw_data  # noqa: E402
 
 COLOURS = plt.get_cmap("viridis")
@@ -31,7 +31,7 @@ def draw_peaks(axes, table):
     for axis, name, closed, factor, label, said in zip(axes, ("force [N]", "bonds"), ("force_by_work [N]", "bonds_at_rest"), (1e12, 1), ("force at the work limit [pN]", "bonds at the work limit"),
                                                        (r"$\sqrt{2 K_{eff} W_{max}}$", "mean field at rest")):
         axis.plot(table["stiffness [N/m]"], table[closed] * factor, color=INK, linewidth=1.2, linestyle=(0, (4, 3)), label=said)
-        axis.plot(table["stiffness [N/m]"], table[name] * factor, "o", color=ACCENT, markersize=5, markerfacecolor="white", label="computed")
+        axis.plot(table["stiffness [N/m]"], table[name] * factor, "o", color=ACCENT, markersize=POINT, markerfacecolor="white", label="computed")
         axis.set_xscale("log")
         axis.set_xlabel("stiffness of the matrix [N/m]", color=INK, fontsize=9)
         axis.set_ylabel(label, color=INK, fontsize=9)

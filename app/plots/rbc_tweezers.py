@@ -6,7 +6,7 @@ import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from cell_surface import COLOURS, draw_surface, stress_scale  # noqa: E402
-from drawing import ACCENT, ALONG, INK, colour_bar, plt, read_table, scale_bar, style  # noqa: E402
+from drawing import ACCENT, ALONG, INK, POINT, colour_bar, plt, read_table, scale_bar, style  # noqa: E402
 from fields import frames  # noqa: E402
 from own_data import draw_data  # noqa: E402
 
@@ -50,12 +50,12 @@ def main(directory):
     force = table["force [N]"] * 1e12
     for which, (column, colour, label) in enumerate((("axial_diameter [m]", ACCENT, "axial: along the force"),
                                                      ("transverse_diameter [m]", ALONG, "transverse: across it"))):
-        axis.plot(force, table[column] * 1e6, "-o", color=colour, linewidth=1.8, markersize=3.5, label=label + ", this run")
+        axis.plot(force, table[column] * 1e6, "-o", color=colour, linewidth=1.8, markersize=POINT, label=label + ", this run")
         if measured is not None:
             rows = measured["transverse"] == which
             mean, low, high = (measured[name][rows] * 1e6 for name in ("measured [m]", "low [m]", "high [m]"))
             axis.errorbar(measured["force [N]"][rows] * 1e12, mean, [mean - low, high - mean], fmt="s", color=INK, ecolor=INK, elinewidth=0.8, capsize=2.5,
-                          markersize=4, markerfacecolor="white", label="experiment (Suresh et al. 2005), mean and range" if which == 0 else None)
+                          markersize=POINT, markerfacecolor="white", label="experiment (Suresh et al. 2005), mean and range" if which == 0 else None)
         draw_data(axis, "force [N]", column, 1e12, 1e6)
     axis.set_xlabel("force at each end [pN]", color=INK, fontsize=9)
     axis.set_ylabel("diameter [µm]", color=INK, fontsize=9)

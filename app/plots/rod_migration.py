@@ -5,7 +5,7 @@ import sys
 import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from drawing import ACCENT, ALONG, INK, colour_bar, input_entries, plt, read_table, scale_bar, style  # noqa: E402
+from drawing import ACCENT, ALONG, INK, POINT, colour_bar, input_entries, plt, read_table, scale_bar, style  # noqa: E402
 from fields import frames  # noqa: E402
 from matplotlib.collections import LineCollection  # noqa: E402
 from matplotlib.colors import Normalize  # noqa: E402
@@ -36,7 +36,7 @@ def draw_paths(axis, table):
         rows = table["seed"] == seed
         x, y = (table[name][rows] * 1e6 for name in ("x [m]", "y [m]"))
         axis.plot(x, y, color=ALONG, linewidth=1.0)
-        axis.plot(x[-1:], y[-1:], "o", color=ALONG, markersize=3.5)
+        axis.plot(x[-1:], y[-1:], "o", color=ALONG, markersize=POINT)
         most = max(most, np.abs(x).max(), np.abs(y).max())
     most *= 1.1
     axis.set_xlim(-most, most)

@@ -6,7 +6,7 @@ import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from bulk_particles import draw_coloured  # noqa: E402
-from drawing import ACCENT, ALONG, INK, in_prefix, plt, read_table, style  # noqa: E402
+from drawing import ACCENT, ALONG, INK, POINT, in_prefix, plt, read_table, style  # noqa: E402
 from fields import frames  # noqa: E402
 
 
@@ -16,7 +16,7 @@ def draw_stresses(axis, turn):
     few = slice(None, None, max(1, len(degrees) // 24))
     for name, colour in (("xx", ACCENT), ("xy", ALONG)):
         axis.plot(degrees, turn[f"exact_stress_{name} [Pa]"] * of_stress, color=colour, linewidth=1.4, label=f"{name}, exact")
-        axis.plot(degrees[few], turn[f"stress_{name} [Pa]"][few] * of_stress, "o", color=colour, markersize=4, label=f"{name}, particles")
+        axis.plot(degrees[few], turn[f"stress_{name} [Pa]"][few] * of_stress, "o", color=colour, markersize=POINT, label=f"{name}, particles")
     axis.set_xlabel("angle of the turn [degrees]", color=INK, fontsize=9)
     axis.set_ylabel(f"deviatoric stress [{unit}]", color=INK, fontsize=9)
     axis.set_title("the stress turns along with the block", color=INK, fontsize=10)

@@ -7,8 +7,9 @@ and is the abscissa of the latter, time where that is None.
 import os
 
 import numpy as np
+from matplotlib.ticker import MaxNLocator
 
-from drawing import ACCENT, ALONG, INK, in_prefix, plt, read_table, style
+from drawing import ACCENT, ALONG, INK, POINT, in_prefix, plt, read_table, style
 
 GREEN = "#6b8e4e"
 
@@ -16,6 +17,17 @@ GREEN = "#6b8e4e"
 def table_of(directory, name):
     path = os.path.join(directory, name)
     return read_table(path) if os.path.exists(path) else {}
+
+
+def clear_direction(curves, degrees, rings):
+    """The angle, off the written ones, at which the numbers of these rings are farthest from the curves."""
+    most = max(np.max(values) for values in curves)
+
+    def covered(direction):
+        near = np.abs((degrees - direction + 180) % 360 - 180) <= 8
+        return sum(np.exp(-(np.min(np.abs(values[near] - ring)) / (0.06 * most)) ** 2) for values in curves for ring in rings if np.any(near))
+
+    return min((15.0 + 45 * k + off for k in range(8) for off in (7.5, 0.0, 15.0)), key=covered)
 
 
 def draw_polar(directory):
@@ -37,11 +49,17 @@ def draw_polar(directory):
         axis.plot(angle, factor * around(name), color=colour, linewidth=2, label="along the direction" if shear else None)
         if shear:
             axis.plot(angle, factor * around(shear), color=ALONG, linewidth=2, label="in shear along it")
-            axis.legend(frameon=False, fontsize=8, loc="center", bbox_to_anchor=(0.5, 0.2))
+            axis.legend(frameon=False, fontsize=8, loc="upper center", bbox_to_anchor=(0.5, -0.06), ncols=2).set_in_layout(False)
         axis.set_ylim(0, 1.12 * factor * table[name].max())
         axis.set_title(f"{title} [{prefixed}]", fontsize=10, color=INK, pad=14)
         axis.tick_params(colors=INK, labelsize=8)
-        axis.set_rlabel_position(67.5)
+        rings = MaxNLocator(4, min_n_ticks=3).tick_values(0, axis.get_ylim()[1])
+        rings = rings[(rings > 0) & (rings < axis.get_ylim()[1])]
+        axis.set_yticks(rings)
+        axis.set_axisbelow(False)  # the numbers stand above the curves, on white
+        axis.set_rlabel_position(clear_direction([factor * around(one) for one in (name, shear) if one], np.degrees(angle), rings))
+        for text in axis.get_yticklabels():
+            text.set_bbox(dict(facecolor="white", edgecolor="none", alpha=0.8, pad=0.6))
         axis.grid(alpha=0.4)
     figure.supxlabel("the tissue at rest, against direction: 0° is x, 90° is y", color=INK, fontsize=10)
     made = os.path.join(directory, "rve_polar.png")
@@ -77,7 +95,7 @@ def draw_path(directory, over):
         axes[2].axvspan(first, along[-1], color=ACCENT, alpha=0.12, linewidth=0)
         axes[2].text(first, axes[2].get_ylim()[1], " no longer elliptic", color=ACCENT, fontsize=8, va="top", ha="right", rotation=90)
     for name, label, colour in (("acoustic_normal [deg]", "normal of the band", ACCENT), ("acoustic_motion [deg]", "its motion", ALONG)):
-        axes[3].plot(along, table[name], ".", color=colour, markersize=5, label=label)
+        axes[3].plot(along, table[name], ".", color=colour, markersize=POINT, label=label)
     axes[3].set_ylim(-5, 185)
     axes[3].set_yticks(range(0, 181, 45))
     axes[3].set_ylabel("Direction of that band, from x [°]", color=INK)

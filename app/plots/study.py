@@ -11,10 +11,10 @@ import sys
 import textwrap
 from fnmatch import fnmatchcase
 
-from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, MaxNLocator, NullFormatter
+from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullFormatter
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from drawing import INK, in_prefix, list_beside, number_points, plt, style  # noqa: E402
+from drawing import INK, NOISE, POINT, in_prefix, list_beside, log_text, number_points, plt, style  # noqa: E402
 from study_curves import plot_curves  # noqa: E402
 from study_tables import number, point_of, rows_of, same_runs, settings_of  # noqa: E402
 from units import bare, unit_of  # noqa: E402
@@ -32,12 +32,6 @@ def pareto(points):
             front.append((time, error))
             best = error
     return front
-
-
-def readable_log_axis(axis):
-    axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
-    axis.set_major_formatter("{x:g}")
-    axis.set_minor_formatter(NullFormatter())
 
 
 def title_of(measure):
@@ -81,7 +75,7 @@ def plot_errors(rows, info, directory, same):
             elif time and error:
                 error *= percent
                 shown.append((time, abs(error), str(places[row["run"]]), look[row["run"]]["color"]))
-                panel.plot(time, abs(error), markersize=5, ls="", **look[row["run"]], **({"markerfacecolor": "white"} if error < 0 else {}))
+                panel.plot(time, abs(error), markersize=POINT, ls="", **look[row["run"]], **({"markerfacecolor": "white"} if error < 0 else {}))
                 below = below or error < 0
         front = pareto([point[:2] for point in shown])
         # A reference that is the fastest of all: what the others differ in is no price for coming closer.
@@ -97,8 +91,6 @@ def plot_errors(rows, info, directory, same):
         low, high = panel.get_ylim()
         if 0 < low < high < 4 * low:  # errors that are nearly alike look alike
             panel.set_ylim(0.5 * math.sqrt(low * high), 2 * math.sqrt(low * high))
-        readable_log_axis(panel.xaxis)
-        readable_log_axis(panel.yaxis)
         unit = next((f" [{unit_of(name)}]" for name in rows[0] if bare(name) == measure["value"] and unit_of(name)), "")
         panel.set_title("\n".join(textwrap.wrap(f"{title_of(measure)}, against {measure['reference']}", 62)), fontsize=10, color=INK)
         panel.set_xlabel("CPU time of the run [s]", color=INK)
@@ -129,10 +121,18 @@ def plot_errors(rows, info, directory, same):
     return True
 
 
-def varies(rows, column):
-    """By so much that the six digits of the tables tell a course."""
-    values = [value for value in (number(row.get(column)) for row in rows) if value is not None]
-    return len(values) > 1 and max(values) - min(values) > 1e-4 * max(map(abs, values))
+def values_of(rows, column):
+    return [value for value in (number(row.get(column)) for row in rows) if value is not None]
+
+
+def varies(rows, column, columns=()):
+    """By so much that the six digits of the tables tell a course, and that it is no rounding beside the other results (`columns`) of its unit."""
+    values = values_of(rows, column)
+    if len(values) < 2 or max(values) - min(values) <= 1e-4 * max(map(abs, values)):
+        return False
+    if unit_of(column) in ("", "1"):
+        return True
+    return max(map(abs, values)) > NOISE * max(abs(value) for other in {column, *columns} if unit_of(other) == unit_of(column) for value in values_of(rows, other))
 
 
 def in_order(columns, defined):
@@ -143,7 +143,7 @@ def in_order(columns, defined):
 def panels_of(info, columns, rows):
     """Lists of columns, one a panel: what the study chose, or those that vary, at most MOST, in the order of their definition; and what is left out."""
     if info["draw"] == "all":
-        found = in_order([column for column in columns if varies(rows, column)], info["results"])
+        found = in_order([column for column in columns if varies(rows, column, columns)], info["results"])
         shown = [column for column in found if column != "cpu_time_s"]
         kept = shown[:MOST - 1] + ["cpu_time_s"] * ("cpu_time_s" in found)
         return [[column] for column in kept], [bare(column) for column in found if column not in kept]
@@ -185,33 +185,29 @@ def draw_panel(panel, lines, entry, columns, looks):
             size = abs if column.startswith("error_") else float
             points = sorted((place[row[entry]], factor * size(number(row[column]))) for row in rows if number(row.get(column)) is not None)
             if points:
-                panel.plot(*zip(*points), ls=("-", "--", ":", "-.")[k % 4], markersize=4, lw=1.2, **looks[label])
+                ls = ("-", "--", ":", "-.")[k % 4] if numeric or len(columns) > 1 else ""  # nothing is between words
+                panel.plot(*zip(*points), ls=ls, markersize=POINT, lw=1.2, **looks[label])
                 values += [y for _, y in points]
         for row in rows:
             if row["status"] == "failed":
                 panel.plot(place[row[entry]], 0.02, "x", color=INK, transform=panel.get_xaxis_transform())
     positions = list(place.values())
     if not numeric:
+        panel.set_xlim(min(positions) - 0.3, max(positions) + 0.3)
         panel.set_xticks(positions, texts, rotation=90 if len(texts) > 8 else 30, ha="center" if len(texts) > 8 else "right", fontsize=7 if len(texts) <= 8 else 6)
     elif min(positions) >= 0 and max(positions) > 12 * (least := min(x for x in positions if x > 0)):
         if min(positions) > 0:
             panel.set_xscale("log")
         else:  # zero stands one decade below the least
             panel.set_xscale("symlog", linthresh=least, linscale=0.5)
-        if max(positions) / least > 300 or min(positions) == 0:
-            panel.xaxis.set_major_locator(FixedLocator([0.0] * (min(positions) == 0) + decades(least, max(positions))))
-            panel.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
+            panel.xaxis.set_major_locator(FixedLocator([0.0] + decades(least, max(positions))))
+            panel.xaxis.set_major_formatter(FuncFormatter(lambda x, _: log_text(x)))
             panel.xaxis.set_minor_formatter(NullFormatter())
-        else:
-            readable_log_axis(panel.xaxis)
     else:
         panel.xaxis.set_major_locator(MaxNLocator(4))
         panel.ticklabel_format(axis="x", style="sci", scilimits=(-3, 4), useMathText=True)
     if values and min(values) > 0 and max(values) / min(values) > (5 if columns[0].startswith("error_") else 50):
         panel.set_yscale("log")
-        panel.yaxis.set_minor_formatter(NullFormatter())
-    if panel.get_yscale() == "linear":
-        panel.ticklabel_format(axis="y", useOffset=False)  # not "+1.0566e3" above the axis
     panel.set_xlabel(entry, fontsize=8, color=INK)
     shown = [f"size of {column}" if column.startswith("error_") else "CPU time [s]" if column == "cpu_time_s" else bare(column) for column in columns]
     shown = [name.replace("_", " ") for name in shown]

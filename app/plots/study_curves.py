@@ -9,7 +9,7 @@ import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from deformation import COMPONENTS, parts_of_path, strain_axis, stress_words  # noqa: E402
-from drawing import INK, in_prefix, input_entries, list_beside, plt, read_table, style  # noqa: E402
+from drawing import INK, POINT, in_prefix, input_entries, list_beside, plt, read_table, style  # noqa: E402
 from own_data import with_unit  # noqa: E402
 from study_tables import over_seeds, settings_of  # noqa: E402
 from units import bare, unit_factor, unit_of  # noqa: E402
@@ -52,15 +52,15 @@ def mean_and_band(curves):
 
 
 def looks(count):
-    """So many colours with dashes, no two alike."""
+    """So many colours with dashes, no two alike; each line is thinner than those it is drawn over, so that both are seen where they are one."""
     colours = plt.get_cmap("tab10" if count <= 10 else "tab20").colors
-    return [dict(color=colours[k % len(colours)], lw=1.4, ls=("-", "--", "-.", ":")[k // len(colours) % 4]) for k in range(count)]
+    return [dict(color=colours[k % len(colours)], lw=1.2 + 2.0 * (count - 1 - k) / max(count, 4), ls=("-", "--", "-.", ":")[k // len(colours) % 4]) for k in range(count)]
 
 
 def curves_of(one, column, runs, directory, entries):
     """[(label, curve, how it is drawn, half of its band or None)] of a column of a measure; what is compared with comes last."""
     drawn = []
-    grey = dict(color="k", lw=2.5, alpha=0.6, zorder=0)
+    grey = dict(color="0.6", lw=6, alpha=0.6, zorder=0)
     groups = over_seeds([row for row in runs if row["run"] != one["reference"]], entries)
     groups |= {f"{row['method']}  {settings_of(row, entries)} (reference)": [row] for row in runs if row["run"] == one["reference"]}
     for (label, rows), look in zip(groups.items(), looks(len(groups))):
@@ -72,7 +72,7 @@ def curves_of(one, column, runs, directory, entries):
             drawn.append((f"{label}: mean of {len(found)} seeds", (x, band[0], y, band[1]), dict(look, lw=2), band[2]))
         else:
             faint = len(rows) > 1  # seeds whose abscissae go back have no mean: each for itself, in one colour
-            drawn += [(text, each, dict(look, lw=0.8) if faint else grey if label.endswith("(reference)") else look, None)
+            drawn += [(text, each, dict(look, lw=1) if faint else grey if label.endswith("(reference)") else look, None)
                       for text, each in (found.values() if faint else [(label, each) for _, each in found.values()])]
     if one["reference_table"] and drawn:
         first, name = drawn[0][1], os.path.basename(one["reference"].rstrip("/"))
@@ -81,7 +81,7 @@ def curves_of(one, column, runs, directory, entries):
         found = in_units_of(first, found) if found else None
         if found:
             few = of_file and len(found[1]) <= 100
-            drawn.append((f"{name} (reference)", found, dict(color=INK, marker="D", markersize=5, ls="", zorder=5) if few else grey, None))
+            drawn.append((f"{name} (reference)", found, dict(color=INK, marker="D", markersize=POINT, ls="", zorder=5) if few else grey, None))
     return drawn
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from matplotlib.colors import Normalize
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from drawing import ACCENT, INK, plt, read_table, scale_bar, style  # noqa: E402
+from drawing import ACCENT, INK, POINT, plt, read_table, scale_bar, style  # noqa: E402
 from fields import frames  # noqa: E402
 
 
@@ -19,7 +19,7 @@ def draw_path(axis, path):
     """Share of the loads over how far the free side has gone, with the first limit and the end, which the other panel shows."""
     gone = np.hypot(path["side_displacement_x [m]"], path["side_displacement_y [m]"]) * 1e3
     share = 100 * path["load_share [1]"]
-    axis.plot(gone, share, ".-", color=INK, linewidth=1.6, markersize=4, label="path of equilibria, step by step")
+    axis.plot(gone, share, ".-", color=INK, linewidth=1.6, markersize=POINT, label="path of equilibria, step by step")
     falls = np.flatnonzero(np.diff(share) < 0)
     if len(falls) > 0:
         limit = falls[0]

@@ -13,7 +13,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from drawing import INK, read_table, style  # noqa: E402
+from drawing import INK, POINT, read_table, style  # noqa: E402
 
 
 def main(directory):
@@ -36,7 +36,7 @@ def main(directory):
             carried = back & (table["tension [N]"] >= 0)
             axis.plot(table["stretch [1]"][carried], 1e3 * table["tension [N]"][carried], color=colour, linewidth=1.0, linestyle=(0, (4, 2)))
             some = np.flatnonzero(out)[::6]
-            axis.plot(table["stretch [1]"][some], 1e3 * table["law [N]"][some], "o", color=colour, markersize=3.5, markerfacecolor="white")
+            axis.plot(table["stretch [1]"][some], 1e3 * table["law [N]"][some], "o", color=colour, markersize=POINT, markerfacecolor="white")
         axis.set_title(f"A = {a:g}", color=INK, fontsize=11)
         axis.set_xlabel("stretch", color=INK, fontsize=9)
         style(axis)

@@ -205,6 +205,47 @@ class Pictures(unittest.TestCase):
         study_curves.plot_curves(runs, {"measures": [], "entries": entries}, self.directory)
         self.assertEqual([name for name in os.listdir(self.directory) if name.endswith(".png")], ["stress_strain.png"])
 
+    def test_a_logarithmic_axis_has_three_labels_wherever_it_begins_and_ends(self):
+        for low, high in ((0.03, 0.07), (0.9, 1.1), (4., 30.), (0.02, 0.5), (1e-9, 1e3), (1e-5, 1e6), (200., 210.), (3e-8, 4e-6)):
+            with self.subTest(low=low, high=high):
+                figure, axis = plt.subplots()
+                axis.plot([1, 2], [low, high])
+                axis.set_yscale("log")
+                axis.set_ylim(low, high)
+                drawing.style(axis)
+                figure.canvas.draw()
+                labels = [tick.label1.get_text() for tick in axis.yaxis.get_major_ticks() if low <= tick.get_loc() <= high]
+                self.assertTrue(3 <= len(labels) <= 12, labels)
+                self.assertEqual(len(set(labels)), len(labels))
+                self.assertIn(sum("10^" in label for label in labels), (0, len(labels)))
+                plt.close(figure)
+
+    def test_a_legend_covers_no_data(self):
+        np = drawing.np
+        x = np.linspace(0., 1., 50)
+        for curves in ([1 - x], [x], [1 - x, x, 0 * x, 0 * x + 1, 0 * x + 0.5, 0 * x + 0.8, 0 * x + 0.2]):  # the last leaves no place free
+            for scale in ("linear", "log"):
+                figure, axis = plt.subplots(layout="constrained")
+                for k, y in enumerate(curves):
+                    axis.plot(x, 0.1 + y, "o-", label=f"curve {k}")
+                axis.set_yscale(scale)
+                axis.legend(loc="upper left")
+                figure.savefig(os.path.join(self.directory, "legend.png"))
+                box = axis.get_legend().get_window_extent(figure.canvas.get_renderer())
+                at = drawing.points_in_view(axis)
+                self.assertFalse(np.any((at[:, 0] > box.x0) & (at[:, 0] < box.x1) & (at[:, 1] > box.y0) & (at[:, 1] < box.y1)), (len(curves), scale))
+                plt.close(figure)
+
+    def test_rounding_is_no_panel(self):
+        np = drawing.np
+        table = {"time [s]": np.arange(3.), "a [Pa]": np.array([0., 1e5, 2e5]), "b [Pa]": np.array([0., 1e-6, -2e-6]), "u [m]": np.array([0., 1., 2.]),
+                 "v [m]": np.array([0., 1e-15, 0.]), "gap [1]": np.array([1e-12, 3e-12, 2e-12]), "n": np.array([1., 2., 3.])}
+        panels, remarks = plot.panels_of(table)
+        self.assertEqual([list(columns) for _, columns in panels], [["a [Pa]"], ["u [m]"], ["n"]])
+        self.assertEqual(remarks, ["zero but for rounding and what solvers leave: b, v, gap"])
+        rows = [{"sigma [Pa]": "1e5", "free [Pa]": "1e-6"}, {"sigma [Pa]": "2e5", "free [Pa]": "-7e-7"}]
+        self.assertEqual([name for name in rows[0] if study.varies(rows, name, rows[0])], ["sigma [Pa]"])
+
     def test_where_a_closed_form_does_not_apply_its_line_has_a_gap(self):
         table = plot.with_gaps({"time [s]": drawing.np.arange(3.), "closed_form_applies": drawing.np.array([1., 0., 1.]),
                                 "closed_sigma_xx [Pa]": drawing.np.array([5., 0., 6.])})
