@@ -52,15 +52,41 @@ def mean_and_band(curves):
 
 
 def looks(count):
-    """So many colours with dashes, no two alike; each line is thinner than those it is drawn over, so that both are seen where they are one."""
+    """So many colours with dashes, no two alike."""
     colours = plt.get_cmap("tab10" if count <= 10 else "tab20").colors
-    return [dict(color=colours[k % len(colours)], lw=1.2 + 2.0 * (count - 1 - k) / max(count, 4), ls=("-", "--", "-.", ":")[k // len(colours) % 4]) for k in range(count)]
+    return [dict(color=colours[k % len(colours)], lw=1.6, ls=("-", "--", "-.", ":")[k // len(colours) % 4]) for k in range(count)]
+
+
+def of_one_course(x, y, x_other, y_other, near):
+    """Whether two curves over rising abscissae share nine tenths of these and are as near as that to each other all along."""
+    low, high = max(x[0], x_other[0]), min(x[-1], x_other[-1])
+    if high - low < 0.9 * max(x[-1] - x[0], x_other[-1] - x_other[0]):
+        return False
+    both = (x >= low) & (x <= high)
+    return bool(np.any(both)) and np.max(np.abs(np.interp(x[both], x_other, y_other) - y[both])) < near
+
+
+def interleaved(drawn):
+    """{place in the list: dash} of lines that are within a hundredth of the panel on an earlier one: dashes of all that share a course take turns."""
+    values = [y for _, (_, _, _, y), _, _ in drawn]
+    size = max(map(np.nanmax, values)) - min(map(np.nanmin, values))
+    courses = []
+    for k, (_, (_, x, _, y), look, half) in enumerate(drawn):
+        if half is not None or look["ls"] != "-" or look.get("zorder") == 0 or np.any(np.diff(x) * np.sign(x[-1] - x[0]) < 0):
+            continue  # a band, points, a reference that lies broad below all; what goes back
+        order = slice(None) if x[-1] >= x[0] else slice(None, None, -1)
+        same = next((one for one in courses if of_one_course(*one[0], x[order], y[order], 0.01 * size)), None)
+        if same:
+            same[1].append(k)
+        else:
+            courses.append(((x[order], y[order]), [k]))
+    return {k: (6 * (len(group) - turn), (6, 6 * (len(group) - 1))) for _, group in courses for turn, k in enumerate(group) if turn}
 
 
 def curves_of(one, column, runs, directory, entries):
     """[(label, curve, how it is drawn, half of its band or None)] of a column of a measure; what is compared with comes last."""
     drawn = []
-    grey = dict(color="0.6", lw=6, alpha=0.6, zorder=0)
+    grey = dict(color="0.6", lw=6, alpha=0.6, zorder=0, ls="-")
     groups = over_seeds([row for row in runs if row["run"] != one["reference"]], entries)
     groups |= {f"{row['method']}  {settings_of(row, entries)} (reference)": [row] for row in runs if row["run"] == one["reference"]}
     for (label, rows), look in zip(groups.items(), looks(len(groups))):
@@ -88,15 +114,18 @@ def curves_of(one, column, runs, directory, entries):
 def draw_panels(panels, count, path):
     """One panel below the other, their lines in one list beside them. count: of the runs."""
     figure, axes = plt.subplots(len(panels), 1, figsize=(7.5, max(1.2 + 3.2 * len(panels), 0.2 * count + 1)), squeeze=False, layout="constrained")
-    handles, banded = {}, False
+    handles, banded, turns = {}, False, False
     for panel, drawn in zip(axes[:, 0], panels):
         x, _, y, _ = drawn[0][1]
         along, unit_along = in_prefix(unit_of(x), [found[1] for _, found, _, _ in drawn])
         along, origin, words = strain_axis(x, [found[1] for _, found, _, _ in drawn]) or (along, 0.0, with_unit(x, unit_along))
         factor, unit = in_prefix(unit_of(y), [found[3] for _, found, _, _ in drawn])
-        for label, found, look, half in drawn:
+        dashes = interleaved(drawn)
+        turns = turns or bool(dashes)
+        for k, (label, found, look, half) in enumerate(drawn):
+            handles[label] = plt.Line2D([], [], label=label, **look)
             place = along * (found[1] - origin)
-            handles[label], = panel.plot(place, factor * found[3], label=label, **look)
+            panel.plot(place, factor * found[3], **dict(look, ls=dashes.get(k, look["ls"])))
             if half is not None:
                 panel.fill_between(place, factor * (found[3] - half), factor * (found[3] + half), color=look["color"], alpha=0.2, lw=0)
                 banded = True
@@ -107,6 +136,8 @@ def draw_panels(panels, count, path):
     entries = list(handles.values())
     if banded:
         entries.append(plt.Rectangle((0, 0), 1, 1, color="0.5", alpha=0.3, lw=0, label="band: 95 % confidence of the mean\n(Student's t)"))
+    if turns:
+        entries.append(plt.Line2D([], [], color="none", label="dashes in turns: lines of one course"))
     list_beside(figure, entries)
     figure.savefig(path, dpi=130)
     plt.close(figure)
@@ -135,7 +166,10 @@ def plot_curves(results, info, directory):
     for lead in dict.fromkeys(c for found in leads.values() for c in found):
         one = {"table": "stress", "against": "F_" + lead, "reference": "", "reference_table": ""}
         stresses[lead] = curves_of(one, "sigma_" + lead, [row for row in runs if lead in leads[row["run"]]], directory, info["entries"])
-    measured = [found for one, column in wanted.values() if (found := curves_of(one, column, runs, directory, info["entries"]))]
+    # Beside a reference there is no run that answers another question than it.
+    compared = [row for row in runs if row["run"] not in info.get("not_compared", [])]
+    measured = [found for one, column in wanted.values()
+                if (found := curves_of(one, column, compared if one["reference"] else runs, directory, info["entries"]))]
     for panels, name in ((measured, "curves.png"), (list(stresses.values()), "stress_strain.png")):
         if panels:
             draw_panels(panels, len(runs), os.path.join(directory, name))

@@ -246,6 +246,23 @@ class Pictures(unittest.TestCase):
         rows = [{"sigma [Pa]": "1e5", "free [Pa]": "1e-6"}, {"sigma [Pa]": "2e5", "free [Pa]": "-7e-7"}]
         self.assertEqual([name for name in rows[0] if study.varies(rows, name, rows[0])], ["sigma [Pa]"])
 
+    def test_no_curve_of_a_study_hides_another(self):
+        np, t = drawing.np, drawing.np.linspace(0., 1., 20)
+        solid = dict(ls="-")
+        drawn = [(name, ("t", x, "u", y), look, None) for name, x, y, look in
+                 (("a", t, t, solid), ("b", t, t ** 3, solid), ("c", t[::2], t[::2] + 1e-3, solid), ("d", t[::-1], t[::-1], solid), ("points", t, t, dict(ls="")),
+                  ("cells", t, t, dict(ls="-", zorder=0)))]
+        dashes = study_curves.interleaved(drawn)
+        self.assertEqual(dashes, {2: (12, (6, 12)), 3: (6, (6, 12))})  # a is whole below, c and d a third of it each, one after the other
+        self.write("t.csv", "t [s],u [m]\n0,0\n1,1\n")
+        runs = [{"run": name, "method": name, "settings": "", "status": "finished", "directory": "."} for name in ("cells", "FE2", "other tissue")]
+        one = {"table": "t", "against": "", "columns": ["u"], "curve": True, "reference": "cells", "reference_table": ""}
+        seen, draw = [], study_curves.draw_panels
+        study_curves.draw_panels = lambda panels, count, path: seen.extend(label.strip() for label, *_ in panels[0])
+        self.addCleanup(setattr, study_curves, "draw_panels", draw)
+        study_curves.plot_curves(runs, {"measures": [one], "entries": [], "not_compared": ["other tissue"]}, self.directory)
+        self.assertEqual(seen, ["FE2", "cells   (reference)"])
+
     def test_where_a_closed_form_does_not_apply_its_line_has_a_gap(self):
         table = plot.with_gaps({"time [s]": drawing.np.arange(3.), "closed_form_applies": drawing.np.array([1., 0., 1.]),
                                 "closed_sigma_xx [Pa]": drawing.np.array([5., 0., 6.])})
