@@ -21,13 +21,23 @@ COLOURS = {"xx": ACCENT, "yy": ALONG, "xy": "#6b8e4e", "yx": "#8a6fb0"}
 WIDTHS = {"xx": 3.4, "xy": 1.8, "yy": 1.8}  # where two are zero both are seen, the later over the broader one
 
 
+def air_share(directory):
+    """"6 % air at rest (" by summary.json; "air (" without."""
+    try:
+        with open(os.path.join(directory, "summary.json"), encoding="utf-8") as file:
+            return f"{100 * json.load(file)['results']['air_share_at_rest']['value']:.2g} % air at rest ("
+    except (OSError, ValueError, KeyError):
+        return "air ("
+
+
 def what_is_loaded(directory, found):
     """A line for the title: layout, cells, air, and which components of F are given or found."""
     entries = input_entries(directory)
     words = [f"{entries.get(('Structure', 'Structure'), 'square')} cells, {entries.get(('RVE', 'Columns'), '1')} x {entries.get(('RVE', 'Rows'), '1')}"]
     gap = float(entries.get(("Structure", "Gap"), "0") or 0)
     if gap > 0:
-        words.append(f"gap {1e6 * gap:g} µm, air {entries.get(('Structure', 'Air'), 'connected')}")
+        air = entries.get(("Structure", "Air"), "connected")
+        words.append(f"{air_share(directory)}gap {1e6 * gap:g} µm), " + ("which leaves freely" if air == "connected" else f"shut in ({air}), which stiffens"))
     words.append("F given" if found == ["none"] else "stress given along " + ", ".join(found))
     return "; ".join(words)
 

@@ -14,7 +14,8 @@ from fnmatch import fnmatchcase
 from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullFormatter
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from drawing import INK, NOISE, POINT, in_prefix, list_beside, log_text, number_points, plt, style  # noqa: E402
+from drawing import INK, NOISE, POINT, in_prefix, list_beside, number_points, plt, style  # noqa: E402
+from legible import log_text  # noqa: E402
 from study_curves import plot_curves  # noqa: E402
 from study_tables import number, point_of, rows_of, same_runs, settings_of  # noqa: E402
 from units import bare, unit_of  # noqa: E402

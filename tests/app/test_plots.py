@@ -11,8 +11,10 @@ sys.path.insert(0, PLOTS)
 import deformation  # noqa: E402
 import drawing  # noqa: E402
 from drawing import plt  # noqa: E402
+import legible  # noqa: E402
 import own_data  # noqa: E402
 import plot  # noqa: E402
+import rve_response  # noqa: E402
 import study  # noqa: E402
 import study_curves  # noqa: E402
 import study_tables  # noqa: E402
@@ -232,7 +234,7 @@ class Pictures(unittest.TestCase):
                 axis.legend(loc="upper left")
                 figure.savefig(os.path.join(self.directory, "legend.png"))
                 box = axis.get_legend().get_window_extent(figure.canvas.get_renderer())
-                at = drawing.points_in_view(axis)
+                at = legible.points_in_view(axis)
                 self.assertFalse(np.any((at[:, 0] > box.x0) & (at[:, 0] < box.x1) & (at[:, 1] > box.y0) & (at[:, 1] < box.y1)), (len(curves), scale))
                 plt.close(figure)
 
@@ -262,6 +264,15 @@ class Pictures(unittest.TestCase):
         self.addCleanup(setattr, study_curves, "draw_panels", draw)
         study_curves.plot_curves(runs, {"measures": [one], "entries": [], "not_compared": ["other tissue"]}, self.directory)
         self.assertEqual(seen, ["FE2", "cells   (reference)"])
+
+    def test_the_title_of_an_rve_says_cells_air_and_load(self):
+        structure = "subsection Structure\n  set Structure = brick\n  set Gap = 2e-05\n  set Air = {}\nend\nsubsection RVE\n  set Columns = 2\n  set Rows = 3\nend\n"
+        self.write("input.prm", structure.format("connected"))
+        self.assertEqual(rve_response.what_is_loaded(self.directory, ["none"]), "brick cells, 2 x 3; air (gap 20 µm), which leaves freely; F given")
+        self.write("input.prm", structure.format("isothermal"))
+        self.write("summary.json", '{"results": {"air_share_at_rest": {"value": 0.0601, "unit": "1"}}}')
+        self.assertEqual(rve_response.what_is_loaded(self.directory, ["xx"]),
+                         "brick cells, 2 x 3; 6 % air at rest (gap 20 µm), shut in (isothermal), which stiffens; stress given along xx")
 
     def test_where_a_closed_form_does_not_apply_its_line_has_a_gap(self):
         table = plot.with_gaps({"time [s]": drawing.np.arange(3.), "closed_form_applies": drawing.np.array([1., 0., 1.]),
