@@ -95,7 +95,10 @@ def curves_of(one, column, runs, directory, entries):
         band = mean_and_band([(x, y) for _, (_, x, _, y) in found.values()]) if len(found) > 1 else None
         if band:
             x, _, y, _ = next(iter(found.values()))[1]
-            drawn.append((f"{label}: mean of {len(found)} seeds", (x, band[0], y, band[1]), dict(look, lw=2), band[2]))
+            # Samples that are all the same are no samples: a band of no width would promise what nobody has drawn.
+            alike = np.max(band[2]) <= 1e-6 * np.max(np.abs(band[1]))
+            words = f"{len(found)} seeds, all alike" if alike else f"mean of {len(found)} seeds"
+            drawn.append((f"{label}: {words}", (x, band[0], y, band[1]), dict(look, lw=2), None if alike else band[2]))
         else:
             faint = len(rows) > 1  # seeds whose abscissae go back have no mean: each for itself, in one colour
             drawn += [(text, each, dict(look, lw=1) if faint else grey if label.endswith("(reference)") else look, None)

@@ -202,6 +202,8 @@ class Pictures(unittest.TestCase):
         self.assertTrue(np.allclose(x, [0.8, 0.9, 1.]) and np.allclose(mean, [-2., -1., 0.]))
         self.assertTrue(np.allclose(half, 4.303 / np.sqrt(3) * np.array([1., 0.5, 0.])))  # the standard deviation of 1, 2, 3 is 1
         self.assertIsNone(drawn[1][3])
+        same = study_curves.curves_of(one, "sigma_yy", [dict(run, directory="d1") for run in runs[:3]], self.directory, entries)
+        self.assertEqual([(label, half) for label, _, _, half in same], [("r  Structure brick: 3 seeds, all alike", None)])
         self.assertAlmostEqual(study_curves.confidence(11) / 2.228, 1., delta=0.02)
         self.assertAlmostEqual(study_curves.confidence(30) / 2.045, 1., delta=0.01)
         study_curves.plot_curves(runs, {"measures": [], "entries": entries}, self.directory)
