@@ -89,9 +89,9 @@ def plot_errors(rows, info, directory, same):
         panel.set_xscale("log")
         panel.set_yscale("log")
         panel.margins(0.12)
-        low, high = panel.get_ylim()
-        if 0 < low < high < 4 * low:  # errors that are nearly alike look alike
-            panel.set_ylim(0.5 * math.sqrt(low * high), 2 * math.sqrt(low * high))
+        low, high = min((point[1] for point in shown), default=0), max((point[1] for point in shown), default=0)
+        if 0 < low and high < 4 * low:  # errors that are nearly alike look alike
+            panel.set_ylim(0.4 * math.sqrt(low * high), 2.5 * math.sqrt(low * high))
         unit = next((f" [{unit_of(name)}]" for name in rows[0] if bare(name) == measure["value"] and unit_of(name)), "")
         panel.set_title("\n".join(textwrap.wrap(f"{title_of(measure)}, against {measure['reference']}", 62)), fontsize=10, color=INK)
         panel.set_xlabel("CPU time of the run [s]", color=INK)
