@@ -103,7 +103,8 @@ std::string study_text(const CompareOptions &options, const Counterpart &cells,
                             "failed_share\n  set Weight = end\n  set Relative to = 1\n  set Title = share of "
                             "failed cells at the end\n");
   } else if (cells.moves) {
-    const std::string table = "  set Table = probe\n  set Columns = displacement_y\n  set Weight = ";
+    const std::string table = std::string("  set Table = probe\n  set Columns = displacement_") +
+                              (cells.along_x ? "x" : "y") + "\n  set Weight = ";
     measure("amplitude", table + "amplitude\n  set Title = amplitude of the probe's first swing\n");
     measure("period", table + "period\n  set Title = period of the probe's first swing\n");
     measure("history", table + "rms\n  set Title = course of the probe's deflection (rms)\n");

@@ -15,6 +15,7 @@ namespace {
 struct Scenes {
   const char *tissue, *cells;
   bool moves;
+  const char *direction, *traction;                       ///< entries
   std::vector<std::pair<std::string, std::string>> same;  ///< entry of the tissue, entry of the cells
   std::string sides;                                      ///< entry
   std::vector<std::string> elements;                      ///< entries; 0: as many as the first
@@ -25,12 +26,16 @@ const std::vector<Scenes> &known_scenes() {
       {"tissue_statics",
        "static_lattice",
        false,
+       "Loads/Direction",
+       "Loads/Traction",
        {{"Tissue statics/Cells", "Columns"}, {"Tissue statics/Load", "Load"}},
        "Tissue statics/Lateral sides",
        {"Tissue statics/Elements", "Tissue statics/Elements across"}},
       {"tissue_gravity",
        "full_micro",
        true,
+       "Tissue gravity/Direction",
+       "Tissue/Traction",
        {{"Tissue gravity/Cells", "Columns"}, {"Tissue gravity/Load", "Load"}, {"Time/End time", "End time"}},
        "Tissue/Lateral sides",
        {"Tissue/Elements x", "Tissue/Elements y"}}};
@@ -63,27 +68,38 @@ void refuse_what_cells_lack(const std::map<std::string, std::string> &values, co
 
 /// The entry that says how many rows the tissue has.
 std::string rows_from(const std::map<std::string, std::string> &values, const Scenes &scenes) {
-  const auto own = values.find("Tissue statics/Cells across");
+  const auto own = values.find(scenes.same.front().first + " across");
   return own != values.end() && own->second != "0" ? own->first : scenes.same.front().first;
 }
 
-/// All cells are loaded by their weight alone, downwards and at once.
+/// All cells are loaded at once, and their right side is free.
 void refuse_other_loads(const std::map<std::string, std::string> &values) {
-  for (const auto &[entry, wanted] :
-       {std::pair("Loads/Way", "at_once"), {"Loads/Direction", "0, -1"}, {"Loads/Traction", "0, 0"}})
-    if (const auto found = values.find(entry);
-        found != values.end() && without_blanks(found->second) != without_blanks(wanted))
-      throw InputError(
-          std::string(entry) + " is " + found->second +
-          ", but a block of all cells is loaded by a body force downwards, all of it at once: compare with " +
-          wanted + ".");
+  for (const auto &[entry, wanted, cells] :
+       {std::tuple("Loads/Way", "at_once", "is loaded by all of its load at once"),
+        {"Tissue/Right side", "free", "is held at its left side alone"}})
+    if (const auto found = values.find(entry); found != values.end() && found->second != wanted)
+      throw InputError(std::string(entry) + " is " + found->second + ", but a block of all cells " + cells +
+                       ": compare with " + wanted + ".");
 }
 
+/// Pa: what the load pushes with along x and y, and the largest of its parts.
+struct Push {
+  Push(const std::map<std::string, std::string> &values, const Scenes &scenes) {
+    const double size = read_number(values.at(scenes.same[1].first)).value_or(0.);
+    const std::vector<double> way = InputEntries::list_of(values.at(scenes.direction)),
+                              side = InputEntries::list_of(values.at(scenes.traction));
+    const double length = std::hypot(way[0], way[1]);
+    for (int d = 0; d < 2; ++d) total[d] = size * (length > 0. ? way[d] / length : 0.) + side[d];
+    largest = std::max({std::abs(size), std::abs(side[0]), std::abs(side[1])});
+  }
+  double total[2], largest;
+};
+
 /// Pa. Below it the cells of a block at rest do not feel their load.
-void refuse_lost_loads(const std::map<std::string, std::string> &values, const std::string &entry) {
+void refuse_lost_loads(const std::map<std::string, std::string> &values, const std::string &entry,
+                       const double load) {
   constexpr double least_share = 1e-7;
-  const double load = std::abs(read_number(values.at(entry)).value_or(0.)),
-               least = least_share * read_number(values.at("Cell/Turgor")).value_or(0.);
+  const double least = least_share * read_number(values.at("Cell/Turgor")).value_or(0.);
   if (load < least)
     throw InputError(entry + " is " + values.at(entry) +
                      " Pa, which drowns in the round-off of all cells' forces: use at least " +
@@ -93,11 +109,10 @@ void refuse_lost_loads(const std::map<std::string, std::string> &values, const s
 }
 
 /// What a block of all cells at rest is balanced to, so that it feels its load; "": what it is by itself.
-std::string tolerance_for(const std::map<std::string, std::string> &values, const std::string &entry,
+std::string tolerance_for(const std::map<std::string, std::string> &values, const double load,
                           const InputEntries &of_cells) {
   constexpr double share_of_load = 1e-6, least = 1e-13;
-  const double load = std::abs(read_number(values.at(entry)).value_or(0.)),
-               turgor = read_number(values.at("Cell/Turgor")).value_or(1.),
+  const double turgor = read_number(values.at("Cell/Turgor")).value_or(1.),
                wanted = std::max(share_of_load * load / turgor, least);
   for (const InputEntry &one : of_cells.entries())
     if (one.path() == "Tolerance" && wanted < read_number(one.value).value_or(0.)) return number_text(wanted);
@@ -116,7 +131,8 @@ Counterpart counterpart_of(const Input &tissue, const ScenarioRegistry &registry
     throw InputError(scenes.sides +
                      " is clamped, but a block of all cells is held at its left side alone: "
                      "compare with free or periodic.");
-  if (read_number(values.at(scenes.same[1].first)) == 0.)
+  const Push push(values, scenes);
+  if (push.largest == 0.)
     throw InputError(scenes.same[1].first +
                      " is 0: without a load there is nothing to compare; use another.");
   if (const double turned = read_number(values.at("Structure/Rotation")).value_or(0.); turned != 0.)
@@ -131,6 +147,9 @@ Counterpart counterpart_of(const Input &tissue, const ScenarioRegistry &registry
   cells.entries = shared_entries(values, scenes.cells, registry);
   refuse_files(tissue);
   for (const auto &[from, to] : scenes.same) cells.entries.emplace_back(to, values.at(from));
+  cells.entries.emplace_back("Direction", values.at(scenes.direction));
+  cells.entries.emplace_back("Traction", values.at(scenes.traction));
+  cells.along_x = std::abs(push.total[0]) > std::abs(push.total[1]);
   std::string rows = values.at(scenes.same.front().first);
   const std::string across = rows_from(values, scenes);
   rows = values.at(across);
@@ -146,11 +165,12 @@ Counterpart counterpart_of(const Input &tissue, const ScenarioRegistry &registry
   }
   cells.entries.emplace_back("Surfaces", cells.has_sides ? "frozen" : "slab");
   if (!scenes.moves) {
-    refuse_lost_loads(values, scenes.same[1].first);
-    if (const std::string finer = tolerance_for(values, scenes.same[1].first, prm); !finer.empty())
+    refuse_lost_loads(values, scenes.same[1].first, push.largest);
+    if (const std::string finer = tolerance_for(values, push.largest, prm); !finer.empty())
       cells.entries.emplace_back("Tolerance", finer);
   }
-  std::vector<std::pair<std::string, std::string>> names = {{"Rows", across}};
+  std::vector<std::pair<std::string, std::string>> names = {
+      {"Rows", across}, {"Direction", scenes.direction}, {"Traction", scenes.traction}};
   for (const auto &[from, to] : scenes.same) names.emplace_back(to, from);
   possible_scene(cells, registry, names);
 

@@ -35,6 +35,7 @@ struct Counterpart {
   bool breaks = false;      ///< its walls may break: failed cells are compared
   Entries tissue = {};      ///< changes of the input of finite elements without which there is no such scene
   double cpu = 0.;          ///< s, that all cells will take, roughly; 0: not known
+  bool along_x = false;     ///< the load pushes more along x than along y: that displacement is compared
 };
 
 /// Throws InputError with a sentence where there is no such scene, or it cannot have what the input asks for.

@@ -13,11 +13,11 @@ void TipSwing::open(RunContext &context, const Tissue<2> &tissue) {
 void TipSwing::row(const Tissue<2> &tissue, const RveLaw<2> &) {
   const dealii::Tensor<1, 2> u = tissue.displacement_at(tip).front();
   probe_series->add_row({tissue.time(), u[0], u[1]});
-  swing.add(tissue.time(), -u[1]);
+  swing.add(tissue.time(), u * along);
 }
 
 void TipSwing::results(RunContext &context, const Tissue<2> &tissue, const RveLaw<2> &) {
-  write_cell_displacement(context, tissue, {{cells, cells}}, cell_size, samples);
+  write_cell_displacement(context, tissue, cells, cell_size, samples);
   const dealii::Tensor<1, 2> u = tissue.displacement_at(tip).front();
   context.result("tip_displacement_x", u[0], "m");
   context.result("tip_displacement_y", u[1], "m");

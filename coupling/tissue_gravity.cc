@@ -10,21 +10,28 @@
 
 namespace turgor {
 TissueGravity::TissueGravity() {
+  direction[1] = -1.;
   rve_parameters.cell.fluid_viscosity = 1.;  // at water's nothing damps within a period
 }
 
 void TissueGravity::declare_parameters(InputEntries &prm) {
   prm.enter_subsection("Tissue gravity");
   prm.add_parameter(
-      "Cells", settings.cells,
-      "Cells along each side; the width is W = Cells * Cell/Period with square cells, else Cells times "
-      "what a cell is long at turgor, and the height likewise. Units: 1.",
+      "Cells", cells,
+      "Cells from the clamp to the free end; the width is W = Cells * Cell/Period with square cells, else "
+      "Cells times what a cell is long at turgor, and the height likewise. Units: 1.",
       Patterns::Integer(1, 100000));
+  prm.add_parameter("Cells across", cells_across,
+                    "Cells along the clamp; 0: as many as Cells, a square. Units: 1.",
+                    Patterns::Integer(0, 100000));
   prm.add_parameter(
       "Load", load,
-      "Body force as the stress rho b W it would make at the clamp if spread evenly; acts downwards from "
-      "t = 0. Units: Pa.",
+      "Body force as the stress rho b W it would make at the clamp if spread evenly; acts from t = 0. "
+      "Units: Pa.",
       Patterns::Double(0., 1e9));
+  prm.add_parameter("Direction", direction,
+                    "Direction in which the body force acts, of any length. Units: 1.",
+                    Patterns::List(Patterns::Double(), 2, 2));
   prm.add_parameter("Cell samples", settings.cell_samples,
                     "Points per direction over which the displacement of a cell is averaged. Units: 1.",
                     Patterns::Integer(1, 100));
@@ -34,19 +41,29 @@ void TissueGravity::declare_parameters(InputEntries &prm) {
   settings.declare(prm, rve_parameters, false);
 }
 
+std::array<unsigned int, 2> TissueGravity::block() const {
+  return {{cells, cells_across > 0 ? cells_across : cells}};
+}
+
 void TissueGravity::check() const {
+  if (!(direction.norm() > 0.) || !std::isfinite(direction.norm()))
+    throw InputError(
+        "Tissue gravity/Direction must be two finite numbers that are not both 0, such as '0, -1'.");
   settings.check(rve_parameters,
-                 double(settings.cells) * settings.cells * settings.cell_samples * settings.cell_samples);
+                 double(block()[0]) * block()[1] * settings.cell_samples * settings.cell_samples);
 }
 
 void TissueGravity::run(RunContext &context) {
   const std::shared_ptr<const Rve<2>> rve = make_rve(rve_parameters);
   remark_on_walls(context, rve_parameters.yielding_cell());
   settings.cell_size = cell_size(rve_parameters, *rve);
-  const double width = settings.cells * settings.cell_size[0];
-  settings.tissue.size = {{width, settings.cells * settings.cell_size[1]}};
-  settings.tissue.body_force = dealii::Tensor<1, 2>();
-  settings.tissue.body_force[1] = -load / (rve->density() * width);
+  settings.cells = block();
+  const double width = settings.cells[0] * settings.cell_size[0];
+  settings.tissue.size = {{width, settings.cells[1] * settings.cell_size[1]}};
+  settings.tissue.body_force = load / (rve->density() * width) * direction / direction.norm();
+  if (const dealii::Tensor<1, 2> push = load * direction / direction.norm() + settings.tissue.traction;
+      push.norm() > 0.)
+    settings.along = push / push.norm();
   settings.law.threads = context.threads();
   settings.law.skipping = settings.law.skipping.with(rve_parameters);
 

@@ -1,6 +1,6 @@
-// Scene tissue_gravity: the example of thesis 3.4.3. A square of cells x cells parenchyma
-// cells, W = cells times their length, clamped at x = 0, under a body force b in -y that is switched on
-// at t = 0:
+// Scene tissue_gravity: the example of thesis 3.4.3. A block of parenchyma cells,
+// a square by default, W = cells times their length, clamped at x = 0, under a body force b, downwards by
+// default, and a traction on the side x = W that are switched on at t = 0:
 //
 //   rho b W = load,   rho = density of the RVE
 //
@@ -22,7 +22,11 @@ class TissueGravity : public Scenario {
   void run(RunContext &context) override;
 
  private:
+  std::array<unsigned int, 2> block() const;  ///< cells along x and y
+
+  unsigned int cells = 16, cells_across = 0;
   double load = 20e3;  ///< Pa
+  dealii::Tensor<1, 2> direction;
   TissueRunSettings settings;
   RveParameters rve_parameters;
 };

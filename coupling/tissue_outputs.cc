@@ -184,12 +184,12 @@ Outputs tip_swing_outputs() {
   const char *most = "where the tip turned", *back = "where the tip came back";
   all.results(
       {{"tip_largest_deflection", "m",
-        "Largest deflection of the tip downwards, by a parabola through the rows around it."},
+        "Largest deflection of the tip along the load, by a parabola through the rows around it."},
        {"time_of_largest_deflection", "s", "Time of that largest deflection, by the same parabola.", most},
        {"period_from_maximum", "s", "Period of the swing as twice the time of the largest deflection.", most},
        {"period_from_return", "s",
         "Period of the swing as the time at which the tip is back at its least deflection.", back},
-       {"tip_deflection_at_return", "m", "Deflection of the tip downwards at that return.", back}});
+       {"tip_deflection_at_return", "m", "Deflection of the tip along the load at that return.", back}});
   return all.join(cell_displacement_outputs());
 }
 
@@ -224,7 +224,7 @@ Outputs TissueBruise::outputs() const {
 Outputs TissueStatics::outputs() const {
   Outputs single;
   single.results(
-      {{"tip_over_width", "1", "Deflection of the middle of the free side downwards, over the width."},
+      {{"tip_over_width", "1", "Deflection of the middle of the free side along the load, over the width."},
        {"pressure_min", "Pa", "Lowest mean fluid pressure of an RVE under the load."},
        {"pressure_max", "Pa", "Highest mean fluid pressure of an RVE under the load."},
        {"newton_iterations", "", "Number of Newton iterations of the tissue, rejected increments included."},

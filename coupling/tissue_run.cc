@@ -176,7 +176,7 @@ void run_tissue(RunContext &context, const TissueRunSettings &settings,
 
 void run_tissue(RunContext &context, const TissueRunSettings &settings,
                 const std::shared_ptr<const Rve<2>> &rve) {
-  TipSwing swing(settings.cells, settings.cell_size, settings.cell_samples);
+  TipSwing swing(settings.cells, settings.cell_size, settings.cell_samples, settings.along);
   run_tissue(context, settings, rve, swing);
 }
 }  // namespace turgor

@@ -18,7 +18,8 @@ struct RveParameters;
 struct TissueRunSettings {
   TissueParameters<2> tissue;  ///< size and load filled in
   RveLawSettings law;
-  unsigned int cells = 16;                            ///< along each side, of the piece that swings
+  std::array<unsigned int, 2> cells{{16, 16}};        ///< along x and y, of the piece that swings
+  dealii::Tensor<1, 2> along{{0., -1.}};              ///< unit vector: where the load pushes it
   std::array<double, 2> cell_size{{100e-6, 100e-6}};  ///< m
   unsigned int cell_samples = 5;  ///< points per direction for the mean displacement of a cell
   unsigned int outlined_rves = 6;

@@ -75,8 +75,8 @@ void TissueStatics::declare_parameters(InputEntries &prm) {
                     Patterns::Integer(0, 100000));
   prm.add_parameter(
       "Load", load,
-      "Body force as the stress rho b W it would make at the clamp if spread evenly; acts downwards. "
-      "Units: Pa.",
+      "Body force as the stress rho b W it would make at the clamp if spread evenly; acts along "
+      "Loads/Direction. Units: Pa.",
       Patterns::Double(-1e8, 1e8));
   prm.add_parameter("Cell samples", cell_samples,
                     "Points per direction over which the displacement of a cell is averaged. Units: 1.",
@@ -130,6 +130,13 @@ void TissueStatics::declare_parameters(InputEntries &prm) {
 
 std::array<unsigned int, 2> TissueStatics::block() const {
   return {{cells, cells_across > 0 ? cells_across : cells}};
+}
+
+dealii::Tensor<1, 2> TissueStatics::along() const {
+  const dealii::Tensor<1, 2> push = load / direction.norm() * direction + tissue.traction;
+  dealii::Tensor<1, 2> down;
+  down[1] = -1.;
+  return push.norm() > 0. ? push / push.norm() : down;
 }
 
 TissueParameters<2> TissueStatics::piece(const std::array<double, 2> &cell) const {
@@ -265,7 +272,7 @@ void TissueStatics::at_once(RunContext &context) {
   const auto [least, most] = std::minmax_element(law.pressure().begin(), law.pressure().end());
   context.result("tip_displacement_x", u[0], "m");
   context.result("tip_displacement_y", u[1], "m");
-  context.result("tip_over_width", -u[1] / width, "1");
+  context.result("tip_over_width", u * along() / width, "1");
   context.result("pressure_min", *least, "Pa");
   context.result("pressure_max", *most, "Pa");
   context.result("newton_iterations", answer.iterations, "");

@@ -56,6 +56,7 @@ class TissueStatics : public Scenario {
   unsigned int cells_across = 0, elements_across = 0;  ///< 0: as along the length
 
   std::array<unsigned int, 2> block() const;  ///< cells in x and y
+  dealii::Tensor<1, 2> along() const;         ///< unit vector: where all loads together push
   TissueParameters<2> piece(const std::array<double, 2> &cell) const;
 };
 

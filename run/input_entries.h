@@ -114,12 +114,13 @@ class InputEntries {
   void read(const std::string &text);
 
   const std::vector<InputEntry> &entries() const { return all; }  ///< in the order of declaration
+  /// The numbers of a list, "0, -1"; `text` has passed its pattern.
+  static std::vector<double> list_of(const std::string &text);
 
  private:
   void add(const std::string &name, const std::string &value, const std::string &documentation,
            const EntryPattern &pattern, std::function<void(const std::string &)> take);
   static std::string list_text(const std::vector<double> &values);
-  static std::vector<double> list_of(const std::string &text);
 
   std::vector<std::string> open;
   std::vector<InputEntry> all;

@@ -28,7 +28,29 @@ std::vector<std::uint32_t> middle_of(const CellLayout &laid, const std::vector<s
     if (distance(node) < nearest + 0.01 * laid.spacing) found.push_back(node);
   return found;
 }
+/// Each with its share of the height, as the reference has it; the block repeats itself upwards.
+std::vector<CutBlock::SideNode> shares_of(const CellLayout &reference, std::vector<std::uint32_t> nodes) {
+  const auto y = [&](const std::size_t k) { return reference.nodes[nodes[k]][1]; };
+  std::stable_sort(nodes.begin(), nodes.end(), [&](const std::uint32_t a, const std::uint32_t b) {
+    return reference.nodes[a][1] < reference.nodes[b][1];
+  });
+  const double height = reference.lattice(1, 1);
+  std::vector<CutBlock::SideNode> side;
+  const std::size_t n = nodes.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const double below = k > 0 ? y(k - 1) : y(n - 1) - height, above = k + 1 < n ? y(k + 1) : y(0) + height;
+    side.push_back({nodes[k], 0.5 * (above - below)});
+  }
+  return side;
+}
 }  // namespace
+
+std::vector<CutBlock::Pull> CutBlock::carrying(const Vector<2> &traction) const {
+  std::vector<Pull> all;
+  for (const SideNode &one : right)
+    all.push_back({one.node, one.height * layout.parameters.depth * traction});
+  return all;
+}
 
 std::vector<CutBlock::Pull> CutBlock::pulls(const std::function<Vector<2>(std::uint32_t)> &place) const {
   std::vector<Pull> all;
@@ -76,6 +98,7 @@ CutBlock cut_out(const CellLayout &laid, const CellLayout &reference, const Surf
   sort_out(block.clamped);
   sort_out(right);
   block.probe = middle_of(laid, right);
+  block.right = shares_of(reference, right);
   return block;
 }
 }  // namespace turgor

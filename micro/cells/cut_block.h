@@ -3,6 +3,7 @@
 //   cut      ties of the periodic tissue that leave the block: across both periods, or across the first alone
 //            where the block is a slab
 //   clamped  nodes at which cut ties meet the block from the left
+//   right    nodes from which cut ties leave to the right, and the height of the side that each carries
 //   probe    nodes nearest the middle of those from which they leave to the right; two where two cells meet
 //            there
 //
@@ -37,14 +38,24 @@ struct CutBlock {
     Vector<2> force;  ///< N
   };
 
+  /// A node of the right side and its share of the side's height: half of the way to the nodes above and
+  /// below, those at the ends to the end of the block. All shares together are the height.
+  struct SideNode {
+    std::uint32_t node;
+    double height;  ///< m
+  };
+
   CellLayout layout;                          ///< without the ties that are cut
   std::vector<LamellaTie> cut;                ///< with their shifts
   std::vector<std::uint32_t> clamped, probe;  ///< nodes, each once
+  std::vector<SideNode> right;                ///< upwards
   double width = 0.;                          ///< m, along the first period
   double density = 0.;                        ///< kg/m^3, fluid and walls over the lattice
 
   /// What cut ties pull with nodes at these places: none where surfaces are free.
   std::vector<Pull> pulls(const std::function<Vector<2>(std::uint32_t)> &place) const;
+  /// What a traction (Pa, per reference area) on the right side is to its nodes.
+  std::vector<Pull> carrying(const Vector<2> &traction) const;
 
   Surfaces surfaces = Surfaces::frozen;
 };

@@ -72,26 +72,26 @@ Outputs StaticLattice::outputs() const {
   Outputs all;
   all.results({{"setup_time", "s", "Wall time until the block was laid out, before anything was solved."}})
       .join(tip_outputs(false))
-      .results(
-          {{"tip_over_width", "1", "Deflection of the middle of the free side downwards, over the width."},
-           {"pressure_min", "Pa", "Lowest pressure of a cell under the load."},
-           {"pressure_max", "Pa", "Highest pressure of a cell under the load."},
-           {"pressure_reference", "Pa", "Pressure of every cell in the endless unloaded tissue."},
-           {"pressure_min_unloaded", "Pa",
-            "Lowest pressure of a cell in the block without load, after its surface has relaxed."},
-           {"largest_displacement_unloaded", "m",
-            "Largest displacement of a node by the relaxing of the surface without load."},
-           {"newton_iterations_unloaded", "",
-            "Number of Newton iterations until the block was at rest without load."},
-           {"newton_iterations", "",
-            "Number of Newton iterations of the loading, rejected increments included."},
-           {"factorisations", "", "Number of factorisations of the stiffness matrix in all."},
-           {"load_increments", "", "Number of increments in which the load was put on."},
-           {"saddles_left", "", "How often an equilibrium that was no minimum of the energy was left."},
-           {"residual", "1",
-            "Largest force left unbalanced on a node, over turgor times node spacing times depth."},
-           {"unknowns", "", "Number of displacement components that are solved for."},
-           {"solve_time", "s", "Wall time of the whole run, setting up included."}})
+      .results({{"tip_over_width", "1",
+                 "Deflection of the middle of the free side along the load, over the width."},
+                {"pressure_min", "Pa", "Lowest pressure of a cell under the load."},
+                {"pressure_max", "Pa", "Highest pressure of a cell under the load."},
+                {"pressure_reference", "Pa", "Pressure of every cell in the endless unloaded tissue."},
+                {"pressure_min_unloaded", "Pa",
+                 "Lowest pressure of a cell in the block without load, after its surface has relaxed."},
+                {"largest_displacement_unloaded", "m",
+                 "Largest displacement of a node by the relaxing of the surface without load."},
+                {"newton_iterations_unloaded", "",
+                 "Number of Newton iterations until the block was at rest without load."},
+                {"newton_iterations", "",
+                 "Number of Newton iterations of the loading, rejected increments included."},
+                {"factorisations", "", "Number of factorisations of the stiffness matrix in all."},
+                {"load_increments", "", "Number of increments in which the load was put on."},
+                {"saddles_left", "", "How often an equilibrium that was no minimum of the energy was left."},
+                {"residual", "1",
+                 "Largest force left unbalanced on a node, over turgor times node spacing times depth."},
+                {"unknowns", "", "Number of displacement components that are solved for."},
+                {"solve_time", "s", "Wall time of the whole run, setting up included."}})
       .join(block_outputs())
       .join(cell_displacement_outputs())
       .join(Outputs().fields(
@@ -116,9 +116,10 @@ Outputs FullMicro::outputs() const {
           {"step_loop_cpu_time_whole_run", "s",
            "CPU time of the loop that all steps until End time take, scaled from those that were run.",
            steps_run},
+          {"tip_displacement_x", "m",
+           "Displacement of the middle of the side opposite to the clamp, at the end, along x."},
           {"tip_displacement_y", "m",
-           "Displacement of the middle of the side opposite to the clamp, at the end, along y (up; the load "
-           "acts down)."},
+           "Displacement of the middle of the side opposite to the clamp, at the end, along y, up."},
           {"steps", "", "Number of time steps until End time."},
           {"time_step", "s", "Time step of the run, End time over the number of steps."},
           {"extra_steps", "",
@@ -127,7 +128,7 @@ Outputs FullMicro::outputs() const {
           {"particles", "", "Number of particles of walls and fluid together."},
           {"density", "kg/m^3", "Mass of wall and fluid over the volume of a cell, in the unloaded state."},
           {"body_force", "m/s^2",
-           "Size of the acceleration that acts downwards on every mass: Load over (density times width)."},
+           "Size of the acceleration that acts on every mass: Load over (density times width)."},
           {"pressure_eos_reference", "Pa",
            "Pressure of a cell's fluid by its equation of state in the endless unloaded tissue."},
           {"pressure_virial_reference", "Pa",

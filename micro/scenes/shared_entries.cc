@@ -1,5 +1,6 @@
 #include "micro/scenes/shared_entries.h"
 
+#include "micro/cells/block_load.h"
 #include "micro/cells/sph_parenchyma.h"
 #include "run/input_entries.h"
 #include "run/entry_marks.h"
@@ -8,16 +9,13 @@
 
 namespace turgor {
 
-void declare_block(InputEntries &prm, unsigned int &columns, unsigned int &rows, double &load) {
+void declare_block(InputEntries &prm, unsigned int &columns, unsigned int &rows, BlockLoad &load) {
   prm.add_parameter("Columns", columns,
                     "Number of cells of the block along x, from the clamp to the free side. Units: none.",
                     Patterns::Integer(1, 1000));
   prm.add_parameter("Rows", rows, "Number of cells of the block along y, upwards. Units: none.",
                     Patterns::Integer(1, 1000));
-  prm.add_parameter("Load", load,
-                    "Body force as the stress it would make at the clamp: tissue density times body force "
-                    "times width, downward. Units: Pa.",
-                    Patterns::Double(-1e8, 1e8));
+  load.declare(prm);
 }
 
 void declare_surfaces(InputEntries &prm, Surfaces &surfaces) {

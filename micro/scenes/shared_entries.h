@@ -8,10 +8,11 @@
 
 namespace turgor {
 class InputEntries;
+struct BlockLoad;
 struct SphParameters;
 
 /// Columns, Rows (cells) and Load (Pa): the clamped block of full_micro and static_lattice.
-void declare_block(InputEntries &prm, unsigned int &columns, unsigned int &rows, double &load);
+void declare_block(InputEntries &prm, unsigned int &columns, unsigned int &rows, BlockLoad &load);
 
 /// frozen | free | osmosis | slab, as in cut_block.h
 void declare_surfaces(InputEntries &prm, Surfaces &surfaces);

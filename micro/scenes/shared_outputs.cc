@@ -52,7 +52,7 @@ Outputs block_outputs() {
       {{"width", "m", "Length of the block from the clamp to the free side, in the unloaded state."},
        {"density", "kg/m^3", "Mass of wall and fluid over the volume of a cell, in the unloaded state."},
        {"body_force", "m/s^2",
-        "Size of the acceleration that acts downwards on every mass: Load over (density times width)."}});
+        "Size of the acceleration that acts on every mass: Load over (density times width)."}});
   return all;
 }
 

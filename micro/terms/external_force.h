@@ -45,8 +45,11 @@ class DeadForce final : public Term<dim> {
     Vector<dim> force;  ///< N
   };
 
-  explicit DeadForce(std::vector<Entry> entries_) : entries(std::move(entries_)) {}
-  std::string name() const override { return "dead_force"; }
+  explicit DeadForce(std::vector<Entry> entries_, std::string called_ = "dead_force")
+      : entries(std::move(entries_)), called(std::move(called_)) {}
+  std::string name() const override { return called; }
+  /// 0 until a load is put on, 1 from then on.
+  void set_share(const double value) { share = value; }
 
   void declare(Particles<dim> &particles) override {
     of_group.assign(particles.groups.size(), {});
@@ -59,17 +62,19 @@ class DeadForce final : public Term<dim> {
 
   void add_forces(Particles<dim> &particles, const Box<dim> &, const std::size_t group) override {
     for (const Entry &entry : of_group[group])
-      for (int d = 0; d < dim; ++d) particles.f[d][entry.particle] += entry.force[d];
+      for (int d = 0; d < dim; ++d) particles.f[d][entry.particle] += share * entry.force[d];
   }
 
   double energy(const Particles<dim> &particles, const Box<dim> &, const std::size_t group) const override {
     double total = 0.;
     for (const Entry &entry : of_group[group]) total -= entry.force.dot(particles.position(entry.particle));
-    return total;
+    return share * total;
   }
 
  private:
+  double share = 1.;
   std::vector<Entry> entries;
+  std::string called;
   std::vector<std::vector<Entry>> of_group;
 };
 }  // namespace turgor

@@ -78,9 +78,12 @@ class Compare(unittest.TestCase):
                     ("tissue_statics.prm", ["--set", "Tissue statics/Lateral sides=clamped"],
                      "Tissue statics/Lateral sides is clamped, but a block of all cells is held at its left side alone: compare with free or "
                      "periodic."),
-                    ("tissue_statics.prm", ["--set", "Loads/Direction=1,0"],
-                     "Loads/Direction is 1,0, but a block of all cells is loaded by a body force downwards, all of it at once: compare with "
-                     "0, -1."),
+                    ("tissue_statics.prm", ["--set", "Loads/Way=arc_length"],
+                     "Loads/Way is arc_length, but a block of all cells is loaded by all of its load at once: compare with at_once."),
+                    ("tissue_gravity.prm", ["--set", "Tissue/Right side=clamped"],
+                     "Tissue/Right side is clamped, but a block of all cells is held at its left side alone: compare with free."),
+                    ("tissue_gravity.prm", ["--set", "Tissue gravity/Load=0"],
+                     "Tissue gravity/Load is 0: without a load there is nothing to compare; use another."),
                     ("tissue_statics.prm", ["--set", "Tissue statics/Load=-1e-3"],
                      "Tissue statics/Load is -0.001 Pa, which drowns in the round-off of all cells' forces: use at least 0.02 Pa (a ten "
                      "millionth of Cell/Turgor); what is compared is linear in small loads."),
@@ -141,6 +144,30 @@ class Compare(unittest.TestCase):
                 refused = compare(BRUISE, "-o", out, "--list", *[one for word in words for one in ("--set", word)])
                 self.assertEqual(refused.returncode, 2, refused.stdout)
                 self.assertIn(sentence, refused.stderr)
+
+    def test_loads_of_any_direction_and_on_the_side(self):
+        with tempfile.TemporaryDirectory() as directory:
+            # A slab that is drawn at its free side, whose error is that of its ends and goes with 1/n, and a cantilever of three times as
+            # many cells as it is high under a force that is not upright.
+            for number, (words, cells) in enumerate((
+                    (["Tissue statics/Load=0", "Loads/Traction=2e3, 0", "Tissue statics/Cells=16"],
+                     ("set Traction = 2e3, 0", "set Load = 0", "set Rows = 16")),
+                    (["Tissue statics/Load=100", "Loads/Direction=1, 1", "Tissue statics/Cells across=4", "Tissue statics/Cells=12"],
+                     ("set Direction = 1, 1", "set Rows = 4", "set Columns = 12")))):
+                out = os.path.join(directory, str(number))
+                done = compare(STATICS, "-o", out, *SMALL, "--set", "Structure/Structure=brick", "--set", "Cell/Nodes per side=8",
+                               *[one for word in words for one in ("--set", word)])
+                self.assertEqual(done.returncode, 0, done.stderr)
+                with open(os.path.join(out, "tissue_statics_cells.prm"), encoding="utf-8") as file:
+                    text = file.read()
+                for line in cells:
+                    self.assertIn(line + "\n", text)
+                with open(os.path.join(out, "split.csv"), newline="", encoding="utf-8") as file:
+                    tip = {row["what"]: float(row["tip"] or "nan") for row in csv.DictReader(file)}
+                self.assertLess(abs(tip["error of FE2"]), 0.2)
+                if number == 0:
+                    self.assertLess(abs(tip["error of FE2"]), 0.02)
+                    self.assertLess(abs(tip["rest"]), 0.1 * abs(tip["error of FE2"]))
 
     def test_a_swing_is_listed(self):
         with tempfile.TemporaryDirectory() as directory:

@@ -13,7 +13,7 @@ using turgor::test::MemoryContext;
 namespace {
 TissueRunSettings small() {
   TissueRunSettings s;
-  s.cells = 4;
+  s.cells = {{4, 4}};
   s.tissue.size = {{4e-4, 4e-4}};
   s.tissue.elements = {{2, 2}};
   s.tissue.body_force[1] = -1e3;

@@ -74,10 +74,57 @@ BOOST_AUTO_TEST_CASE(a_block_of_unlike_cells_keeps_its_reference) {
   for (std::size_t i = 0; i < block.x.size(); ++i)
     shift = std::max(shift, std::abs(block.relaxed[i] - block.reference[i]));
   BOOST_TEST(shift < 1e-7 * block.width);
-  block.load(5e3, settings);
+  block.load({.size = 5e3}, settings);
   BOOST_TEST((block.clamp_reaction() + block.weight() + block.dead_force()).norm() <
              1e-5 * block.weight().norm());
   BOOST_TEST(block.probe_displacement()[1] < 0.);
+}
+
+// The right side carries all of a traction, every node by its share of the height, and the clamp holds it.
+BOOST_AUTO_TEST_CASE(a_traction_on_the_right_side) {
+  const CellLayout laid = test::unlike_cells(), reference = turgid(laid);
+  const CutBlock cut = cut_out(laid, reference, Surfaces::frozen);
+  double height = 0.;
+  for (const CutBlock::SideNode &one : cut.right) {
+    BOOST_TEST(one.height >= 0.);
+    height += one.height;
+  }
+  BOOST_TEST(height == reference.lattice(1, 1), boost::test_tools::tolerance(1e-12));
+  LatticeBlock block(laid, reference, Surfaces::frozen);
+  const EquilibriumSettings settings{1e-9, 300};
+  block.relax(settings);
+  const Vector<2> before = block.clamp_reaction(), traction(3e3, -2e3);
+  block.load({.size = 0., .traction = traction}, settings);
+  const Vector<2> force = height * reference.parameters.depth * traction;
+  BOOST_TEST((block.clamp_reaction() - before + force).norm() < 1e-5 * force.norm());
+  BOOST_TEST(block.probe_displacement()[0] > 0.);
+  BOOST_TEST(block.probe_displacement()[1] < 0.);
+}
+
+// A block of particles feels nothing before its load is put on, and then exactly that.
+BOOST_AUTO_TEST_CASE(particles_carry_the_load_from_its_beginning_on) {
+  const CellLayout layout = test::unlike_cells(10e-6);
+  SphParameters sph;
+  sph.particles_per_side = 9;
+  const std::vector<CellContents> contents = unannealed_cells(layout, sph);
+  const BlockLoad load{.size = 1e3, .direction = {3., 4.}, .traction = {500., -200.}};
+  TissueBlock block = make_tissue_block(layout, sph, contents, Surfaces::frozen, load);
+  Particles<2> &p = block.cells->system.particles;
+  const auto total = [&] {
+    block.cells->system.compute_forces();
+    Vector<2> sum = Vector<2>::Zero();
+    for (std::size_t i = 0; i < p.size(); ++i)
+      for (int d = 0; d < 2; ++d) sum[d] += p.f[d][i];
+    return sum;
+  };
+  const Vector<2> before = total();
+  block.put_on_load();
+  Vector<2> wanted = layout.lattice(1, 1) * layout.parameters.depth * load.traction;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (p.inverse_mass[i] > 0.) wanted += block.acceleration / p.inverse_mass[i];
+  BOOST_TEST((total() - before - wanted).norm() < 1e-9 * wanted.norm());
+  BOOST_TEST(block.acceleration.norm() * block.density * block.width == 1e3,
+             boost::test_tools::tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

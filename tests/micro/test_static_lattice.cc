@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(the_clamp_carries_the_weight) {
   for (const Surfaces surfaces : {Surfaces::frozen, Surfaces::free, Surfaces::osmosis, Surfaces::slab}) {
     LatticeBlock block(coarse_cell(), 3, 2, surfaces);
     block.relax(settings);
-    block.load(5e3, settings);
+    block.load({.size = 5e3}, settings);
     const Vector<2> sum = block.clamp_reaction() + block.weight() + block.dead_force();
     BOOST_TEST(sum.norm() < 1e-5 * block.weight().norm());
     BOOST_TEST(block.probe_displacement()[1] < 0.);
@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(slab_bends_as_strings_under_turgor) {
   LatticeBlock block(cell, 5, 1, Surfaces::slab);
   block.relax(settings);
   const double load = 200.;  // Pa
-  block.load(load, settings);
+  block.load({.size = load}, settings);
   const double expected = load / (2. * cell.turgor);
   BOOST_TEST(-block.probe_displacement()[1] / block.width == expected, boost::test_tools::tolerance(0.01));
 }
@@ -88,9 +88,9 @@ BOOST_AUTO_TEST_CASE(free_cells_bulge_and_osmosis_restores_turgor) {
 // The tip does not know in how many increments the load came.
 BOOST_AUTO_TEST_CASE(the_way_of_loading_does_not_matter) {
   LatticeBlock once(coarse_cell(), 3, 3, Surfaces::frozen), twice(coarse_cell(), 3, 3, Surfaces::frozen);
-  once.load(20e3, settings);
-  twice.load(10e3, settings);
-  twice.load(20e3, settings);
+  once.load({.size = 20e3}, settings);
+  twice.load({.size = 10e3}, settings);
+  twice.load({.size = 20e3}, settings);
   BOOST_TEST((once.probe_displacement() - twice.probe_displacement()).norm() < 1e-7 * once.width);
 }
 

@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(frozen_surfaces_keep_the_reference) {
     for (std::size_t i = 0; i < block.x.size(); ++i)
       shift = std::max(shift, std::abs(block.relaxed[i] - block.reference[i]));
     BOOST_TEST(shift < 1e-6 * block.width);
-    block.load(5e3, settings);
+    block.load({.size = 5e3}, settings);
     BOOST_TEST((block.clamp_reaction() + block.weight() + block.dead_force()).norm() <
                1e-5 * block.weight().norm());
     BOOST_TEST(block.probe_displacement()[1] < 0.);

@@ -74,7 +74,6 @@ class FullMicro::Run {
   WatchedSteps<2> integrator;
   std::uint64_t steps = 0;  ///< of a whole run
   double dt = 0.;
-  const double acceleration;  ///< m/s^2
   std::unique_ptr<Series> probe, energy;
   std::optional<FieldOutput> fields;
 
@@ -97,11 +96,10 @@ FullMicro::Run::Run(const FullMicro &scene_, RunContext &context_, const CellLay
     : scene(scene_),
       context(context_),
       reference(contents),
-      block(make_tissue_block(turgid, scene.sph, contents.cells, scene.surfaces)),
+      block(make_tissue_block(turgid, scene.sph, contents.cells, scene.surfaces, scene.load)),
       system(block.cells->system),
       integrator(system, scene.step_fraction, collision_spacings,
-                 scene.cell.fluid_viscosity / scene.cell.fluid_density),
-      acceleration(-scene.load / (block.density * block.width)) {
+                 scene.cell.fluid_viscosity / scene.cell.fluid_density) {
   system.threads = context.threads();
   const double safe = integrator.safe_step();
   steps = std::uint64_t(std::ceil(scene.end_time / safe));
@@ -117,7 +115,7 @@ void FullMicro::Run::go() {
   };
   const bool resumed = context.load_checkpoint(loop.lasting);
   if (resumed)
-    block.body_force->set({0., acceleration});
+    block.put_on_load();
   else
     begin();
   probe = context.series("probe", {{"time", "s"}, {"displacement_x", "m"}, {"displacement_y", "m"}});
@@ -162,7 +160,7 @@ void FullMicro::Run::begin() {
   system.compute_forces();
   rest_residual = largest_force(system.particles, true) /
                   (scene.cell.turgor * scene.cell.depth * scene.cell.period / scene.cell.nodes_per_side);
-  block.body_force->set({0., acceleration});
+  block.put_on_load();
   system.compute_forces();
   start_energy = system.potential_energy() + system.kinetic_energy();
 }
@@ -196,7 +194,7 @@ void FullMicro::Run::require_sound() const {
                          ? ". It did so before it was loaded: its cells do not hold what they are given; use "
                            "less Cell/Turgor, or a larger Cell/Fluid modulus with more SPH/Anneal steps."
                          : ". The last checkpoint holds the last good state; use a smaller Load (now " +
-                               number_text(scene.load) + " Pa) or an End time before it."));
+                               number_text(scene.load.size) + " Pa) or an End time before it."));
 }
 
 Vector<2> FullMicro::Run::probe_displacement() const {
@@ -233,13 +231,14 @@ void FullMicro::Run::report(const std::uint64_t taken, const double cpu, const d
   }
   if (scene.window > 0. && scene.window < 1.)
     context.note("window", "only a share of the steps was run, for timing");
+  context.result("tip_displacement_x", probe_displacement()[0], "m");
   context.result("tip_displacement_y", probe_displacement()[1], "m");
   context.result("steps", double(steps), "");
   context.result("time_step", dt, "s");
   context.result("extra_steps", double(integrator.extra_steps()), "");
   context.result("particles", n, "");
   context.result("density", block.density, "kg/m^3");
-  context.result("body_force", std::abs(acceleration), "m/s^2");
+  context.result("body_force", block.acceleration.norm(), "m/s^2");
   context.result("pressure_eos_reference", reference.mean_pressure, "Pa");
   context.result("pressure_virial_reference", reference.fluid_pressure, "Pa");
   context.result("residual_shear_reference", reference.residual_stress[2], "Pa");

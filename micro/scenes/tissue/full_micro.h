@@ -26,7 +26,7 @@ class FullMicro final : public Scenario {
   TissueStructure structure;
   SphParameters sph;
   unsigned int columns = 16, rows = 16;
-  double load = 20e3;
+  BlockLoad load;
   double end_time = 0.47e-3;
   double step_fraction = 0.9;
   double window = 0.;  ///< fraction of the steps really run (timing), 0: all

@@ -45,6 +45,7 @@ void FullMicro::check() const {
     throw InputError(
         "Columns x Rows x Particles per side^2 is more than 2e8 particles: choose a smaller block.");
   check_sph_cell(cell, sph);
+  load.check();
   check_block(structure, cell, rows);
 }
 

@@ -24,7 +24,8 @@ LatticeBlock::LatticeBlock(const CutBlock &block, const Surfaces surfaces_)
       x(reference),
       width(block.width),
       density(block.density),
-      surfaces(surfaces_) {
+      surfaces(surfaces_),
+      right(block.right) {
   NetworkEvaluation at_reference;
   network->evaluate(x, block.layout.lattice, NetworkOrder::gradient, at_reference);
   reference_pressure = at_reference.pressure[0];  // all cells have it: turgor
@@ -65,14 +66,28 @@ LatticeEffort LatticeBlock::relax(const EquilibriumSettings &settings) {
   return effort;
 }
 
-LatticeEffort LatticeBlock::load(const double pressure, const EquilibriumSettings &settings,
+void LatticeBlock::carry(const BlockLoad &load, const double share) {
+  network->set_body_acceleration(share * acceleration);
+  if (load.traction.norm() == 0.) return;
+  std::vector<double> forces = dead;
+  forces.resize(x.size(), 0.);
+  on_right.setZero();
+  for (const CutBlock::SideNode &one : right) {
+    const Vector<2> force = share * one.height * network->layout().parameters.depth * load.traction;
+    on_right += force;
+    for (int d = 0; d < 2; ++d) forces[2 * one.node + d] += force[d];
+  }
+  network->set_dead_forces(std::move(forces));
+}
+
+LatticeEffort LatticeBlock::load(const BlockLoad &wanted, const EquilibriumSettings &settings,
                                  const std::function<void(double)> &after) {
-  acceleration = pressure / (density * width);
+  acceleration = wanted.acceleration(density, width);
   LatticeEffort effort;
   double reached = 0., increment = 1.;
   while (reached < 1.) {
     const double next = std::min(1., reached + increment);
-    network->set_body_acceleration({0., -next * acceleration});
+    carry(wanted, next);
     std::vector<double> there = x;
     const EquilibriumReport report = equilibrium->solve(there, network->layout().lattice, settings);
     effort.iterations += report.iterations;
@@ -90,8 +105,9 @@ LatticeEffort LatticeBlock::load(const double pressure, const EquilibriumSetting
     increment *= 0.5;
     if (increment < 1. / 256.) {
       std::ostringstream sentence;
-      sentence << "The block finds no equilibrium beyond " << 100. * reached << " % of Load = " << pressure
-               << " Pa: " << report.message << " Use a smaller Load.";
+      sentence << "The block finds no equilibrium beyond " << 100. * reached << " % of Load = " << wanted.size
+               << " Pa" << (wanted.traction.norm() > 0. ? " and its Traction: " : ": ") << report.message
+               << " Use a smaller " << (wanted.traction.norm() > 0. ? "load." : "Load.");
       throw RunFailed(sentence.str());
     }
   }
@@ -139,11 +155,11 @@ Vector<2> LatticeBlock::weight() const {
   const CellLayout &layout = network->layout();
   double mass = layout.total_wall_mass();
   for (const double fluid : layout.fluid_mass) mass += fluid;
-  return {0., -mass * acceleration};
+  return mass * acceleration;
 }
 
 Vector<2> LatticeBlock::dead_force() const {
-  Vector<2> sum = Vector<2>::Zero();
+  Vector<2> sum = on_right;
   for (std::size_t i = 0; i < dead.size(); ++i) sum[i % 2] += dead[i];
   return sum;
 }

@@ -1,7 +1,7 @@
 // A clamped block of cells whose fluid is at rest (hydrostatic_network.h), in equilibrium without and under a
-// body force in -y:
+// load (block_load.h):
 //
-//   min over x of E(x),  left side clamped,  density * b * width = load
+//   min over x of E(x),  left side clamped,  density * b * width = load, dead forces of the traction
 //
 // Surfaces as in cut_block.h: frozen ones keep the reference; with free ones the block is relaxed without
 // load at fixed mass first, with osmosis at the reference pressure of every cell, whose water then stays.
@@ -9,11 +9,12 @@
 //
 //   LatticeBlock block(cell, 16, 16, Surfaces::frozen);
 //   block.relax(settings);
-//   block.load(20e3, settings);
+//   block.load({.size = 20e3}, settings);
 //
 // In and out: SI units.
 #pragma once
 
+#include "micro/cells/block_load.h"
 #include "micro/cells/cut_block.h"
 #include "micro/cells/network_equilibrium.h"
 
@@ -38,9 +39,9 @@ class LatticeBlock {
   /// Without load: with free surfaces the cells bulge until they balance. RunFailed if they cannot.
   LatticeEffort relax(const EquilibriumSettings &settings);
 
-  /// Under `load` (Pa, downward) from the relaxed state, in as many increments as Newton's method needs.
+  /// Under `load` from the relaxed state, in as many increments as Newton's method needs.
   /// after(share of the load reached) after each; RunFailed where no shorter increment helps.
-  LatticeEffort load(double load, const EquilibriumSettings &settings,
+  LatticeEffort load(const BlockLoad &load, const EquilibriumSettings &settings,
                      const std::function<void(double)> &after = {});
 
   Vector<2> probe_displacement() const;              ///< m, middle of the right side, from the relaxed state
@@ -50,7 +51,7 @@ class LatticeBlock {
     return equilibrium->last_evaluation().pressure;
   }                              ///< Pa per cell
   Vector<2> weight() const;      ///< N, body force on all fluid and walls
-  Vector<2> dead_force() const;  ///< N, sum of the missing neighbours' forces
+  Vector<2> dead_force() const;  ///< N, sum of the missing neighbours' forces and of the traction
 
   std::unique_ptr<HydrostaticNetwork> network;
   std::vector<std::uint32_t> clamped, probe;  ///< nodes
@@ -59,7 +60,7 @@ class LatticeBlock {
   std::vector<double> failed;      ///< m, where the last search that found nothing has ended
   double width;                    ///< m
   double density;                  ///< kg/m^3 of the reference
-  double acceleration = 0.;        ///< m/s^2, as loaded
+  Vector<2> acceleration{0., 0.};  ///< m/s^2, as loaded
   double reference_pressure = 0.;  ///< Pa
 
  private:
@@ -67,7 +68,11 @@ class LatticeBlock {
   Vector<2> centroid(const std::vector<double> &at, std::size_t cell) const;
 
   Surfaces surfaces;
-  std::vector<double> dead;
+  void carry(const BlockLoad &load, double share);
+
+  std::vector<double> dead;  ///< N a node and direction, of the missing neighbours
+  std::vector<CutBlock::SideNode> right;
+  Vector<2> on_right{0., 0.};  ///< N, of the traction that is on
   std::unique_ptr<NetworkEquilibrium> equilibrium;
 };
 }  // namespace turgor

@@ -41,6 +41,7 @@ void StaticLattice::check() const {
         "Columns x Rows x 4 x Cell/Nodes per side is more than 1e6 wall nodes, too many for a direct solver: "
         "choose a smaller block.");
   make_parenchyma(cell, 1, 1, true, true);
+  load.check();
   check_block(structure, cell, rows);
 }
 
@@ -111,7 +112,7 @@ void StaticLattice::run(RunContext &context) {
   const auto [least, most] = std::minmax_element(block.pressure().begin(), block.pressure().end());
   context.result("tip_displacement_x", u[0], "m");
   context.result("tip_displacement_y", u[1], "m");
-  context.result("tip_over_width", -u[1] / block.width, "1");
+  context.result("tip_over_width", u.dot(load.along()) / block.width, "1");
   context.result("pressure_min", *least, "Pa");
   context.result("pressure_max", *most, "Pa");
   context.result("pressure_reference", block.reference_pressure, "Pa");
@@ -126,7 +127,7 @@ void StaticLattice::run(RunContext &context) {
   context.result("unknowns", double(block.x.size() - 2 * block.clamped.size()), "");
   context.result("width", block.width, "m");
   context.result("density", block.density, "kg/m^3");
-  context.result("body_force", block.acceleration, "m/s^2");
+  context.result("body_force", block.acceleration.norm(), "m/s^2");
   context.result("solve_time", seconds(), "s");
   write_cells(context, block);
   if (output) output->write();

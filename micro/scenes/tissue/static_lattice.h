@@ -3,8 +3,7 @@
 // about, at the cost of a few sparse factorisations. Measures the surface effect and the error of
 // homogenisation against the static state of FE^2 (tissue_statics).
 //
-//   min over x of E(x) of hydrostatic_network.h, left side clamped, body acceleration b in -y,
-//   density * b * width = Load
+//   min over x of E(x) of hydrostatic_network.h, left side clamped, under Load and Traction (block_load.h)
 //
 // Surfaces, as in cut_block.h:
 //   frozen   the reference forces of the missing neighbours stay as dead forces
@@ -41,7 +40,7 @@ class StaticLattice final : public Scenario {
   ParenchymaParameters cell;
   TissueStructure structure;
   unsigned int columns = 16, rows = 16;
-  double load = 20e3;
+  BlockLoad load;
   Surfaces surfaces = Surfaces::frozen;
   EquilibriumSettings equilibrium;
   bool fields = true;
