@@ -167,7 +167,7 @@ AirGasLaw RveParameters::air_gas() const {
 void RveParameters::check() const {
   equilibrium_tolerance();
   structure.check();
-  if (structure.measured()) structure.given();  // for what is wrong with its file
+  structure.check_file(cell.wall_thickness);
   require_walls_that_hold(structure, yielding_cell());
   make_parenchyma(yielding_cell(), columns, rows, true, true);
   if (structure.gap > 0. && fluid != RveFluid::hydrostatic) {

@@ -191,6 +191,19 @@ Tiling TissueStructure::tiling(const double side, const unsigned int columns, co
   return without_short_sides(tiling, shortest);
 }
 
+void TissueStructure::check_file(const double wall_thickness) const {
+  if (!measured()) return;
+  const double side = mean_side(given());
+  if (wall_thickness < 0.5 * side) return;
+  const bool image = kind == StructureKind::image;
+  throw InputError(
+      "Structure/Tissue file " + file + ": its cells are " + number_text(side, 3) + " m wide in the mean" +
+      (image ? ", " + number_text(side / pixel, 3) + " pixels" : "") + ", but walls (Cell/Wall thickness = " +
+      number_text(wall_thickness) + " m) have to be thinner than half of that. " +
+      (image ? "Give Structure/Pixel size (now " + number_text(pixel) + " m)" : std::string("Give x and y")) +
+      " so that cells have their true size in m, or thinner walls.");
+}
+
 // What cells of any shape hold at most is p = P^2/A F(lambda)/(2 lambda P_0 z0), as turgid_limit.h has it of
 // round ones. P_0 is no less than 3.5 Cell/Period and P^2/A no more than 18 in the mean of a tissue, so that
 // twice the limit of a round cell with P_0 = 4 Cell/Period is beyond what any of them holds.

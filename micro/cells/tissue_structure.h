@@ -61,6 +61,9 @@ struct TissueStructure {
   void add_parameters(InputEntries &prm);
   /// Throws std::invalid_argument, entry and what is allowed in one sentence.
   void check() const;
+  /// Throws InputError for what is wrong with Tissue file, and for cells of it that are too small for walls
+  /// of this thickness (m); nothing without a file.
+  void check_file(double wall_thickness) const;
 
   /// columns x rows cells before they are turned, without sides shorter than `shortest` (m).
   Tiling tiling(double side, unsigned int columns, unsigned int rows, double shortest,

@@ -16,9 +16,31 @@ using Corner = std::pair<int, int>;  // of pixels: (x, y) is the lower left one 
 
 constexpr int step_x[4] = {1, 0, -1, 0}, step_y[4] = {0, 1, 0, -1};  // right, up, left, down
 
-[[noreturn]] void refuse(const std::uint32_t label, const std::string &what) {
-  throw std::invalid_argument("The cell with the label " + number_text(label) + " " + what + ".");
-}
+/// Labels of one fault, each with what else is to be said of it; told together, so that an image is mended at
+/// once.
+class Faults {
+ public:
+  Faults(std::string one_, std::string many_, std::string advice_)
+      : one(std::move(one_)), many(std::move(many_)), advice(std::move(advice_)) {}
+
+  void add(const std::uint32_t label, const std::string &where = "") {
+    if (++count <= named) labels += (count > 1 ? ", " : "") + number_text(label) + where;
+  }
+
+  /// Empty without any; else sentences, the last with its full stop.
+  std::string text() const {
+    if (count == 0) return "";
+    const std::string more = count > named ? " and " + number_text(count - named) + " more" : "";
+    return (count == 1 ? "The cell with the label " + labels + " " + one
+                       : "The cells with the labels " + labels + more + " " + many) +
+           advice + ".";
+  }
+
+ private:
+  static constexpr std::size_t named = 10;
+  std::string one, many, advice, labels;
+  std::size_t count = 0;
+};
 
 /// The pixel to the left, or right, of the edge that leaves a corner in a direction.
 std::uint32_t beside(const LabelImage &image, const Corner &c, const int direction, const bool left) {
@@ -195,27 +217,40 @@ double area_within(const std::vector<Corner> &loop) {
 
 Tiling trace_cells(const LabelImage &image, const double pixel, const double tolerance) {
   const Pieces pieces = pieces_of(image);
-  std::set<std::uint32_t> labels;
+  std::set<std::uint32_t> labels, torn;
   std::map<Corner, std::uint32_t> vertices;
   Tiling tiling;
   tiling.periodic = false;
+  Faults apart("lies in two pieces or more", "lie in two pieces or more",
+               " (one of them at the pixel in brackets, from the lower left)"),
+      cut("touches the border of the image, so that its outline is not known",
+          "touch the border of the image, so that their outlines are not known",
+          ": leave such cells out (label 0)"),
+      holed("has a hole or another cell in it", "have holes or other cells in them", "");
   for (std::size_t piece = 0; piece < pieces.first.size(); ++piece) {
     const std::size_t start = pieces.first[piece];
     const std::uint32_t label = image.labels[start];
     const int x = int(start % std::size_t(image.width)), y = int(start / std::size_t(image.width));
     if (label == 0) continue;
-    if (!labels.insert(label).second)
-      refuse(label, "lies in two pieces, one of them at pixel (" + number_text(x) + ", " + number_text(y) +
-                        ") from the lower left");
-    if (pieces.at_border[piece])
-      refuse(label,
-             "touches the border of the image, so that its outline is not known: leave such cells out (label "
-             "0)");
+    if (!labels.insert(label).second) {
+      if (torn.insert(label).second) apart.add(label, " (" + number_text(x) + ", " + number_text(y) + ")");
+      continue;
+    }
+    if (pieces.at_border[piece]) {
+      cut.add(label);
+      continue;
+    }
     const std::vector<Corner> loop = walk_around(image, {x, y}, label);
-    if (std::lround(area_within(loop)) != long(pieces.pixels[piece]))
-      refuse(label, "has a hole or another cell in it");
+    if (std::lround(area_within(loop)) != long(pieces.pixels[piece])) {
+      holed.add(label);
+      continue;
+    }
     tiling.cells.push_back(trace(image, loop, pixel, tolerance, vertices, tiling));
   }
+  std::string wrong;
+  for (const Faults *faults : {&apart, &cut, &holed})
+    if (const std::string text = faults->text(); !text.empty()) wrong += (wrong.empty() ? "" : " ") + text;
+  if (!wrong.empty()) throw std::invalid_argument(wrong);
   if (tiling.cells.empty())
     throw std::invalid_argument("The image has no cells: all of its pixels have the label 0.");
   tiling.check();

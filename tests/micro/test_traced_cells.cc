@@ -1,4 +1,5 @@
 // Label images: made from tilings and traced back, as files, and what is wrong with them.
+#include "micro/cells/tissue_structure.h"
 #include "micro/geometry/regular_tilings.h"
 #include "micro/geometry/tiling_measures.h"
 #include "micro/geometry/traced_cells.h"
@@ -122,11 +123,25 @@ BOOST_AUTO_TEST_CASE(wrong_images_get_a_sentence) {
   const auto refused = [](const std::vector<std::string> &rows, const std::string &words) {
     BOOST_CHECK_EXCEPTION(trace_cells(drawn(rows), 1.), std::invalid_argument, says(words));
   };
-  refused({".....", ".1.1.", "....."}, "label 1 lies in two pieces");
+  refused({".....", ".1.1.", "....."}, "label 1 (3, 1) lies in two pieces");
   refused({"....", ".11.", "..1."}, "label 1 touches the border");
   refused({".....", ".222.", ".212.", ".222.", "....."}, "label 2 has a hole or another cell in it");
   refused({".....", ".222.", ".2.2.", ".222.", "....."}, "label 2 has a hole");
   refused({"...", "...", "..."}, "no cells");
+  // all that is wrong at once
+  const std::vector<std::string> bad = {".......", "2.....1", "..444..", "..4.4.1",
+                                        "..444..", ".3...3.", "......."};
+  refused(
+      bad,
+      "The cells with the labels 3 (5, 1), 1 (6, 5) lie in two pieces or more (one of them at the pixel in "
+      "brackets, from the lower left). The cells with the labels 1, 2 touch the border of the image, so that "
+      "their outlines are not known: leave such cells out (label 0). The cell with the label 4 has a hole or "
+      "another cell in it.");
+  // ten are named, the others counted
+  LabelImage many{60, 1, {}};
+  for (std::uint32_t x = 0; x < 60; ++x) many.labels.push_back(x % 2 ? 0 : 1 + x / 2);
+  BOOST_CHECK_EXCEPTION(trace_cells(many, 1.), std::invalid_argument,
+                        says("labels 1, 2, 3, 4, 5, 6, 7, 8, 9, 10 and 20 more touch the border"));
 }
 
 BOOST_AUTO_TEST_CASE(files_are_read_as_they_are) {
@@ -155,6 +170,28 @@ BOOST_AUTO_TEST_CASE(files_are_read_as_they_are) {
   std::ofstream(directory.path / "text.png") << "no picture";
   BOOST_CHECK_EXCEPTION(read_label_image(directory.path / "text.png"), InputError,
                         says("cannot be read as a PNG or TIFF"));
+}
+
+BOOST_AUTO_TEST_CASE(cells_smaller_than_their_walls_are_refused_when_checked) {
+  const test::TemporaryDirectory directory;
+  std::vector<std::uint8_t> bytes(25, 0);  // four cells of a pixel
+  for (const int k : {6, 7, 11, 12}) bytes[k] = std::uint8_t(k);
+  png_image png = {};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = png.height = 5;
+  png.format = PNG_FORMAT_GRAY;
+  TissueStructure tissue;
+  tissue.file = (directory.path / "small.png").string();
+  BOOST_REQUIRE(png_image_write_to_file(&png, tissue.file.c_str(), 0, bytes.data(), 0, nullptr));
+  tissue.kind = StructureKind::image;
+  tissue.line_width = 0;
+  tissue.pixel = 1e-6;
+  BOOST_CHECK_EXCEPTION(
+      tissue.check_file(1e-6), InputError,
+      says("pixels, but walls (Cell/Wall thickness = 1e-06 m) "
+           "have to be thinner than half of that. Give Structure/Pixel size (now 1e-06 m)"));
+  tissue.pixel = 1e-5;  // what it says
+  BOOST_CHECK_NO_THROW(tissue.check_file(1e-6));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -209,6 +209,8 @@ BOOST_AUTO_TEST_CASE(a_table_of_polygons_is_measured) {
                   "it looks like nanometres. Give x and y in m, times 1e-9"},
         std::pair{"1,0,0\n1,1e-10,0\n1,1e-10,5e-11\n1,0,5e-11\n",
                   "once too often. Give x and y in m, times 1e6"},
+        std::pair{"1,0,0\n1,1e-6,0\n1,1e-6,1e-6\n1,0,1e-6\n",
+                  "walls (Cell/Wall thickness = 1e-06 m) have to be thinner than half of that. Give x and y"},
         std::pair{"1,0,0\n1,1e13,0\n1,1e13,1e13\n1,0,1e13\n", "to 0.01 m. Give x and y in m."},
         std::pair{"1,0,0\n1,2e-9,0\n1,2e-9,1e-9\n", "cells are 1e-09 m wide"}}) {
     std::ofstream(file) << "cell,x,y\n" << corners;
