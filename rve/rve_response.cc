@@ -115,6 +115,7 @@ struct RveResponse::Walk {
   std::size_t points = 0;
   double cpu = 0.;
   long iterations = 0;
+  double least_air = 1.;  ///< share of the area, of any point
   FirstModuli moduli;
   std::optional<double> unstable;  ///< s, since when dead load would not be borne
 
@@ -145,6 +146,7 @@ void RveResponse::add_row(Walk &walk, const LoadingPath::Load &at) const {
                          flat.stress(0, 1), flat.stress(1, 1), flat.pressure, flat.deviation,
                          how.stress_spread, double(how.iterations), how.residual, how.cpu_seconds});
   if (walk.cells.has_air()) row.insert(row.end(), {how.air, how.air_pressure});
+  walk.least_air = std::min(walk.least_air, how.air);
   walk.table->add_row(row);
   walk.cpu += how.cpu_seconds;
   walk.iterations += how.iterations;
@@ -252,6 +254,13 @@ void RveResponse::finish(RunContext &context, const Walk &walk) const {
   if (walk.tangents) walk.tangents->say(context);
   if (walk.condition) walk.condition->say(context);
   if (walk.energy) walk.energy->results(context);
+  if (walk.cells.has_air()) {
+    context.result("air_share_least", walk.least_air, "1");
+    judged(context, "air_share_least", std::min(walk.least_air, 0.), {0.01, 0.05},
+           "tied walls are pressed into each other by " + number_text(-100. * walk.least_air, 3) +
+               " % of the tissue's area (with more Cell/Nodes per side or a larger Cell/Lamella ratio it is "
+               "less)");
+  }
   if (walk.unstable) {
     context.result("dead_load_unstable_time", *walk.unstable, "s");
     remarked(context, "dead_load_unstable_time",

@@ -44,6 +44,11 @@ std::vector<OutputDefinition> structure_results() {
       {"air_share_at_rest", "1",
        "Void fraction: share of the undeformed tissue's area that is air between its cells.",
        "with Structure/Gap"},
+      {"air_share_least", "1",
+       "Smallest share of the tissue's area that was air between its cells; negative by what walls are "
+       "pressed "
+       "into each other.",
+       "with Structure/Gap"},
       {"period_*", "m",
        "That component (row, column) of the lattice at turgor, whose columns are the periods of the RVE.",
        other},

@@ -434,4 +434,22 @@ BOOST_AUTO_TEST_CASE(moduli_stresses_and_air_are_told_by_their_names) {
   BOOST_TEST(shut.results.at("modulus_y") > 1.05 * open.results.at("modulus_y"));
 }
 
+// Tied walls overlap where soft ties are pressed hard: told, and refused where the share is no share any
+// more.
+BOOST_AUTO_TEST_CASE(walls_pressed_into_each_other_are_told_of) {
+  const auto pressed = [](const std::string &to) {
+    return "subsection Path\nset Keyframes = 0 : 1, 0; 0, 1 | 1 : 1, 0; 0, " + to +
+           "\nset Points = 16\nset Tangents = false\nend\nsubsection Cell\nset Nodes per side = 6\n"
+           "set Lamella ratio = 1\nend\nsubsection Structure\nset Structure = brick\nset Gap = 20e-6\nend\n";
+  };
+  Memory little, much;
+  run(little, pressed("0.95"));
+  BOOST_TEST(little.results.at("air_share_least") > 0.);
+  BOOST_TEST(little.notes.count("air_share_least") == 0u);
+  run(much, pressed("0.85"));
+  BOOST_TEST(much.results.at("air_share_least") < -0.01);
+  BOOST_TEST(much.notes.at("air_share_least").find("tied walls are pressed into each other by ") !=
+             std::string::npos);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

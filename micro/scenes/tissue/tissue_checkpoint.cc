@@ -33,8 +33,9 @@ std::string TissueLoading::Run::or_held() const {
                              : "";
 }
 
-/// A plate at a quarter of the speed of sound drives jets out of corners: wall nodes at two to three times
-/// the speed of sound, the same at an eighth of the step, with a balance of energy within 1e-3.
+/// A plate at a quarter of the speed of sound drives jets out of corners: wall nodes at more than
+/// twice the speed of sound, at the same strain with an eighth of the step (doc/design_notes.md, "Fast
+/// plates").
 void TissueLoading::Run::require_sound(const std::string &where) const {
   const std::string wrong = unsound(
       system.particles, {.reach = reach, .fastest = 10. * sound, .cell = in_columns(scene.brick.columns)});
