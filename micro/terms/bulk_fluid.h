@@ -58,6 +58,7 @@ struct BulkFluidParameters {
   double volume = 0.;    ///< m^3, of all fluid; 0: volumes are as summed
   double ordering = 0.;  ///< Pa, p_0; with volume
   WallLayer layer{};     ///< sph_wall_layer.h
+  bool balanced = false;  ///< an even stress is in balance beside walls (sph_drag_balance.cc)
   HenckySolid solid{};  ///< none unless its shear modulus is > 0; its K then stands for the equation of state
 };
 

@@ -67,7 +67,7 @@ void BulkFluid<dim>::build_drag(const Particles<dim> &particles) {
             }
         }
   }
-  drag.finish(threads);
+  drag.finish(threads, parameters.balanced);
 }
 
 template <int dim>

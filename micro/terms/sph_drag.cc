@@ -60,7 +60,6 @@ void SphDrag<dim>::ray(const Vector<dim> &r, const double w, const std::uint32_t
   behind.back() += 0.5 * w / fading * r;
   const Vector<dim> e = r.normalized();
   for (int k = 0; k < dim; ++k) me.central[k] += row_of<dim>(w * e[k] * e);
-  moments.back() += w * r * r.transpose();
   first_ray.back() = std::uint32_t(rays.size());
 }
 
@@ -74,9 +73,16 @@ void SphDrag<dim>::on_carrier(const std::uint32_t carrier, const Vector<dim> &ar
 }
 
 template <int dim>
-void SphDrag<dim>::finish(const unsigned int threads) {
+void SphDrag<dim>::finish(const unsigned int threads, const bool balanced) {
+  const bool weighs = balanced && form == DragForm::least_squares;
   for_chunks(threads, Chunks(bodies()), [&](const std::size_t begin, const std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
+      if (weighs) weigh_rays(i);
+      for (std::uint32_t q = first_ray[i]; q < first_ray[i + 1]; ++q) {
+        Vector<dim> r;
+        for (int d = 0; d < dim; ++d) r[d] = rays[q].r[d];
+        moments[i] += rays[q].w * r * r.transpose();
+      }
       const Eigen::SelfAdjointEigenSolver<Tensor2<dim>> spectrum(moments[i]);
       const Vector<dim> inverse = spectrum.eigenvalues().cwiseMax(least_moment).cwiseInverse();
       const Tensor2<dim> S =
@@ -86,6 +92,7 @@ void SphDrag<dim>::finish(const unsigned int threads) {
       exact.body[i].theta = share * share;
     }
   });
+  if (weighs) weigh_bodies();
   single.u.resize(exact.u.size());
   single.central.resize(exact.central.size());
   single.weight.resize(exact.weight.size());

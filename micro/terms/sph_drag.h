@@ -21,6 +21,8 @@
 //   drag.clear(form, n);  drag.body(...);  drag.pair(j, r, w);  drag.ray(r, w, a, b, share);  ...
 //   drag.finish();
 //
+// Balanced, its rays and theta get a factor a body: beside a wall an even stress then pushes at no particle.
+//
 // Same bits on any number of threads: one thread a body, its pairs in their order.
 #pragma once
 
@@ -51,7 +53,9 @@ class SphDrag final : public OwnProduct {
            double fading = 1.);
   /// The last ray's point is on rigid body number `carrier`; arm: m, from its centre.
   void on_carrier(std::uint32_t carrier, const Vector<dim> &arm);
-  void finish(unsigned int threads);
+  /// balanced: an even stress is in balance (sph_drag_balance.cc); least_squares, of a fluid that walls or
+  /// periods hold on all sides. drag.finish(threads, true);
+  void finish(unsigned int threads, bool balanced = false);
   std::size_t bodies() const { return exact.body.size(); }
   std::size_t pairs() const { return other.size(); }
 
@@ -147,6 +151,8 @@ class SphDrag final : public OwnProduct {
   Row drawn_by_neighbours(const Copy<Row> &copy, const Vectors *v, std::size_t i) const;
   template <class Row>
   Row drawn_by_tensors(const Copy<Row> &copy, std::size_t i) const;
+  void weigh_rays(std::size_t i);
+  void weigh_bodies();
   template <class Row, class Vectors>
   void tensors(Copy<Row> &copy, const Vectors *v, unsigned int threads);
   template <class Row, class Vectors>
@@ -172,8 +178,8 @@ class SphDrag final : public OwnProduct {
   std::vector<std::uint32_t> first, first_ray;
   std::vector<std::uint16_t> other;
   std::vector<Ray> rays;
-  std::vector<Tensor2<dim>> moments;
-  std::vector<Vector<dim>> behind;  ///< 1/m, half the sum of w r of the wall without fading
+  std::vector<Tensor2<dim>> moments;  ///< S
+  std::vector<Vector<dim>> behind;    ///< 1/m, half the sum of w r of the wall without fading
   Copy<DoubleRow> exact;
   Copy<FloatRow> single;
   std::uint32_t first_node = 0, given_nodes = 0;

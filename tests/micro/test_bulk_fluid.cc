@@ -125,6 +125,35 @@ BOOST_AUTO_TEST_CASE(friction_in_a_closed_cell_is_that_of_its_viscosity) {
   BOOST_TEST(worst < 1e-11 * viscous.largest());
 }
 
+/// Balanced walls: an affine flow dissipates what its viscosity says, a spin nothing.
+BOOST_AUTO_TEST_CASE(balanced_walls_leave_affine_flow_exact) {
+  const double R = 6.;
+  BulkFluidParameters balanced = of(1., DragForm::least_squares);
+  balanced.balanced = true;
+  double area = 0.;
+  const auto heat = [&](const Tensor2<2> &L) {
+    Bath bath(0., R, {ring(R, {0., 0.}, 60, true)}, balanced);
+    Particles<2> &p = bath.system.particles;
+    area = double(p.size()) / p.inverse_mass[0];
+    std::vector<Vector<2>> at_nodes;
+    for (const Vector<2> &x : bath.fluid->wall(0).nodes) at_nodes.push_back(L * x);
+    bath.fluid->set_velocity(0, at_nodes);
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const Vector<2> v = L * p.position(std::uint32_t(i));
+      for (int d = 0; d < 2; ++d) p.v[d][i] = v[d];
+    }
+    bath.system.compute_forces();
+    return bath.motion.dissipation(p);
+  };
+  Tensor2<2> L;
+  L << 0.3, 0.7, -0.2, 0.5;
+  const double found = heat(L),
+               exact = area * (L + L.transpose() + L.trace() * Tensor2<2>::Identity()).cwiseProduct(L).sum();
+  BOOST_TEST(std::abs(found / exact - 1.) < 1e-12);
+  L << 0., 1., -1., 0.;
+  BOOST_TEST(std::abs(heat(L)) < 1e-12 * exact);
+}
+
 BOOST_DATA_TEST_CASE(a_body_in_a_turning_bath_turns_with_it, forms, form) {
   const double inner = 3., outer = 10.;
   const auto torque = [&](const double of_body, const double spacing = 1.) {

@@ -129,6 +129,64 @@ BOOST_DATA_TEST_CASE(friction_is_symmetric_and_keeps_momenta, forms, form) {
   check_friction<3>(form);
 }
 
+/// Beside a row of nodes, balanced: symmetric, takes energy, keeps the momenta of particles and nodes
+/// together.
+BOOST_AUTO_TEST_CASE(a_balanced_wall_keeps_what_friction_has_to_keep) {
+  const Drop<2> drop(DragForm::least_squares);
+  const std::size_t n = drop.x.size(), nodes = 12, behind = (n + 7) / 8 * 8;
+  std::vector<Vector<2>> x = drop.x;
+  x.resize(behind, Vector<2>::Zero());
+  for (std::size_t k = 0; k < nodes; ++k) x.push_back(Vector<2>(double(k) - 1., -0.3));
+  SphDrag<2> drag;
+  drag.clear(DragForm::least_squares, 2.);
+  for (std::size_t i = 0; i < n; ++i) {
+    drag.body();
+    const auto weight = [](const Vector<2> &r) { return std::pow(std::max(0., 1. - r.norm() / 2.6), 3); };
+    for (std::size_t j = 0; j < n; ++j)
+      if (const Vector<2> r = x[j] - x[i]; i != j && weight(r) > 0.)
+        drag.pair(std::uint32_t(j), r, weight(r));
+    for (std::uint32_t k = 0; k + 1 < nodes; ++k)
+      if (const Vector<2> r = 0.5 * (x[behind + k] + x[behind + k + 1]) - x[i]; weight(r) > 0.)
+        drag.ray(r, weight(r), k, k + 1, 0.5);
+  }
+  drag.finish(1, true);
+  drag.walls(std::uint32_t(behind), std::uint32_t(nodes));
+  const auto noise = [&](const unsigned int seed, const bool of_nodes) {
+    std::vector<BodyVector> v(x.size());
+    for (std::size_t k = 0; k < v.size(); ++k)
+      if (k < n || (of_nodes && k >= behind))
+        for (int d = 0; d < 2; ++d) v[k].v[d] = 2. * random_uniform(seed, 2 * k + std::size_t(d)) - 1.;
+    return v;
+  };
+  const auto times = [&](const std::vector<BodyVector> &v) {
+    std::vector<BodyVector> product(x.size());
+    drag.begin(v.data(), 1);
+    drag.add(v.data(), 0, n, product.data());
+    return product;
+  };
+  for (unsigned int seed = 2; seed < 12; seed += 2) {
+    const auto u = noise(seed, false), v = noise(seed + 1, false);
+    const double power = Drop<2>::dot(v, times(v)), left = Drop<2>::dot(u, times(v));
+    BOOST_TEST(power > 0.);
+    BOOST_TEST(std::abs(left - Drop<2>::dot(v, times(u))) < 1e-12 * power);
+  }
+  const auto all = noise(20, true);
+  auto force = times(all);
+  const std::vector<Vector<2>> on_nodes = drag.on_walls(all.data(), nodes);
+  Vector<2> sum = Vector<2>::Zero();
+  double torque = 0., size = 0.;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    Vector<2> f = Vector<2>::Zero();
+    if (k < n) f = -Vector<2>(force[k].v[0], force[k].v[1]);
+    if (k >= behind) f = on_nodes[k - behind];
+    sum += f;
+    torque += x[k][0] * f[1] - x[k][1] * f[0];
+    size += f.norm();
+  }
+  BOOST_TEST(sum.norm() < 1e-13 * size);
+  BOOST_TEST(std::abs(torque) < 1e-12 * size);
+}
+
 /// Power of the pressures in any flow = V sum p div; affine flow has its exact divergence.
 BOOST_AUTO_TEST_CASE(pressure_is_the_adjoint_of_the_divergence) {
   Drop<2> drop(DragForm::least_squares);

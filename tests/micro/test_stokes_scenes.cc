@@ -60,13 +60,14 @@ BOOST_AUTO_TEST_CASE(a_channel_on_a_lattice) {
              0.03);
   BOOST_TEST(
       flow<Driven>("subsection Fluid\nset Viscous form = monaghan\nend\n").results.at("profile_error") > 0.1);
-  // twice as fine: at least first order
+  // twice as fine: second order
   const auto fine =
       test::run<Driven>(
           "set Particles across = 24\nset Particles along = 6\nset End time = 1e-4\nset Samples = 2\n", 1, 0,
           "flow")
           .results;
-  BOOST_TEST(fine.at("profile_error") < 0.5 * fitted.at("profile_error"));
+  BOOST_TEST_MESSAGE("order on a lattice: " << fitted.at("profile_error") / fine.at("profile_error"));
+  BOOST_TEST(fine.at("profile_error") < 0.28 * fitted.at("profile_error"));
 }
 
 BOOST_AUTO_TEST_CASE(a_channel_of_disordered_particles) {

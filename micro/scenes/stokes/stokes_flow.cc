@@ -43,16 +43,19 @@ StokesFlow::StokesFlow(const StokesFlowParameters &parameters_, const StokesBox 
   on_wall.assign(walls.size(), Vector<2>::Zero());
   const double K = parameters.bulk_modulus / 7.;
   fluid = &system.add(std::make_unique<BulkFluid<2>>(
-      BulkFluidParameters{.support = parameters.support * spacing,
-                          .skin = StokesFlowParameters::skin * spacing,
-                          .viscosity = parameters.viscosity,
-                          .form = parameters.form,
-                          .density = parameters.known_by,
-                          .shifting = parameters.shifting,
-                          .volume = box.area,
-                          .ordering = parameters.ordering,
-                          .layer = wall_layer<2>(parameters.support),
-                          .solid = parameters.solid},
+      BulkFluidParameters{
+          .support = parameters.support * spacing,
+          .skin = StokesFlowParameters::skin * spacing,
+          .viscosity = parameters.viscosity,
+          .form = parameters.form,
+          .density = parameters.known_by,
+          .shifting = parameters.shifting,
+          .volume = box.area,
+          .ordering = parameters.ordering,
+          .layer = wall_layer<2>(parameters.support),
+          // A solid remembers its weights; summed densities lay a row onto the wall.
+          .balanced = parameters.known_by == BulkDensity::continuity && !(parameters.solid.shear > 0.),
+          .solid = parameters.solid},
       EquationOfState(parameters.density, K, -0.99 * K), mass, std::move(walls)));
   if (rigid) carried = &fluid->add_body(std::move(rigid));
   body = &system.add(std::make_unique<BodyForce<2>>(acceleration));
