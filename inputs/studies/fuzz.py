@@ -74,7 +74,7 @@ SCENES = {
     "poiseuille": {"Particles across": (4, 8), "Particles along": (4, 6), "End time": 1e-4, "Packing/Settling steps": (0, 20)},
     "creep": {"Particles across": (4, 8), "Particles along": (5, 6), "End time": 0.02, "Packing/Settling steps": (0, 20)},
     "rotating_block": {"Particles": (4, 8), "Stretching steps": (1, 20), "Steps per turn": (4, 40), "Turns": (1, 2)},
-    "cylinder_array": {"Particles across": (8, 16), "Porosity": (0.6, 0.95), "End time": 1e-3, "Packing/Settling steps": (0, 20)},
+    "cylinder_array": {"Particles across": (8, 16), "Porosity": (0.6, 0.95), "Gap": (0., 0.4), "End time": 1e-3, "Packing/Settling steps": (0, 20)},
     "matrix_migration": {"Width": 2e-4, "Length": 2e-4, "Spacing": (8e-6, 1.2e-5), "Cell/Radius": (2.4e-5, 3e-5), "End time": 0.3, "Packing/Settling steps": (0, 20)},
     "couette": {"Particles across": (4, 8), "Particles along": (4, 6), "End time": 1e-4, "Packing/Settling steps": (0, 20)},
     "optical_stretcher": {"Cell/Frequency": (2, 4), "Powers": [1.1, 0.3]},

@@ -27,6 +27,10 @@ void CylinderArray::declare_parameters(InputEntries &prm) {
       Double(1e-12, 1e6));
   prm.add_parameter("Particles across", across, "Number of particles along a period. Units: none.",
                     Integer(8, 500));
+  prm.add_parameter("Gap", gap,
+                    "Distance from the cylinder within which no particles are laid, over their spacing: they "
+                    "settle from there. Units: none.",
+                    Double(0., 1.));
   course.declare(prm, "drag.csv");
   flow.packing = StokesPacking::disordered;
   flow.settling = 400;
@@ -42,8 +46,8 @@ void CylinderArray::check() const {
                                 ", but has to be longer than " + number_text(flow.reach() + 1.) +
                                 ": the kernel (Fluid/Support and the lists' skin) must not reach around a "
                                 "period.");
-  if (const double gap = period - 2. * radius(); gap < 2. * spacing())
-    throw std::invalid_argument("Between two cylinders are " + number_text(gap / spacing()) +
+  if (const double between = period - 2. * radius(); between < 2. * spacing())
+    throw std::invalid_argument("Between two cylinders are " + number_text(between / spacing()) +
                                 " particles, but at least 2 are needed: take more Particles across or a "
                                 "larger Porosity.");
 }
@@ -84,7 +88,7 @@ BulkWall CylinderArray::Run::cylinder() const {
 StokesBox CylinderArray::Run::box() const {
   const Vector<2> lengths(scene.period, scene.period), middle = 0.5 * lengths;
   // As many as the area takes: a gap that stays empty would be a thinner cylinder. They settle off the wall.
-  const double R = scene.radius() + 0.05 * scene.spacing();
+  const double R = scene.radius() + scene.gap * scene.spacing();
   return {.lengths = lengths,
           .periodic = {true, true},
           .spacing = scene.spacing(),

@@ -24,7 +24,7 @@ class CylinderArray final : public Scenario {
 
   StokesFlowParameters flow;
   StokesCourse course{.end = 0.1, .samples = 20, .frames = 1};
-  double period = 20e-6, porosity = 0.8, speed = 1e-5;
+  double period = 20e-6, porosity = 0.8, speed = 1e-5, gap = 0.05;
   unsigned int across = 30;
 };
 
