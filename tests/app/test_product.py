@@ -154,7 +154,8 @@ class Product(unittest.TestCase):
         self.assertIn("continue with --resume", said)
 
     def test_a_cell_deformed_beyond_its_first_step_takes_shorter_ones(self):
-        done = subprocess.run(self.command("run", *ENDURANCE, "--set", "F_dot=0, 20000; 0, 0", "--set", "Steps=4e4", "-o", "out",
+        # Sheared to three times its width; beyond four and a half its few particles leave through the corners, and a run of them fails.
+        done = subprocess.run(self.command("run", *ENDURANCE, "--set", "F_dot=0, 20000; 0, 0", "--set", "Steps=2e4", "-o", "out",
                                            "--quiet"), cwd=self.directory, capture_output=True, text=True, timeout=60)
         self.assertEqual(done.returncode, 0, done.stderr)
         with open(os.path.join(self.directory, "out", "summary.json"), encoding="utf-8") as file:
