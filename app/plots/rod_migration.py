@@ -11,6 +11,7 @@ from matplotlib.collections import LineCollection  # noqa: E402
 from matplotlib.colors import Normalize  # noqa: E402
 from rod_outline import draw_rod  # noqa: E402
 
+SHADE = "#f3ead8"  # of the stiff half
 REACH = 24.0  # µm, shown about the start
 
 
@@ -30,22 +31,30 @@ def draw_cell(axis, shape, path, norm, nucleus, title):
     axis.set_title(title, color=INK, fontsize=9)
 
 
-def draw_paths(axis, table):
+def draw_paths(axis, table, stiff_side):
+    """stiff_side: how many times as stiff the right half of the network is."""
     most = 0.0
-    for seed in np.unique(table["seed"]):
+    seeds = np.unique(table["seed"])
+    few = len(seeds) <= 12
+    for seed in seeds:
         rows = table["seed"] == seed
         x, y = (table[name][rows] * 1e6 for name in ("x [m]", "y [m]"))
-        axis.plot(x, y, color=ALONG, linewidth=1.0)
-        axis.plot(x[-1:], y[-1:], "o", color=ALONG, markersize=POINT)
+        axis.plot(x, y, color=ALONG, linewidth=1.0 if few else 0.4, alpha=1 if few else 0.5)
+        axis.plot(x[-1:], y[-1:], "o", color=ALONG, markersize=POINT if few else 4, markeredgecolor="white", markeredgewidth=0.5, zorder=4)
         most = max(most, np.abs(x).max(), np.abs(y).max())
     most *= 1.1
+    if stiff_side != 1:
+        axis.axvspan(0, most, color=SHADE, zorder=0)
+        ends = np.array([table["x [m]"][table["seed"] == seed][-1] for seed in seeds])
+        for x, where, side in ((-most, "left", f"{np.sum(ends <= 0)} end here"), (most, "right", f"{stiff_side:g} times as stiff: {np.sum(ends > 0)} end here")):
+            axis.text(x * 0.97, most * 0.97, side, color=INK, fontsize=8, ha=where, va="top", zorder=6, bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 1})
     axis.set_xlim(-most, most)
     axis.set_ylim(-most, most)
     axis.set_aspect("equal")
     axis.set_xlabel("x [µm]", color=INK, fontsize=9)
     axis.set_ylabel("y [µm]", color=INK, fontsize=9)
-    count = len(np.unique(table["seed"]))
-    axis.set_title(f"paths of {'all ' if count > 1 else ''}{count} cell{'s' if count > 1 else ''}, {table['time [s]'].max() / 60:.0f} min", color=INK, fontsize=9)
+    count = len(seeds)
+    axis.set_title(f"paths of {'all ' if count > 1 else ''}{count} cell{'s' if count > 1 else ''}, {table['time [s]'].max() / 60:.0f} min" + ("" if few else "; points: where they end"), color=INK, fontsize=9)
     style(axis)
 
 
@@ -71,7 +80,7 @@ def main(directory):
             if k == 0:
                 scale_bar(axis, -REACH, -REACH - 3.5, 2 * REACH, "µm")
         colour_bar(figure, [0.2, 0.1, 0.26, 0.02], norm, plt.get_cmap("coolwarm"), "tension of a fibre [pN]: blue pushed, red pulled", pulled)
-    draw_paths(figure.add_axes([(len(chosen) + 0.15) / (1 + len(chosen)), 0.12, 0.8 / (1 + len(chosen)), 0.8]), table)
+    draw_paths(figure.add_axes([(len(chosen) + 0.15) / (1 + len(chosen)), 0.12, 0.8 / (1 + len(chosen)), 0.8]), table, float(input_entries(directory).get(("Network", "Stiff side"), 1)))
     path = os.path.join(directory, "rod_migration.png")
     figure.savefig(path, dpi=140)
     plt.close(figure)

@@ -12,6 +12,8 @@
 
 namespace turgor {
 namespace {
+constexpr double bluntness = 0.01;  ///< e over R_0 (blunt_line.h)
+
 /// E of two in series, of which one may be rigid.
 double modulus_of(const double a, const double b) {
   return std::isinf(a) ? b : std::isinf(b) ? a : in_series(a, b);
@@ -34,17 +36,18 @@ void RodContacts::pack(const Particles<3> &particles, const unsigned int threads
     for (std::size_t k = begin; k < end; ++k) {
       Body &body = bodies[k];
       if (is_node(k)) {
-        const Vector<3> x = particles.position(k);
-        body = {{x, x, Vector<3>::Zero(), 0.}, parameters.node_radius, 0.};
+        body = {{}, parameters.node_radius, 0.};
+        body.line.seen.a = body.line.seen.b = particles.position(k);
       } else {
         const std::size_t rod = k - parameters.nodes;
-        body.line = rods->line(particles, rod);
-        const RodShape::At at = rods->shape[rod].at(body.line.L);
+        body.line = BluntLine(rods->line(particles, rod), bluntness * rods->shape[rod].rest_radius);
+        const RodShape::At at = rods->shape[rod].at(body.line.seen.L);
         body.radius = at.radius;
         body.slope = at.slope;
       }
-      around[k] = 0.5 * body.line.L + body.radius;
-      for (int d = 0; d < 3; ++d) spheres.x[d][k] = 0.5 * (body.line.a[d] + body.line.b[d]);
+      const RodSet::Line &seen = body.line.seen;
+      around[k] = 0.5 * seen.L + body.radius;
+      for (int d = 0; d < 3; ++d) spheres.x[d][k] = 0.5 * (seen.a[d] + seen.b[d]);
     }
   });
 }
@@ -54,8 +57,9 @@ RodContact RodContacts::touch(const Law &law, const Pair &pair, unsigned char &t
   const Body &i = bodies[pair.i], &j = bodies[pair.j];
   RodContact c;
   if (is_node(pair.j)) return c;  // of two nodes the first one is the lesser
-  const ClosestSegments at = closest_segments(i.line.a, i.line.b, j.line.a, j.line.b);
-  const Vector<3> r = j.line.a + at.t * (j.line.b - j.line.a) - i.line.a - at.s * (i.line.b - i.line.a);
+  const RodSet::Line &own = i.line.seen, &other = j.line.seen;
+  const ClosestSegments at = closest_segments(own.a, own.b, other.a, other.b);
+  const Vector<3> r = other.a + at.t * (other.b - other.a) - own.a - at.s * (own.b - own.a);
   const double d = r.norm(), delta = i.radius + j.radius - d, R = in_series(i.radius, j.radius),
                E = modulus_of(is_node(pair.i) ? parameters.node_modulus : parameters.modulus,
                               parameters.modulus);
@@ -81,7 +85,7 @@ RodContact RodContacts::touch(const Law &law, const Pair &pair, unsigned char &t
 }
 
 void RodContacts::press_nucleus(const Body &i, const Body &j, RodContact &c) const {
-  const Vector<3> r = 0.5 * (j.line.a + j.line.b) - i.line.a;
+  const Vector<3> r = 0.5 * (j.line.seen.a + j.line.seen.b) - i.line.seen.a;
   const double d = r.norm(), delta = parameters.nucleus_radius + i.radius - d;
   if (!(delta > 0.)) return;
   if (!(d > 0.))
@@ -137,7 +141,7 @@ std::array<Vector<3>, 2> RodContacts::push(const RodContact &c, const std::uint3
   const Vector<3> force = (first ? -c.force : c.force) * c.n, deep = (first ? -1. : 1.) * c.nucleus;
   if (is_node(body)) return {force + deep, Vector<3>::Zero()};
   const double share = first ? c.s : c.t;
-  const Vector<3> longer = (first ? c.squeeze_i : c.squeeze_j) * bodies[body].slope * bodies[body].line.u;
+  const Vector<3> longer = (first ? c.squeeze_i : c.squeeze_j) * bodies[body].longer();
   return {(1. - share) * force + 0.5 * deep + longer, share * force + 0.5 * deep - longer};
 }
 
@@ -151,6 +155,11 @@ void RodContacts::add_forces(Particles<3> &particles, const Box<3> &, const std:
       const auto does = push(c, body, body < pairs_of.other()[k]);
       sum[0] += does[0];
       sum[1] += does[1];
+    }
+    if (!is_node(body)) {
+      const auto on = bodies[body].line.handed_on({sum[0], sum[1]});
+      sum[0] = on[0];
+      sum[1] = on[1];
     }
     for (std::uint32_t end = 0; end < (is_node(body) ? 1u : 2u); ++end)
       for (int d = 0; d < 3; ++d) particles.f[d][at + end] += sum[end][d];
@@ -181,7 +190,7 @@ void RodContacts::rub(MotionMatrix &matrix, const Pair &pair, const RodContact &
       g[n++] = sign * c.n;
       return;
     }
-    const Vector<3> longer = bodies[body].slope * bodies[body].line.u;
+    const Vector<3> longer = bodies[body].longer();
     for (std::uint32_t end = 0; end < 2; ++end) {
       who[n] = rods->a(body - parameters.nodes) + end;
       weight[n] = sign * (end == 0 ? 1. - share : share);
@@ -192,20 +201,28 @@ void RodContacts::rub(MotionMatrix &matrix, const Pair &pair, const RodContact &
   add(pair.i, c.s, 1.);
   add(pair.j, c.t, -1.);
   const auto push_row = [&](const double coefficient) {
-    if (coefficient > 0.)
-      matrix.row<3>(std::span<const std::uint32_t>(who.data(), n), std::span<const Vector<3>>(g.data(), n),
-                    coefficient);
+    if (!(coefficient > 0.)) return;
+    for (std::size_t k = 0; k + 1 < n; ++k) {  // the two ends of a rod are neighbours
+      if (is_node(who[k])) continue;
+      const BluntLine &line = bodies[parameters.nodes + (who[k] - rods->first) / 2].line;
+      const auto on = line.handed_on({g[k], g[k + 1]});
+      g[k] = on[0];
+      g[++k] = on[1];
+    }
+    matrix.row<3>(std::span<const std::uint32_t>(who.data(), n), std::span<const Vector<3>>(g.data(), n),
+                  coefficient);
   };
   push_row(h * std::max(0., c.stiffness));
   // A rod that is touched along its side resists being tilted towards what touches it: seen from there its
   // line comes nearer by d theta^2/2. A short one turns far by little motion of its ends.
   const auto resist_tilt = [&](const std::uint32_t body, const double share, const Vector<3> &towards,
                                const double sign) {
-    if (is_node(body) || !(share > 0. && share < 1.) || bodies[body].line.u == Vector<3>::Zero()) return;
-    const double d = bodies[pair.i].radius + bodies[pair.j].radius - c.overlap, L = bodies[body].line.L;
+    if (is_node(body) || !(share > 0. && share < 1.) || bodies[body].line.seen.L == 0.) return;
+    const RodSet::Line &seen = bodies[body].line.seen;
+    const double d = bodies[pair.i].radius + bodies[pair.j].radius - c.overlap, L = seen.L;
     const std::uint32_t end = rods->a(body - parameters.nodes);
     for (std::size_t k = 0; k < n; ++k) {
-      g[k] = sign * weight[k] / d * bodies[body].line.u;
+      g[k] = sign * weight[k] / d * seen.u;
       if (who[k] == end) g[k] -= towards / L;
       if (who[k] == end + 1) g[k] += towards / L;
     }
@@ -228,10 +245,32 @@ void RodContacts::rub(MotionMatrix &matrix, const Pair &pair, const RodContact &
   row_along(c.nucleus.normalized(), h * c.nucleus_stiffness);
 }
 
+void RodContacts::hold_short_rods(MotionMatrix &matrix, const double h) const {
+  if (h == 0.) return;
+  std::vector<double> pressed(rods->size(), 0.);  // N, along each rod by what makes it shorter
+  const auto add = [&](const std::uint32_t body, const RodContact &c, const bool first) {
+    if (is_node(body) || bodies[body].line.bend_along == 0.) return;
+    const auto on = push(c, body, first);
+    pressed[body - parameters.nodes] += std::max(0., 0.5 * (on[0] - on[1]).dot(bodies[body].line.seen.u));
+  };
+  for (std::size_t p = 0; p < contact.size(); ++p) {
+    if (contact[p].area == 0.) continue;
+    add(pairs()[p].i, contact[p], true);
+    add(pairs()[p].j, contact[p], false);
+  }
+  for (std::size_t rod = 0; rod < rods->size(); ++rod) {
+    const BluntLine &line = bodies[body_of(rod)].line;
+    if (pressed[rod] > 0.)
+      matrix.link<3>(rods->a(rod), rods->b(rod), line.seen.u, h * pressed[rod] * line.bend_along,
+                     h * pressed[rod] * line.bend_across);
+  }
+}
+
 void RodContacts::collect(MotionMatrix &matrix, const Particles<3> &, const double h) {
   if (h == 0. && parameters.normal == 0. && parameters.tangential == 0.) return;
   for (std::size_t p = 0; p < contact.size(); ++p)
     if (contact[p].area > 0.) rub(matrix, pairs()[p], contact[p], h);
+  hold_short_rods(matrix, h);
 }
 
 void RodContacts::archive(Archive &a, Particles<3> &) {

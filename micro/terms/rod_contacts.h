@@ -11,7 +11,8 @@
 //
 // Friction of a pair is area of contact times `normal` along n and `tangential` across, of the two centre
 // lines where they are nearest, as between spheres (2.4). A rod of no length is a sphere; squeezed from two
-// sides it stays one until something gives it a direction.
+// sides it stays one until something gives it a direction. Lines are seen blunted (blunt_line.h): without
+// that the energy of a rod pressed round has a tip at L = 0, about which it chatters.
 //
 // One list of who is near (contact_list.h), of spheres around each rod and the nodes. Parallel rods beside
 // each other touch in the middle of what they share, as two spheres do: a contact along a line is stiffer.
@@ -19,6 +20,7 @@
 
 #include "micro/engine/contact_list.h"
 #include "micro/laws/contact_law.h"
+#include "micro/terms/blunt_line.h"
 #include "micro/terms/rods.h"
 
 #include <optional>
@@ -73,8 +75,9 @@ class RodContacts final : public Term<3> {
  private:
   struct Body  ///< a rod, or a node, which is a rod of no length that nothing squeezes
   {
-    RodSet::Line line;
+    BluntLine line;
     double radius, slope;
+    Vector<3> longer() const { return slope * line.seen.u; }  ///< change of the radius with w of blunt_line.h
   };
   bool is_node(const std::size_t body) const { return body < parameters.nodes; }
   void pack(const Particles<3> &particles, unsigned int threads);
@@ -82,9 +85,12 @@ class RodContacts final : public Term<3> {
   RodContact touch(const Law &law, const Pair &pair, unsigned char &touches) const;
   /// Of node i and the nucleus in rod j.
   void press_nucleus(const Body &i, const Body &j, RodContact &c) const;
-  /// N, on a body by a pair of which it is the first or the second: on A (of a node all) and on B.
+  /// N, on a body by a pair of which it is the first or the second: on A (of a node all) and on B, the ends
+  /// of the line that it sees.
   std::array<Vector<3>, 2> push(const RodContact &c, std::uint32_t body, bool first) const;
   void rub(MotionMatrix &matrix, const Pair &pair, const RodContact &c, double h) const;
+  /// What contacts that press along short rods are worth as springs: the bowl of blunt_line.h.
+  void hold_short_rods(MotionMatrix &matrix, double h) const;
   /// The bodies of a group, as visit(number, particle A).
   template <class Visit>
   void for_bodies_of(const Particles<3> &particles, std::size_t group, const Visit &visit) const;

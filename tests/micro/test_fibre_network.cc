@@ -65,6 +65,17 @@ BOOST_AUTO_TEST_CASE(a_stretched_fibre_and_anchors_by_hand) {
   BOOST_TEST(system.potential_energy() == 0.25, tt::tolerance(1e-14));
   BOOST_TEST(system.virial()(0, 0) == 2.5, tt::tolerance(1e-14));
 
+  // a stiffer right half: nodes at x > 0 and their fibres to anchors there
+  ParticleSystem<3> halves;
+  const auto two = std::make_shared<FibreNetwork>(
+      halves.particles, halves.box, PlaneNet{{10., 10.}, {{-1., 1.}, {1., 1.}}, {{0, 1, {0, 0}}}});
+  halves.add(std::make_unique<FibreSprings>(two, FibreStiffness(3., 30.)));
+  BOOST_TEST(halves.particles.field("stiffness")[0] == 3.);
+  BOOST_TEST(halves.particles.field("stiffness")[1] == 30.);
+  halves.particles.x[0][1] = 1.5;
+  halves.compute_forces();
+  BOOST_TEST(halves.particles.f[0][0] == 0.5 * 16.5, tt::tolerance(1e-14));
+
   // six fibres to anchors, each at 3-4-5 to the plane: in it 6 k c^2/2 with c = 3/5, out of it 6 k s^2
   ParticleSystem<3> one;
   const auto tied =

@@ -25,7 +25,8 @@ MigrationTrial::MigrationTrial(const TrialParameters &parameters, const std::uin
   centre(net);
   half = 0.5 * net.periods.minCoeff();
   carve(net, Vector<2>::Zero(), parameters.cell.radius + matrix.node_radius);
-  cells.add_network(net, matrix.stiffness, matrix.node_friction, matrix.anchors ? matrix.pore : 0., seed);
+  cells.add_network(net, {matrix.stiffness, matrix.stiff_side * matrix.stiffness}, matrix.node_friction,
+                    matrix.anchors ? matrix.pore : 0., seed);
   cells.add_rods({Vector<3>::Zero()}, {Vector<3>::Zero()});
   const RodContacts &contacts = cells.add_contacts(parameters.law, matrix.node_radius);
   Protrusions &arms = cells.add_protrusions(parameters.protrusion, parameters.most);

@@ -16,6 +16,7 @@ namespace turgor {
 struct MatrixParameters {
   double pore = 6e-6, side = 1e-4;  ///< m
   double stiffness = 1e-3;          ///< N/m, k_ECM
+  double stiff_side = 1.;           ///< where x > 0, times stiffness
   double node_radius = 0.5e-6;      ///< m
   double node_friction = 1e-3;      ///< N s/m
   bool anchors = true;

@@ -9,7 +9,7 @@ namespace turgor {
 RodCells::RodCells(const RodMaterial &material_, const unsigned int threads)
     : SteppedCells(material_.steps(), threads), material(material_) {}
 
-void RodCells::add_network(const PlaneNet &net, const double stiffness, const double node_friction,
+void RodCells::add_network(const PlaneNet &net, const FibreStiffness stiffness, const double node_friction,
                            const double height, const std::uint64_t seed) {
   network = std::make_shared<FibreNetwork>(system.particles, system.box, net);
   // ends as far aside as the middle of a triangle of nodes

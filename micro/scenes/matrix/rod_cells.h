@@ -23,7 +23,7 @@ class RodCells final : public SteppedCells {
   /// The matrix: a net of fibres of a stiffness (N/m), nodes of a friction (N s/m) with the medium, all in
   /// the plane z = 0, where everything then stays. Before the rods. Anchors: m, height over the plane; 0:
   /// none.
-  void add_network(const PlaneNet &net, double stiffness, double node_friction, double anchors,
+  void add_network(const PlaneNet &net, FibreStiffness stiffness, double node_friction, double anchors,
                    std::uint64_t seed);
   /// Rods behind all particles there are; one set. m.
   void add_rods(const std::vector<Vector<3>> &a, const std::vector<Vector<3>> &b);
@@ -59,7 +59,7 @@ class RodCells final : public SteppedCells {
   double turned_over() const override { return fed_and_taken; }
 
   RodMaterial material;
-  double network_stiffness = 0.;        ///< N/m
+  FibreStiffness network_stiffness = 0.;
   double fed = 0., fed_and_taken = 0.;  ///< J, between steps
 };
 }  // namespace turgor

@@ -1,5 +1,6 @@
 #include "micro/scenes/matrix/rod_migration.h"
 
+#include "micro/laws/share_interval.h"
 #include "run/archive.h"
 #include "run/field_output.h"
 #include "run/judged.h"
@@ -18,9 +19,9 @@ class RodMigration::Run {
 
  private:
   struct Sums {  ///< over cells; of one: path, length, protrusions, rows
-    double displacement = 0., squares = 0., path = 0., speed = 0., length = 0., protrusions = 0.,
-           rounded = 0., lost = 0.;
-    std::uint64_t border = 0, rejected = 0;
+    double displacement = 0., squares = 0., x = 0., x_squares = 0., path = 0., speed = 0., length = 0.,
+           protrusions = 0., rounded = 0., lost = 0.;
+    std::uint64_t right = 0, border = 0, rejected = 0;
   };
   struct Own {
     double path = 0., length = 0., protrusions = 0., rows = 0.;
@@ -102,6 +103,9 @@ void RodMigration::Run::end_of_one() {
                   lost});
   sums.displacement += far;
   sums.squares += far * far;
+  sums.x += x[0];
+  sums.x_squares += x[0] * x[0];
+  sums.right += x[0] > 0.;
   sums.path += own.path;
   sums.speed += own.path / time;
   sums.length += own.length / own.rows;
@@ -174,11 +178,19 @@ void RodMigration::Run::go() {
 }
 
 void RodMigration::Run::report() {
-  const double n = double(scene.seeds), mean = sums.displacement / n,
-               variance = n > 1. ? std::max(0., (sums.squares - n * mean * mean) / (n - 1.)) : 0.;
+  const double n = double(scene.seeds);
+  const auto with_error = [&](const std::string &name, const double sum, const double squares) {
+    const double mean = sum / n, variance = n > 1. ? std::max(0., (squares - mean * sum) / (n - 1.)) : 0.;
+    context.result(name, mean, "m");
+    context.result(name + "_error", std::sqrt(variance / n), "m");
+  };
   context.result("cells", n, "");
-  context.result("displacement", mean, "m");
-  context.result("displacement_error", std::sqrt(variance / n), "m");
+  with_error("displacement", sums.displacement, sums.squares);
+  const ShareInterval right = wilson_interval(sums.right, scene.seeds);
+  context.result("right_share", double(sums.right) / n, "1");
+  context.result("right_share_low", right.low, "1");
+  context.result("right_share_high", right.high, "1");
+  with_error("right_shift", sums.x, sums.x_squares);
   context.result("path", sums.path / n, "m");
   context.result("speed", sums.speed / n, "m/s");
   context.result("rod_length", sums.length / n, "m");

@@ -15,6 +15,11 @@ void RodMigration::declare_matrix(InputEntries &prm) {
                     Double(1e-6, 1e-1));
   prm.add_parameter("Stiffness", matrix.stiffness, "Spring constant k_ECM of the fibres (2.38). Units: N/m.",
                     Double(1e-9, 1e3));
+  prm.add_parameter(
+      "Stiff side", matrix.stiff_side,
+      "Stiffness of the right half of the network (x > 0) over that of the left one; each cell begins "
+      "on the border of the two (durotaxis). Units: none.",
+      Double(1e-6, 1e6));
   prm.add_parameter("Node radius", matrix.node_radius,
                     "Radius of a node in its contact with a cell. Units: m.", Double(1e-9, 1e-4));
   prm.add_parameter("Node friction", matrix.node_friction,
