@@ -83,6 +83,8 @@ SCENES = {
                    "Protrusion/Stall step": (1e-11, 1e-9)},
     "rod_migration": {"Seeds": (1, 2), "End time": (10, 200), "Network/Stiff side": [1, 10, 1000], "Network/Pore size": [4e-6, 6e-6, 12e-6], "Network/Side": 9e-5, "Longest step": (0.5, 5), "Network/Node radius": (1e-7, 1e-6), "Protrusion/Reach": (8e-6, 15e-6),
                       "Cell/Radius": 6e-6, "Cell/Nucleus radius": [0.0, 3e-6, 5e-6], "Samples": (2, 10), "Frames": (0, 2)},
+    "invasion": {"Cells": [1, 7, 40], "End time": (10, 60), "Network/Pore size": [4e-6, 6e-6, 12e-6], "Network/Side": 2e-4, "Longest step": (0.5, 5), "Network/Node radius": (1e-7, 1e-6), "Protrusion/Reach": (8e-6, 15e-6),
+                 "Cell/Radius": 6e-6, "Cell/Nucleus radius": [0.0, 3e-6, 5e-6], "Samples": (2, 10), "Frames": (0, 2)},
     "rod_squeeze": {"Compression time": (5, 60), "Hold time": (0, 20), "Plate distance": (3e-6, 10e-6), "Cell/Radius": 6e-6, "Cell/Nucleus radius": [0.0, 3e-6, 5e-6]},
     "tissue_bruise": {"Impact/Depth": 1e-5, "Tissue/Elements x": (1, 3), "Tissue/Elements y": (2, 3), "Tissue/Degree": 1},
     "texture_test": {"Test/Depth": 1e-5, "Tissue/Elements x": (1, 3), "Tissue/Elements y": (2, 3), "Tissue/Degree": 1,

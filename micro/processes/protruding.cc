@@ -19,6 +19,7 @@ Protruding::Protruding(const ProtrudingParameters &parameters_, std::shared_ptr<
 void Protruding::after_step(Particles<3> &particles, const double h) {
   protrusions.contract(particles, h);
   time += h;
+  by_place.reset();
   for (std::size_t rod = 0; rod < cells.size(); ++rod) {
     orient(particles, rod);
     round_up(particles, rod);
@@ -66,14 +67,7 @@ void Protruding::take_hold(const Particles<3> &particles, const std::size_t rod,
   const std::uint32_t end =
       cell.polarised ? (line.b - line.a).dot(cell.polarity) > 0. : random_uniform(seed, 4 * rod + 1) < 0.5;
   const Vector<3> from = end == 0 ? line.a : line.b;
-  const double radius = rods->shape[rod].radius(line.L);
-  std::vector<std::uint32_t> found;
-  for (std::uint32_t i = 0; i < nodes; ++i) {
-    const Vector<3> x = particles.position(i), to = x - from;
-    if (!(to.squaredNorm() <= parameters.reach * parameters.reach)) continue;
-    const double along = std::clamp((x - line.a).dot(line.u), 0., line.L);
-    if ((x - line.a - along * line.u).norm() > radius && !protrusions.holds(rod, i)) found.push_back(i);
-  }
+  const std::vector<std::uint32_t> found = within_reach(particles, rod, from);
   if (found.empty()) return;
   const std::uint32_t node = found[std::min(
       found.size() - 1, std::size_t(random_uniform(seed, 4 * rod + 2) * double(found.size())))];
@@ -84,6 +78,31 @@ void Protruding::take_hold(const Particles<3> &particles, const std::size_t rod,
   }
   protrusions.attach(particles, rod, end, node);
   ++holds;
+}
+
+std::vector<std::uint32_t> Protruding::within_reach(const Particles<3> &particles, const std::size_t rod,
+                                                    const Vector<3> &from) {
+  if (!by_place) {
+    const double *const x[2] = {particles.x[0].data(), particles.x[1].data()};
+    double low[2], high[2];
+    for (int d = 0; d < 2; ++d) {
+      const auto [least, most] = std::minmax_element(x[d], x[d] + nodes);
+      low[d] = *least;
+      high[d] = *most;
+    }
+    by_place.emplace(x, nodes, 0.5 * parameters.reach, low, high);
+  }
+  const RodSet::Line line = rods->line(particles, rod);
+  const double radius = rods->shape[rod].radius(line.L);
+  std::vector<std::uint32_t> found;
+  by_place->near(from.data(), [&](const std::uint32_t i) {
+    const Vector<3> x = particles.position(i), to = x - from;
+    if (!(to.squaredNorm() <= parameters.reach * parameters.reach)) return;
+    const double along = std::clamp((x - line.a).dot(line.u), 0., line.L);
+    if ((x - line.a - along * line.u).norm() > radius && !protrusions.holds(rod, i)) found.push_back(i);
+  });
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 void Protruding::degrade(Particles<3> &particles, const double h) const {

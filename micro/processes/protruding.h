@@ -19,10 +19,12 @@
 //   protruding.after_step(particles, h); };
 #pragma once
 
+#include "micro/geometry/bins.h"
 #include "micro/terms/protrusions.h"
 #include "micro/terms/rod_contacts.h"
 
 #include <numbers>
+#include <optional>
 
 namespace turgor {
 struct ProtrudingParameters {
@@ -62,6 +64,9 @@ class Protruding {
   void round_up(const Particles<3> &particles, std::size_t rod);
   void take_hold(const Particles<3> &particles, std::size_t rod, double h);
   void degrade(Particles<3> &particles, double h) const;
+  /// Nodes within reach of a place and outside of the rod that it does not hold, by their numbers.
+  std::vector<std::uint32_t> within_reach(const Particles<3> &particles, std::size_t rod,
+                                          const Vector<3> &from);
 
   ProtrudingParameters parameters;
   std::shared_ptr<RodSet> rods;
@@ -69,6 +74,7 @@ class Protruding {
   const RodContacts &contacts;
   std::uint32_t nodes;
   std::vector<Cell> cells;
+  std::optional<Bins<2>> by_place;  ///< the nodes of this step, once a cell has looked for hold
   double time = 0.;
   std::uint64_t step = 0, roundings = 0, holds = 0;
 };

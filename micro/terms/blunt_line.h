@@ -29,6 +29,7 @@ struct BluntLine {
   /// 1/m, |w|'' and |w|'/L: what a pull on |w| is worth in stiffness along and across the line. Both 0 where
   /// the line is no longer short (|w|'' < 0).
   double bend_along = 0., bend_across = 0.;
+  double tilt = 0.;  ///< 1, below L = 0.3 e as L^2: what turning it is worth
 
   BluntLine() = default;
   BluntLine(const RodSet::Line &rod, const double e) : seen(rod) {
@@ -39,6 +40,7 @@ struct BluntLine {
     seen.a = middle - half;
     seen.b = middle + half;
     seen.L = across * L;
+    tilt = std::fmin(1., L * L / (0.09 * e * e));
     if (L * L > 2. * e * e) return;
     bend_along = (2. * e * e - L * L) * e * e / (q3 * q * q);
     bend_across = (L * L + 2. * e * e) / q3;

@@ -1,5 +1,6 @@
 #include "micro/terms/plane_net.h"
 
+#include "micro/geometry/bins.h"
 #include "micro/geometry/laguerre_tiling.h"
 #include "micro/laws/counter_random.h"
 
@@ -82,12 +83,50 @@ void centre(PlaneNet &net) {
     for (std::size_t d = 0; d < 2; ++d) bond.shift[d] += moved[bond.a][d] - moved[bond.b][d];
 }
 
-void carve(PlaneNet &net, const Vector<2> &place, const double radius) {
+PlaneNet repeated(const PlaneNet &net, const unsigned int along_x, const unsigned int along_y) {
+  const std::array<int, 2> count{int(along_x), int(along_y)};
+  const std::uint32_t own = std::uint32_t(net.nodes.size());
+  PlaneNet all;
+  all.periods = {along_x * net.periods[0], along_y * net.periods[1]};
+  for (int row = 0; row < count[1]; ++row)
+    for (int column = 0; column < count[0]; ++column) {
+      for (const Vector<2> &node : net.nodes)
+        all.nodes.push_back(node + Vector<2>(column * net.periods[0], row * net.periods[1]));
+      for (const PlaneNet::Bond &bond : net.bonds) {
+        std::array<int, 2> piece{column + bond.shift[0], row + bond.shift[1]}, shift{};
+        for (std::size_t d = 0; d < 2; ++d) {
+          shift[d] = int(std::floor(double(piece[d]) / count[d]));
+          piece[d] -= shift[d] * count[d];
+        }
+        all.bonds.push_back({std::uint32_t(row * count[0] + column) * own + bond.a,
+                             std::uint32_t(piece[1] * count[0] + piece[0]) * own + bond.b, shift});
+      }
+    }
+  return all;
+}
+
+void carve(PlaneNet &net, const std::vector<Vector<2>> &places, const double radius) {
   constexpr std::uint32_t gone = ~std::uint32_t(0);
+  std::vector<double> at[2];
+  double low[2], high[2];
+  for (int d = 0; d < 2; ++d) {
+    for (const Vector<2> &place : places) at[d].push_back(place[d]);
+    const auto [least, most] = std::minmax_element(at[d].begin(), at[d].end());
+    low[d] = *least;
+    high[d] = *most;
+  }
+  const double *const x[2] = {at[0].data(), at[1].data()};
+  const Bins<2> by_place(x, std::uint32_t(places.size()), radius, low, high);
+  const auto covered = [&](const Vector<2> &node) {
+    bool is = false;
+    by_place.near(
+        node.data(), [&](const std::uint32_t k) { is |= (node - places[k]).norm() <= radius; }, 1);
+    return is;
+  };
   std::vector<std::uint32_t> number(net.nodes.size(), gone);
   std::vector<Vector<2>> left;
   for (std::size_t i = 0; i < net.nodes.size(); ++i)
-    if ((net.nodes[i] - place).norm() > radius) {
+    if (!covered(net.nodes[i])) {
       number[i] = std::uint32_t(left.size());
       left.push_back(net.nodes[i]);
     }

@@ -39,9 +39,12 @@ PlaneNet random_net(double length, unsigned int columns, unsigned int rows, std:
 /// All is moved so that the middle of the period is the origin, each node into the period about it.
 void centre(PlaneNet &net);
 
-/// Nodes within a radius (m) of a place go, and their bonds: where a cell lies in a matrix that has grown
-/// about it.
-void carve(PlaneNet &net, const Vector<2> &place, double radius);
+/// The net beside itself, so many times along x and y: a large net of which each piece is like the others.
+PlaneNet repeated(const PlaneNet &net, unsigned int along_x, unsigned int along_y);
+
+/// Nodes within a radius (m) of any of these places go, and their bonds: where cells lie in a matrix that has
+/// grown about them.
+void carve(PlaneNet &net, const std::vector<Vector<2>> &places, double radius);
 
 /// Each bond stays with the probability `kept`, whatever becomes of the others.
 void remove_bonds(PlaneNet &net, double kept, std::uint64_t seed);

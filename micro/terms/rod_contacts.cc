@@ -214,10 +214,11 @@ void RodContacts::rub(MotionMatrix &matrix, const Pair &pair, const RodContact &
   };
   push_row(h * std::max(0., c.stiffness));
   // A rod that is touched along its side resists being tilted towards what touches it: seen from there its
-  // line comes nearer by d theta^2/2. A short one turns far by little motion of its ends.
+  // line comes nearer by d theta^2/2. A short one turns far by little motion of its ends; one that is much
+  // shorter than e is as good as round and soon touched at its end, so that it counts less.
   const auto resist_tilt = [&](const std::uint32_t body, const double share, const Vector<3> &towards,
                                const double sign) {
-    if (is_node(body) || !(share > 0. && share < 1.) || bodies[body].line.seen.L == 0.) return;
+    if (is_node(body) || !(share > 0. && share < 1.) || bodies[body].line.tilt == 0.) return;
     const RodSet::Line &seen = bodies[body].line.seen;
     const double d = bodies[pair.i].radius + bodies[pair.j].radius - c.overlap, L = seen.L;
     const std::uint32_t end = rods->a(body - parameters.nodes);
@@ -226,7 +227,7 @@ void RodContacts::rub(MotionMatrix &matrix, const Pair &pair, const RodContact &
       if (who[k] == end) g[k] -= towards / L;
       if (who[k] == end + 1) g[k] += towards / L;
     }
-    push_row(h * std::max(0., c.force) * d);
+    push_row(h * std::max(0., c.force) * d * bodies[body].line.tilt);
   };
   resist_tilt(pair.i, c.s, -c.n, 1.);
   resist_tilt(pair.j, c.t, c.n, -1.);

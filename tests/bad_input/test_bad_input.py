@@ -159,6 +159,7 @@ BY_SCENE = {
     "protrusion": [("Stiffnesses", "1e-3, 1e-4", ["have to rise", "number 2 (0.0001 N/m)"]), ("Protrusion/Work limit", "1e-13", ["reached", "smaller Protrusion/Work limit"]), ("Stiffnesses", "0", ["a finite number from"])],
     "rod_migration": [("Network/Side", "2e-5", ["4 are needed at least"]), ("Network/Side", "3e-5", ["a larger Network/Side"]), ("Protrusion/Reach", "5e-6", ["ends inside of the cell"]), ("Network/Node radius", "3e-6", ["leaves no gaps"]),
                       ("Cell/Law", "jkr", ["needs it positive"]), ("Cell/Nucleus radius", "7e-6", ["less than Cell/Radius"])],
+    "invasion": [("Cells", "2000", ["the colony reaches", "a larger Network/Side"]), ("Cells", "0", ["a whole number from"]), ("Cell/Nucleus radius", "7e-6", ["less than Cell/Radius"])],
     "rod_squeeze": [("Plate distance", "3e-5", ["just touch the cell"]), ("Plate distance", "2e-6", ["flatter than 0.2 of"]), ("Cell/Nucleus radius", "7e-6", ["less than Cell/Radius"]),
                     ("Angle", "80", ["a finite number from 0 to 60"])],
     "shell_oscillation": [("Inward speed", "9", ["at most a fiftieth of Sound speed"])],

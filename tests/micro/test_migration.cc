@@ -1,5 +1,6 @@
 // Cells of the rod model that pull themselves through a fibre network: nets with a hole, who takes hold of
 // what, degradation, balance of momentum and energy, bits after a stop and on threads.
+#include "micro/scenes/matrix/invasion.h"
 #include "micro/scenes/matrix/rod_migration.h"
 #include "run_of_scene.h"
 #include "slope_of_energy.h"
@@ -33,13 +34,39 @@ BOOST_AUTO_TEST_CASE(a_net_is_centred_and_carved_without_changing_its_bonds) {
     BOOST_TEST((net.along(net.bonds[k]) - before.along(before.bonds[k])).norm() < 1e-18);
   for (const Vector<2> &node : net.nodes)
     for (int d = 0; d < 2; ++d) BOOST_TEST(std::abs(node[d]) <= 0.5 * net.periods[d]);
-  carve(net, {1e-6, 0.}, 3e-6);
+  carve(net, {{1e-6, 0.}}, 3e-6);
   BOOST_TEST(net.nodes.size() < before.nodes.size());
   for (const Vector<2> &node : net.nodes) BOOST_TEST((node - Vector<2>(1e-6, 0.)).norm() > 3e-6);
   for (const PlaneNet::Bond &bond : net.bonds) {
     BOOST_TEST(bond.a < net.nodes.size());
     BOOST_TEST(net.along(bond).norm() < 2. * 2e-6);
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_repeated_net_is_the_same_net_beside_itself_and_many_places_are_carved) {
+  const PlaneNet net = random_net(2e-6, 8, 10, 3);
+  PlaneNet all = repeated(net, 3, 2);
+  BOOST_TEST(all.nodes.size() == 6 * net.nodes.size());
+  BOOST_TEST(all.bonds.size() == 6 * net.bonds.size());
+  for (std::size_t k = 0; k < all.bonds.size(); ++k)
+    BOOST_TEST((all.along(all.bonds[k]) - net.along(net.bonds[k % net.bonds.size()])).norm() < 1e-15);
+  const std::vector<Vector<2>> places{{1e-6, 2e-6}, {30e-6, 1e-6}, {9e-6, 9e-6}};
+  const PlaneNet before = all;
+  carve(all, places, 4e-6);
+  std::size_t kept = 0;
+  for (const Vector<2> &node : before.nodes)
+    kept +=
+        std::none_of(places.begin(), places.end(), [&](const auto &p) { return (node - p).norm() <= 4e-6; });
+  BOOST_TEST(all.nodes.size() == kept);
+}
+
+BOOST_AUTO_TEST_CASE(a_colony_is_the_densest_round_one) {
+  const std::vector<Vector<3>> places = colony_places(37, 2.);
+  BOOST_TEST(places.size() == 37u);
+  BOOST_TEST(places[0].norm() == 0.);
+  BOOST_TEST(places.back().norm() == 6., tt::tolerance(1e-12));  // three whole rings
+  for (std::size_t a = 0; a < places.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b) BOOST_TEST((places[a] - places[b]).norm() > 2. * (1. - 1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(protrusions_keep_to_the_front_and_within_reach) {
@@ -89,6 +116,21 @@ BOOST_AUTO_TEST_CASE(stopped_runs_go_on_with_the_same_bits_and_threads_do_not_ma
     BOOST_TEST((resumed.results == whole.results));
   }
   BOOST_TEST((run<RodMigration>(quick, 2, 0, "paths").rows == whole.rows));
+}
+
+BOOST_AUTO_TEST_CASE(a_colony_invades_with_the_same_bits_on_threads_and_after_a_stop) {
+  const char *const colony =
+      "set Cells = 60\nset End time = 100\nset Samples = 5\nset Frames = 0\nsubsection Network\n"
+      " set Side = 2.4e-4\n set Degradation = 0.01\nend\nsubsection Protrusion\n set Work limit = "
+      "4e-15\nend\n";
+  const Outcome whole = run<Invasion>(colony, 1, 0, "history");
+  BOOST_TEST(whole.results.at("displacement_rim") > whole.results.at("displacement"));
+  BOOST_TEST(whole.results.at("protrusions") > 0.1);
+  for (const unsigned int threads : {2u, 3u})
+    BOOST_TEST((run<Invasion>(colony, threads, 0, "history").rows == whole.rows));
+  const Outcome resumed = run<Invasion>(colony, 1, 57, "history");
+  BOOST_TEST((resumed.rows == whole.rows));
+  BOOST_TEST((resumed.results == whole.results));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -55,7 +55,7 @@ class RodMigration::Run {
 };
 
 void RodMigration::Run::set_up() {
-  trial = std::make_unique<MigrationTrial>(scene.parameters(), seed(), context.threads());
+  trial = std::make_unique<MigrationTrial>(scene.entries.parameters(), seed(), context.threads());
   row = 0;
   own = {};
 }

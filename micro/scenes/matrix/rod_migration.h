@@ -3,10 +3,8 @@
 // degradation, nucleus and stiffness.
 #pragma once
 
-#include "micro/scenes/matrix/migration_trial.h"
+#include "micro/scenes/matrix/trial_entries.h"
 #include "run/scenario.h"
-
-#include <string>
 
 namespace turgor {
 class RodMigration : public Scenario {
@@ -18,17 +16,7 @@ class RodMigration : public Scenario {
 
  private:
   class Run;
-  void declare_matrix(InputEntries &prm);
-  void declare_search(InputEntries &prm);
-  TrialParameters parameters() const;
-
-  TrialParameters trial = [] {
-    TrialParameters p;
-    p.cell.longest_step = 1.;
-    return p;
-  }();
-  std::string law = "hertz";
-  double adhesion = 0.;
+  TrialEntries entries;
   double end_time = 7200.;
   unsigned int seeds = 5, first_seed = 1, samples = 120, frames = 3;
 };
