@@ -2,7 +2,6 @@
 
 #include "micro/cells/parenchyma_remarks.h"
 #include "micro/geometry/tensor_text.h"
-#include "run/input_entries.h"
 #include "run/judged.h"
 #include "run/number_text.h"
 #include "run/run_context.h"
@@ -63,26 +62,6 @@ RveAnswer<2> answer(const Rve<2> &cells, const RveState<2> &state, const Loading
   return result;
 }
 }  // namespace
-
-void RveResponse::declare_parameters(InputEntries &prm) {
-  prm.enter_subsection("Path");
-  loading.add_parameters(prm);
-  prm.add_parameter("Tangents", tangents,
-                    "Whether elasticity and viscosity tensors, moduli along the path and the smallest "
-                    "eigenvalue of the acoustic tensor are written. Not of particles that relax "
-                    "(RVE/Fluid = sph), whose tangent is a bound. Units: none.");
-  prm.leave_subsection();
-  rve.add_parameters(prm);
-}
-
-void RveResponse::check() const {
-  const LoadingPath path(loading);
-  if (!path.found().empty() && rve.fluid == RveFluid::sph && rve.rule == RveRule::constrained_runs)
-    throw InputError("Path/Stress components is " + loading.found +
-                     ", but with RVE/Rule = constrained_runs the stress of a burst is that of a whole time "
-                     "step and depends on more than F: use elastic_equilibrium or cauchy_born.");
-  rve.check();
-}
 
 /// What one walk along the path works with, and what it has found.
 struct RveResponse::Walk {
@@ -271,7 +250,8 @@ void RveResponse::finish(RunContext &context, const Walk &walk) const {
 
 void RveResponse::run(RunContext &context) {
   const LoadingPath path(loading);
-  const std::unique_ptr<Rve<2>> cells = make_rve(rve);
+  const RveParameters used = opened(context);
+  const std::unique_ptr<Rve<2>> cells = make_rve(used);
   remark_on_walls(context, rve.yielding_cell());
   context.active({"neo_hookean_wall", "wall_bending", "lamella_tie",
                   rve.fluid == RveFluid::hydrostatic              ? "hydrostatic_pressure"
@@ -279,7 +259,7 @@ void RveResponse::run(RunContext &context) {
                                                                   : "sph_fluid"},
                  {});
   Walk way(context, path, *cells, rve);
-  if (!rve.structure.square()) report_structure(context, rve, *cells, *way.workspace);
+  if (!rve.structure.square()) report_structure(context, used, *cells, *way.workspace);
   if (tangents && (rve.fluid == RveFluid::hydrostatic || rve.rule == RveRule::cauchy_born))
     way.tangents.emplace(context, *cells, *way.workspace);
   try {

@@ -28,10 +28,13 @@ class RveResponse : public Scenario {
   void account(Walk &walk, const RveAnswer<2> &found, double time, double since) const;
   void add_row(Walk &walk, const LoadingPath::Load &load) const;
   void finish(RunContext &context, const Walk &walk) const;
+  /// rve, with the Gap that opens Structure/Void fraction where one is wanted.
+  RveParameters opened(RunContext &context) const;
 
   RveParameters rve;
   LoadingEntries loading;
   bool tangents = true;
+  double void_fraction = 0.;  ///< 0: the gap counts
 };
 
 std::unique_ptr<Scenario> make_rve_response();

@@ -41,6 +41,8 @@ std::vector<OutputDefinition> structure_results() {
       {"shear_modulus_45", "Pa",
        "Shear modulus of the undeformed tissue for simple shear along x, which is stretch at 45 degrees.",
        other},
+      {"corner_gap", "m", "Structure/Gap that opens the share of air nearest to the one wanted.",
+       "with Structure/Void fraction"},
       {"air_share_at_rest", "1",
        "Void fraction: share of the undeformed tissue's area that is air between its cells.",
        "with Structure/Gap"},

@@ -50,7 +50,7 @@ SCENES = {
     "full_micro": {"End time": 1e-6},
     "stability": {"Hold steps": (100, 500), "Bisections": 2},
     "static_lattice": {"Columns": (1, 4), "Rows": (1, 4)},
-    "rve_response": {"Path/Points": (2, 4)},
+    "rve_response": {"Path/Points": (2, 4), "Structure/Void fraction": 0.0},
     "tissue_gravity": {"Tissue gravity/Cells": (1, 4), "Tissue/Elements": (1, 2), "Tissue/Degree": 1, "Time/End time": 2e-5,
                        "Tissue gravity/Outlined RVEs": (0, 2)},
     "tissue_compression": SMALL_TISSUE,

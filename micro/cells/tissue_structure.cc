@@ -122,7 +122,7 @@ void TissueStructure::add_parameters(InputEntries &prm) {
       "more meet, as laid: 0 gives dense tissue, more opens air spaces between the cells (void fraction "
       "at turgor in per cent with 0.1, 0.15, 0.2 of Cell/Period: brick 2, 4, 6; hexagon 2, 4, 7; square 3, "
       "6, 9; voronoi "
-      "3, 6, 11; rve_response tells it exactly); a wall "
+      "3, 6, 11; rve_response tells it exactly and finds the gap of a Void fraction); a wall "
       "shorter than two of it is not tied at all. Needs RVE/Fluid = hydrostatic in an RVE. Square cells "
       "then have the side Cell/Period before turgor stretches the walls. Units: m.",
       Double(0., 1e-2));

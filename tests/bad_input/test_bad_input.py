@@ -201,7 +201,7 @@ BY_SCENE = {
                   ("Motion/Preferred direction", "0, 0, 1", ["crawl in its plane"])],
     "spheroid_relaxation": [("Compressed size", "1.2", ["from 0.5 to 0.999"])],
     "cell_endurance": [NO_TURGOR, ("Steps", "2.5", ["whole number"])],
-    "rve_response": CELL[:1] + [("RVE/Rule", "elastic", ["one of"]), ("RVE/Columns", "0", ["a whole number from 1"]),
+    "rve_response": CELL[:1] + [("RVE/Rule", "elastic", ["one of"]), ("Structure/Void fraction", "0.9", ["a finite number from 0 to 0.5"]), ("RVE/Columns", "0", ["a whole number from 1"]),
                                   ("RVE/Tolerance", "1e-20", ["allowed are 0"]), ("Structure/Air", "isothermal", ["with Structure/Gap = 0 there is none"]),
                                   ("Structure/Air pressure", "0", ["1000 to"])],
 }

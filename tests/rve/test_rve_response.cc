@@ -452,4 +452,28 @@ BOOST_AUTO_TEST_CASE(walls_pressed_into_each_other_are_told_of) {
              std::string::npos);
 }
 
+/// The gap is found that opens it, and is the same tissue as that gap given by hand.
+BOOST_AUTO_TEST_CASE(a_void_fraction_is_met_and_its_gap_is_told) {
+  const auto asked = [](const std::string &air) {
+    return "subsection Path\nset Points = 2\nset Tangents = false\nend\nsubsection Cell\nset Nodes per side "
+           "= 12\n"
+           "end\nsubsection Structure\nset Structure = brick\n" +
+           air + "\nend\n";
+  };
+  Memory found, given;
+  run(found, asked("set Void fraction = 0.04"));
+  BOOST_TEST(found.results.at("air_share_at_rest") == 0.04, boost::test_tools::tolerance(0.011));
+  std::ostringstream gap;
+  gap.precision(17);
+  gap << "set Gap = " << found.results.at("corner_gap");
+  run(given, asked(gap.str()));
+  BOOST_TEST(given.results.at("modulus_x") == found.results.at("modulus_x"));
+
+  BOOST_CHECK_EXCEPTION(run(found, asked("set Void fraction = 0.04\nset Gap = 1e-6")), InputError,
+                        says("both say how much air"));
+  BOOST_CHECK_EXCEPTION(run(found, asked("set Void fraction = 0.4")), RunFailed, [](const RunFailed &e) {
+    return std::string(e.what()).find("a quarter of Cell/Period) opens 0.0") != std::string::npos;
+  });
+}
+
 BOOST_AUTO_TEST_SUITE_END()
