@@ -59,6 +59,7 @@ def few_at_a_time(columns):
 
 
 NOTHING = 3  # exit code where there is nothing to draw; plot_command.cc knows it
+LISTED = ("seed", "cell")  # first columns that number things: nothing goes from one row to the next
 GAPS = ((0, (4, 4)), (0, (1.5, 4)), (0, (4, 3, 1, 3)))
 
 
@@ -114,6 +115,9 @@ def plot_series(path, of=""):
         covers = covering({name: table[name] for name in columns})
         for k, (name, (colour, dash)) in enumerate(zip(columns, line_styles(len(columns)))):
             # Each line is thinner than those it is drawn over, and one of the same course has gaps, so that both are seen.
+            if names[0] in LISTED:
+                panel.plot(along * table[names[0]], factor * table[name], "o", label=words_of(name), color=colour, markersize=4 if len(table[name]) < 300 else 1.5)
+                continue
             panel.plot(along * table[names[0]], factor * table[name], label=words_of(name), color=colour,
                        linestyle=GAPS[covers[name] % len(GAPS)] if name in covers and dash == "-" else dash,
                        lw=1.2 + 1.6 * (len(columns) - 1 - k) / max(len(columns), 4))
