@@ -22,7 +22,8 @@ from brick_strips import CELL, STRIP, alone, mean_and_scatter, mean_between, tab
 from runs import ROOT, no_choice, results, study
 
 sys.path.insert(0, os.path.join(ROOT, "app", "plots"))
-TISSUES = {"dense": 0}  # m, Structure/Gap
+TISSUES = {"dense": 0, "sparse": 20e-6}  # m, Structure/Gap
+CRITICAL = {"dense": 1.1, "sparse": 1.3}  # of sparse tissue turgor alone stretches walls by 1.21, where they meet air
 SIDE, SEEDS, SPEED, END = 6, (1, 2, 3, 4), 5, 0.3  # cells, -, m/s, strain
 LEAKS = {"drained": 0, "slow": 1e-4}  # s
 PERCENTS = (10, 20, 30)
@@ -37,14 +38,14 @@ def wanted(period):
         for seed in SEEDS:
             same = {"Structure/Structure": "brick", "Structure/Corner jitter": 0.06, "Structure/Structure seed": seed, "Structure/Gap": gap}
             yield f"{tissue}_{seed}_particles", "tissue_impact", {
-                **STRIP, **same, "Columns": SIDE, "Rows": SIDE, "Sides": "cut", "Speed": SPEED, "End strain": END, "Critical stretch": 1.1}
+                **STRIP, **same, "Columns": SIDE, "Rows": SIDE, "Sides": "cut", "Speed": SPEED, "End strain": END, "Critical stretch": CRITICAL[tissue]}
             for leak, time in LEAKS.items():
                 yield f"{tissue}_{seed}_{leak}", "tissue_bruise", {
                     **CELL, **same, "Structure/Rotation": 90, "RVE/Columns": 2, "RVE/Rows": 2, "Tissue/Lateral sides": "free", "Impact/Tool": "plate",
                     "Impact/Motion": "steady", "Impact/Support": "plate", "Impact/Speed": SPEED, "Impact/Depth": END * height,
                     "Impact/Contact stiffness": 4, "Impact/Outlined RVEs": 0, "Tissue/Width": height, "Tissue/Height": width,
                     "Tissue/Elements x": SIDE // 2, "Tissue/Elements y": SIDE // 2, "Time/End time": END * height / SPEED,
-                    "Time/Output interval": END * height / SPEED / 10, "Wall/Yielding": "none", "Wall/Critical stretch": 1.1,
+                    "Time/Output interval": END * height / SPEED / 10, "Wall/Yielding": "none", "Wall/Critical stretch": CRITICAL[tissue],
                     "Wall/Leak time": time, "Time/Shock viscosity": 1}
 
 

@@ -74,6 +74,13 @@ void SystemMotion<dim>::velocities(Particles<dim> &particles, const double h) {
   }
   system.collect(matrix, h);
   if (correct_clusters) matrix.template correct_clusters<dim>(particles.x);
+  if constexpr (dim == 3)
+    if (second_level_from > 0 && particles.groups.size() >= second_level_from) {
+      std::vector<std::uint32_t> first;
+      for (const Group &group : particles.groups) first.push_back(group.begin);
+      first.push_back(particles.groups.back().end);
+      matrix.second_level(first, particles.x);
+    }
   matrix.template solve<dim>(particles.f, particles.v, system.threads);
   if (remove_mean) take_mean_out<dim>(particles.v);
 }

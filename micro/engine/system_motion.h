@@ -22,8 +22,11 @@ class SystemMotion final : public Motion<dim> {
 
   std::vector<double> medium;  ///< N s/m, of each particle
   bool correct_clusters =
-      false;               ///< clusters' net force and torque exactly (motion_matrix.h), where the
-                           ///< medium is much weaker than the links; not beside moved bodies, as what follows
+      false;  ///< clusters' net force and torque exactly (motion_matrix.h), where the
+              ///< medium is much weaker than the links; not beside moved bodies, as what follows
+  /// From so many groups of particles on, each of them stiff in itself, the solver has a second level
+  /// (second_level.h); 0: never.
+  std::size_t second_level_from = 0;
   double own_length = 0.;  ///< m, of length(); 0: the mean of the field `radius`
   /// kg, of each particle: m dv/dt is linearly implicit as well, (m/h + Gamma + h K) v = F + m v_before/h.
   /// Steps of Overdamped's implicit method alone. Empty: no inertia.

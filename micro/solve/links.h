@@ -220,6 +220,11 @@ class PushedLinks final : public ListedLinks<PushedLinks> {
       to.push_back(link.j);
     }
   }
+  /// visit(i, j, e, normal, tangential), in the order in which they were pushed.
+  template <class Visit>
+  void for_all(const Visit &visit) const {
+    for (const Pushed &link : links) visit(link.i, link.j, link.e, link.normal, link.tangential);
+  }
   template <class Row>
   void links_of(const std::size_t i, Row &row) const {
     for (std::uint32_t k = first[i]; k < first[i + 1]; ++k) {

@@ -36,6 +36,7 @@ void MotionMatrix::clear_parts() {
   given_velocity.clear();
   listed = false;
   find_clusters = {};
+  level.clear();
 }
 
 template <int dim>
@@ -198,7 +199,7 @@ double MotionMatrix::scale_of_forces(const double forces) {
 }
 
 std::size_t MotionMatrix::memory_bytes() const {
-  return matrix.memory_bytes() + own_rows.memory_bytes() + clusters.memory_bytes() +
+  return matrix.memory_bytes() + own_rows.memory_bytes() + clusters.memory_bytes() + level.memory_bytes() +
          sizeof(double) * medium.capacity() + sizeof(Block) * blocks.capacity() +
          sizeof(BodyVector) * (v.capacity() + less.capacity() + exact_rest.capacity()) +
          sizeof(FloatRow) * p.capacity() +

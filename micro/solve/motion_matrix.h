@@ -31,6 +31,7 @@
 #include "micro/solve/link_matrix.h"
 #include "micro/solve/rigid_clusters.h"
 #include "micro/solve/row_matrix.h"
+#include "micro/solve/second_level.h"
 
 namespace turgor {
 struct SolveParameters {
@@ -65,6 +66,12 @@ class MotionMatrix {
   /// x: m; of the next solve() and those again().
   template <int dim>
   void correct_clusters(const std::array<std::vector<double>, dim> &x);
+
+  /// Bodies [first[k], first[k + 1]) are a group that is stiff in itself: of the next solve() and those
+  /// again() the preconditioner knows their rigid motions (second_level.h). x: m.
+  void second_level(const std::vector<std::uint32_t> &first, const std::array<std::vector<double>, 3> &x) {
+    level.groups(first, x);
+  }
 
   /// v (m/s) from f (N), started from v. Throws NotSolved with the residual.
   template <int dim>
@@ -120,6 +127,7 @@ class MotionMatrix {
   bool listed = false;                  ///< what was pushed is sorted
   std::function<void()> find_clusters;  ///< empty: none are corrected
   RigidClusters clusters;
+  SecondLevel level;
 
   unsigned int threads = 1;
   LinkMatrix matrix;

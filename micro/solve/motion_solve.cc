@@ -76,6 +76,13 @@ void MotionMatrix::correct(const double target, const double start, const double
     }
     return sum(total);
   });
+  if (level.wanted()) {
+    rz += level.ask(r);
+    for_chunks(threads, chunks, [&](std::size_t begin, std::size_t last) {
+      for (std::size_t g = begin; g < last; ++g)
+        add_rows(level.motion()[g], LinkMatrix::width, &p[LinkMatrix::width * g]);
+    });
+  }
   squares.resize(chunks.count());
   while (!(residual * start <= target)) {
     if (!std::isfinite(residual * start))
@@ -92,7 +99,7 @@ void MotionMatrix::correct(const double target, const double start, const double
     const double pAp = sum_chunks(threads, chunks, parts,
                                   [&](std::size_t begin, std::size_t last) { return product(begin, last); });
     const float alpha = float(rz / pAp);
-    const double rz_next = sum_chunks(threads, chunks, parts, [&](std::size_t begin, std::size_t last) {
+    double rz_next = sum_chunks(threads, chunks, parts, [&](std::size_t begin, std::size_t last) {
       DoubleRow total{}, square{};
       for (std::size_t g = begin; g < last; ++g) {
         const Eight rest{r[g].x - alpha * Ap[g].x, r[g].y - alpha * Ap[g].y, r[g].z - alpha * Ap[g].z},
@@ -105,6 +112,7 @@ void MotionMatrix::correct(const double target, const double start, const double
       squares[begin / chunks.size] = sum(square);
       return sum(total);
     });
+    if (level.wanted()) rz_next += level.ask(r);
     residual = 0.;
     for (const double square : squares) residual += square;
     const float beta = float(rz_next / rz);
@@ -116,7 +124,12 @@ void MotionMatrix::correct(const double target, const double start, const double
         const Eight q = columns([&](const int k) { return rows[k]; });
         Eight &d = correction[g];
         d = {d.x + alpha * q.x, d.y + alpha * q.y, d.z + alpha * q.z};
-        to_rows({Ap[g].x + beta * q.x, Ap[g].y + beta * q.y, Ap[g].z + beta * q.z}, rows);
+        Eight z = Ap[g];
+        if (level.wanted()) {
+          const Eight &more = level.motion()[g];
+          z = {z.x + more.x, z.y + more.y, z.z + more.z};
+        }
+        to_rows({z.x + beta * q.x, z.y + beta * q.y, z.z + beta * q.z}, rows);
       }
     });
   }
@@ -159,6 +172,7 @@ void MotionMatrix::solve(const std::array<std::vector<double>, dim> &f,
   if (none()) return medium_alone<dim>(f, velocity);
   const double forces = start<dim>(f, velocity), residual = assemble();
   if (find_clusters) measure_clusters();
+  if (level.wanted() && !level.sum(medium, pushed, own_rows.rows())) level.clear();
   finish<dim>(scale_of_forces(forces), residual, velocity);
 }
 

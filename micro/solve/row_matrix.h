@@ -34,6 +34,7 @@ class RowMatrix final : public OwnProduct {
   /// when all have been pushed.
   void sort(std::size_t bodies, const PushedLinks *links, unsigned int threads);
   bool empty() const { return list.rows() == 0; }
+  const RowList &rows() const { return list; }
 
   void begin(const FloatRow *p, unsigned int threads) override;
   void begin(const BodyVector *v, unsigned int threads) override;

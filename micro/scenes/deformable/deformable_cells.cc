@@ -10,6 +10,11 @@
 #include <stdexcept>
 
 namespace turgor {
+namespace {
+/// Cells; below it iterations are few and of each cell's own nodes.
+constexpr std::size_t second_level_from = 24;
+}  // namespace
+
 DeformableShape placed(DeformableShape shape, const Tensor2<3> &turn, const Vector<3> &centre) {
   for (Vector<3> &node : shape.nodes) node = centre + turn * node;
   return shape;
@@ -21,6 +26,7 @@ DeformableCells::DeformableCells(const TouchingMaterial &material_,
     : SteppedCells(material_.steps(), threads), material(material_) {
   for (const DeformableShape &shape : shapes) surfaces->add(system.particles, shape.mesh, shape.nodes);
   motion.correct_clusters = true;
+  motion.second_level_from = second_level_from;
   add_terms(shapes.size() > 1 || grows);
   for (const Group &group : system.particles.groups)
     motion.medium.insert(
