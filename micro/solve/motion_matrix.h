@@ -115,6 +115,7 @@ class MotionMatrix {
   double correct_as_rigid();
   std::vector<BodyVector> given_alone() const;  ///< those of given velocity move, all others are at rest
   double scale_of_forces(double forces);
+  double first_direction(float scale);
   void correct(double target, double start, double allowed);
   double product(std::size_t begin, std::size_t last);
 

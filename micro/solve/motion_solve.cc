@@ -53,18 +53,9 @@ double MotionMatrix::start(const std::array<std::vector<double>, dim> &f,
   });
 }
 
-/// Conjugate gradients in single precision for A d = r, until |r|^2 <= target; v += d. All numbers are those
-/// of r/|r|: squares of small forces would leave the range of single precision.
-void MotionMatrix::correct(const double target, const double start, const double allowed) {
-  const std::size_t n = medium.size();
+/// r becomes scale r, p where the search begins; r'z.
+double MotionMatrix::first_direction(const float scale) {
   const Chunks chunks(matrix.eights(), 64);
-  p.resize(LinkMatrix::width * chunks.n + given_velocity.size());
-  std::fill(p.end() - std::ptrdiff_t(given_velocity.size()), p.end(), FloatRow{});  // which stay as they are
-  Ap.resize(chunks.n);
-  correction.resize(chunks.n);
-  const double size = std::sqrt(start);
-  const float scale = float(1. / size);
-  double residual = 1.;
   double rz = sum_chunks(threads, chunks, parts, [&](std::size_t begin, std::size_t last) {
     DoubleRow total{};
     for (std::size_t g = begin; g < last; ++g) {
@@ -83,6 +74,22 @@ void MotionMatrix::correct(const double target, const double start, const double
         add_rows(level.motion()[g], LinkMatrix::width, &p[LinkMatrix::width * g]);
     });
   }
+  return rz;
+}
+
+/// Conjugate gradients in single precision for A d = r, until |r|^2 <= target; v += d. All numbers are those
+/// of r/|r|: squares of small forces would leave the range of single precision.
+void MotionMatrix::correct(const double target, const double start, const double allowed) {
+  const std::size_t n = medium.size();
+  const Chunks chunks(matrix.eights(), 64);
+  p.resize(LinkMatrix::width * chunks.n + given_velocity.size());
+  std::fill(p.end() - std::ptrdiff_t(given_velocity.size()), p.end(), FloatRow{});  // which stay as they are
+  Ap.resize(chunks.n);
+  correction.resize(chunks.n);
+  const double size = std::sqrt(start);
+  const float scale = float(1. / size);
+  double residual = 1.;
+  double rz = first_direction(scale);
   squares.resize(chunks.count());
   while (!(residual * start <= target)) {
     if (!std::isfinite(residual * start))
