@@ -240,6 +240,13 @@ void RveResponse::finish(RunContext &context, const Walk &walk) const {
                " % of the tissue's area (with more Cell/Nodes per side or a larger Cell/Lamella ratio it is "
                "less)");
   }
+  if (last.pressure > rve.cell.fluid_modulus)
+    remarked(
+        context, "compressed_fluid",
+        "the cells' fluid has come to " + number_text(1e-6 * last.pressure, 3) +
+            " MPa and lost more than a tenth of its volume, as cells keep it and the path leaves them no "
+            "room: no tissue is pressed so (sides that give way, as Path/Stress components = xx, leave "
+            "more room; a path that ends earlier is within what tissue bears).");
   if (walk.unstable) {
     context.result("dead_load_unstable_time", *walk.unstable, "s");
     remarked(context, "dead_load_unstable_time",

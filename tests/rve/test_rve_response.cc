@@ -476,4 +476,20 @@ BOOST_AUTO_TEST_CASE(a_void_fraction_is_met_and_its_gap_is_told) {
   });
 }
 
+/// Held sides at 80 % of the length against sides that give way.
+BOOST_AUTO_TEST_CASE(fluid_without_room_is_told_of) {
+  const auto pressed = [](const std::string &more) {
+    return "subsection Path\nset Keyframes = 0 : 1, 0; 0, 1 | 1 : 1, 0; 0, 0.8\nset Points = 8\nset Tangents "
+           "= "
+           "false\n" +
+           more + "end\n";
+  };
+  Memory held, free;
+  run(held, pressed(""));
+  BOOST_TEST(held.notes.at("compressed_fluid").find("lost more than a tenth of its volume") !=
+             std::string::npos);
+  run(free, pressed("set Stress components = xx\n"));
+  BOOST_TEST(free.notes.count("compressed_fluid") == 0u);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
