@@ -70,7 +70,7 @@ class SteppedCells {
 /// What then holds where cells come to rest.
 constexpr const char *path_alone =
     ": where the cells come to rest holds, times and work on the way there do not";
-/// Says so where energy_lost() is above 2 %, never ends a run; holding: what the results are worth then, as
-/// ": ...".
+/// Says so where energy_lost() is above 2 %; holding: what the results are worth then, as ": ...". Without it
+/// nothing holds above 25 %: throws RunFailed.
 void judge_energy_lost(RunContext &context, double lost, const std::string &holding = "");
 }  // namespace turgor

@@ -133,4 +133,14 @@ BOOST_AUTO_TEST_CASE(a_colony_invades_with_the_same_bits_on_threads_and_after_a_
   BOOST_TEST((resumed.results == whole.results));
 }
 
+BOOST_AUTO_TEST_CASE(steps_that_lose_the_energy_are_no_result) {
+  const char *const coarse =
+      "set Cells = 37\nset End time = 300\nset Samples = 2\nset Frames = 0\nset Longest step = 100\n"
+      "subsection Network\n set Side = 2.4e-4\nend\nsubsection Protrusion\n set Work limit = 4e-15\nend\n";
+  BOOST_CHECK_EXCEPTION(run<Invasion>(coarse, 1, 0, "history"), RunFailed, [](const RunFailed &e) {
+    return std::string(e.what()).find("shorter steps: Longest step, Tolerance), more than the 25 %") !=
+           std::string::npos;
+  });
+}
+
 BOOST_AUTO_TEST_SUITE_END()
