@@ -69,7 +69,9 @@ std::shared_ptr<WallFlow> unstretched_walls(const std::vector<Group> &rings) {
   return flow;
 }
 
-CellContactParameters contact_of(const BrickTissue &tissue, const BrickParameters &brick) {
+/// may_tear: walls alone that come to rest at turgor do not.
+CellContactParameters contact_of(const BrickTissue &tissue, const BrickParameters &brick,
+                                 const bool may_tear) {
   CellContactParameters contact;
   contact.soft = brick.structure.gap > 0.;
   if (contact.soft) {  // cut out of tissue with air spaces: as across those of its RVEs
@@ -82,9 +84,8 @@ CellContactParameters contact_of(const BrickTissue &tissue, const BrickParameter
     contact.range = 1.6 * contact.surface.inset;  // below sqrt(3): three cells that meet feel nothing
     contact.stiffness = tissue.spring_stiffness;
   }
-  contact.stiffness *=
-      std::max(brick.contact_ratio,
-               ratio_that_holds_torn_walls(brick.critical_stretch, tissue.spacing / contact.range));
+  const double held = ratio_that_holds_torn_walls(brick.critical_stretch, tissue.spacing / contact.range);
+  contact.stiffness *= std::max(brick.contact_ratio, may_tear ? held : 0.);
   contact.fluid_range = contact.surface.inset;
   contact.skin = 0.5 * tissue.spacing;
   contact.spacing = tissue.spacing;
@@ -145,7 +146,8 @@ std::unique_ptr<BrickTissue> make_brick_tissue(const ParenchymaParameters &p, co
                                                   brick.lamella_strength * tissue->spacing * p.depth));
   if (filled && brick.yielding == Yielding::plastic)
     tissue->flow = unstretched_walls(system.particles.groups);
-  tissue->contact = &system.add(std::make_unique<CellContact>(contact_of(*tissue, brick), tissue->damage));
+  tissue->contact =
+      &system.add(std::make_unique<CellContact>(contact_of(*tissue, brick, filled), tissue->damage));
   return tissue;
 }
 }  // namespace turgor

@@ -41,7 +41,11 @@ void SecondLevel::add(const std::array<std::uint32_t, 2> &of, const std::array<M
   auto &all = beside[of[low]];
   auto at =
       std::find_if(all.rbegin(), all.rend(), [&](const Beside &one) { return one.other == of[1 - low]; });
-  Square &square = at != all.rend() ? at->square : all.emplace_back(of[1 - low], Square::Zero()).square;
+  if (at == all.rend()) {
+    all.push_back({of[1 - low], Square::Zero()});
+    at = all.rbegin();
+  }
+  Square &square = at->square;
   square += c * q[low] * q[1 - low].transpose();
 }
 
