@@ -122,8 +122,8 @@ NOTES = """![Force and failed cells over the way of the plate](blocks_failure.pn
   a cell (strips_free_struck.md), by sides and domed ends, which small blocks of cells are made of and FE2 does not know. Elements of 2 x 2 cells, as here, add to it. Larger blocks that break were not run (16 x 16: some five minutes of CPU time a tissue).
 - The drained RVE's share matters less than when it is pressed slowly (strips_failure.md: 31 % against 100 %): a blow breaks walls faster than cells drain.
 - Elements of 2 x 2 cells; others were not run here. Softening has no length of its own (doc/tissue_bruise.md), so that the share depends on them.
-- Sparse blocks (Gap 20 um, walls that break at 1.3, as turgor alone stretches them to 1.21 where they meet air) were tried and cannot be compared: of four tissues of particles one came to its end; two are stretched to 1.31 and 1.32
-  by turgor alone (with 1.4 they hold, which was not run to its end) and one diverges while it is inflated (`Structure seed` 1: contact that holds torn walls is some hundred times as stiff across air spaces as that of whole ones). FE2 with cells that drain at once ends at 22 % in three of four (no equilibrium), told.
+- Sparse blocks (Gap 20 um, walls that break at 1.3, as turgor alone stretches them to 1.21 where they meet air) were tried and cannot be compared: of four tissues of particles one came to its end, the others are stretched to 1.31, 1.32 and 1.45 by
+  turgor alone (with 1.5 all four are inflated; that was not run to its end). FE2 with cells that drain at once ends at 22 % in three of four (no equilibrium), told.
 """
 
 if __name__ == "__main__":

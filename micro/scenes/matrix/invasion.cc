@@ -173,7 +173,7 @@ void Invasion::Run::report() {
     remarked(
         context, "at_border",
         "a cell came near the border of the network, where the run ended: a larger Network/Side goes on");
-  judge_energy_lost(context, trial.cells.energy_lost());
+  judge_energy_lost(context, trial.cells.energy_lost(), "", most_energy_lost_on_a_way);
 }
 
 void Invasion::run(RunContext &context) { Run(*this, context).go(); }

@@ -206,7 +206,7 @@ void RodMigration::Run::report() {
         number_text(sums.border) + " of " + number_text(scene.seeds) +
             " cells came near the border of their network before the end: they would have gone farther (a "
             "larger Network/Side)");
-  judge_energy_lost(context, sums.lost);
+  judge_energy_lost(context, sums.lost, "", most_energy_lost_on_a_way);
 }
 
 void RodMigration::run(RunContext &context) { Run(*this, context).go(); }
