@@ -21,24 +21,30 @@ COLOURS = {"xx": ACCENT, "yy": ALONG, "xy": "#6b8e4e", "yx": "#8a6fb0"}
 WIDTHS = {"xx": 3.4, "xy": 1.8, "yy": 1.8}  # where two are zero both are seen, the later over the broader one
 
 
-def air_share(directory):
-    """"6 % air at rest (" by summary.json; "air (" without."""
+def found_result(directory, name):
+    """A result of summary.json, or None."""
     try:
         with open(os.path.join(directory, "summary.json"), encoding="utf-8") as file:
-            return f"{100 * json.load(file)['results']['air_share_at_rest']['value']:.2g} % air at rest ("
+            return json.load(file)["results"][name]["value"]
     except (OSError, ValueError, KeyError):
-        return "air ("
+        return None
+
+
+def air_share(directory):
+    """"6 % air at rest (" by summary.json; "air (" without."""
+    share = found_result(directory, "air_share_at_rest")
+    return "air (" if share is None else f"{100 * share:.2g} % air at rest ("
 
 
 def what_is_loaded(directory, found):
     """A line for the title: layout, cells, air, and which components of F are given or found."""
     entries = input_entries(directory)
     words = [f"{entries.get(('Structure', 'Structure'), 'square')} cells, {entries.get(('RVE', 'Columns'), '1')} x {entries.get(('RVE', 'Rows'), '1')}"]
-    gap = float(entries.get(("Structure", "Gap"), "0") or 0)
+    gap = found_result(directory, "corner_gap") or float(entries.get(("Structure", "Gap"), "0") or 0)
     if gap > 0:
         air = entries.get(("Structure", "Air"), "connected")
-        words.append(f"{air_share(directory)}gap {1e6 * gap:g} µm), " + ("which leaves freely" if air == "connected" else f"shut in ({air}), which stiffens"))
-    words.append("F given" if found == ["none"] else "stress given along " + ", ".join(found))
+        words.append(f"{air_share(directory)}gap {1e6 * gap:.3g} µm), " + ("which leaves freely" if air == "connected" else f"shut in ({air}), which stiffens"))
+    words.append("F given" if found == ["none"] else ", ".join(f"P_{component}" for component in found) + " given, F else")
     return "; ".join(words)
 
 

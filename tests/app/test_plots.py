@@ -274,7 +274,7 @@ class Pictures(unittest.TestCase):
         self.write("input.prm", structure.format("isothermal"))
         self.write("summary.json", '{"results": {"air_share_at_rest": {"value": 0.0601, "unit": "1"}}}')
         self.assertEqual(rve_response.what_is_loaded(self.directory, ["xx"]),
-                         "brick cells, 2 x 3; 6 % air at rest (gap 20 µm), shut in (isothermal), which stiffens; stress given along xx")
+                         "brick cells, 2 x 3; 6 % air at rest (gap 20 µm), shut in (isothermal), which stiffens; P_xx given, F else")
 
     def test_where_a_closed_form_does_not_apply_its_line_has_a_gap(self):
         table = plot.with_gaps({"time [s]": drawing.np.arange(3.), "closed_form_applies": drawing.np.array([1., 0., 1.]),
